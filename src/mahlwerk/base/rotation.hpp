@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/base/vec3.hpp"
+
+namespace mahlwerk {
+
+/// A proper rotation, kept as the images of the three axes.
+struct Rotation {
+  Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
+
+  constexpr Vec3 operator*(const Vec3& a) const { return a.x * ex + a.y * ey + a.z * ez; }
+  constexpr Vec3 back(const Vec3& a) const { return {dot(ex, a), dot(ey, a), dot(ez, a)}; }
+  constexpr bool operator==(const Rotation&) const = default;
+};
+
+constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
+  return {a * b.ex, a * b.ey, a * b.ez};
+}
+
+/// Turning by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
+inline Rotation turning(const Vec3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto turned = [&](const Vec3& a) {
+    return c * a + s * cross(axis, a) + (1 - c) * dot(axis, a) * axis;
+  };
+  return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
+}
+
+/// A bound on the components of a rotated vector whose own components are bounded by `most`.
+inline Vec3 bound_of_rotated(const Rotation& r, const Vec3& most) {
+  return most.x * magnitude(r.ex) + most.y * magnitude(r.ey) + most.z * magnitude(r.ez);
+}
+
+}  // namespace mahlwerk

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/unit_table.hpp"
+
+namespace mahlwerk {
+namespace {
+
+constexpr int highest_power = 9;  // of a unit; keeps exponents and factors within bounds
+
+/// Other spellings of the same units.
+std::string plain(std::string_view text) {
+  static constexpr std::pair<std::string_view, std::string_view> spellings[] = {
+      {"\u00b5", "u"}, {"\u03bc", "u"},   {"\u00b2", "2"}, {"\u00b3", "3"},
+      {"\u00b7", "*"}, {"\u00b0C", "degC"}, {"\u00b0", "deg"}};
+  std::string out(text);
+  for (const auto& [from, to] : spellings)
+    for (auto at = out.find(from); at != std::string::npos; at = out.find(from, at + to.size()))
+      out.replace(at, from.size(), to);
+  return out;
+}
+
+double common_divisor(double a, double b) {
+  while (b != 0) a = std::exchange(b, std::fmod(a, b));
+  return a;
+}
+
+[[noreturn]] void unknown_unit(std::string_view symbol) {
+  std::vector<std::string> known;
+  for (const Unit& u : all_units()) known.emplace_back(u.symbol);
+  known.insert(known.end(), {"degC", "1/min", "rad/s", "m/s", "kg/m3", "g/cm3", "m/s2", "J/kg"});
+  const std::string near = nearest_word(symbol, known);
+  throw UnitError(near.empty() ? fmt::format("there is no unit \"{}\"", symbol)
+                               : fmt::format("there is no unit \"{}\"; did you mean \"{}\"?", symbol, near));
+}
+
+const Unit& find_unit(std::string_view symbol) {
+  for (const Unit& u : all_units())
+    if (u.symbol == symbol) return u;
+  unknown_unit(symbol);
+}
+
+void multiply(Measure& m, const Unit& unit, int power) {
+  const int n = std::abs(power), sign = power < 0 ? -1 : 1;
+  for (int i = 0; i < n; ++i) {
+    m.scale.up *= power > 0 ? unit.scale.up : unit.scale.down;
+    m.scale.down *= power > 0 ? unit.scale.down : unit.scale.up;
+    m.scale.turns += sign * unit.scale.turns;
+    const auto add = [&](std::int8_t& into, std::int8_t what) {
+      const int sum = into + sign * what;
+      if (std::abs(sum) > 100) throw UnitError("the unit has too high a power");
+      into = static_cast<std::int8_t>(sum);
+    };
+    add(m.dimension.length, unit.dimension.length);
+    add(m.dimension.mass, unit.dimension.mass);
+    add(m.dimension.time, unit.dimension.time);
+    add(m.dimension.temperature, unit.dimension.temperature);
+    add(m.dimension.angle, unit.dimension.angle);
+  }
+  if (!std::isfinite(m.scale.up) || !std::isfinite(m.scale.down))
+    throw UnitError("the unit has too high a power");
+  const double divisor = common_divisor(m.scale.up, m.scale.down);
+  m.scale.up /= divisor;
+  m.scale.down /= divisor;
+}
+
+/// The power behind a symbol: "3", "^3", "^-3"; 1 if there is none.
+int parse_power(std::string_view power, std::string_view symbol) {
+  if (power.empty()) return 1;
+  std::string_view digits = power;
+  if (digits.front() == '^') digits.remove_prefix(1);
+  int value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || value == 0 ||
+      std::abs(value) > highest_power)
+    throw UnitError(fmt::format("\"{}{}\" is not a unit", symbol, power));
+  return value;
+}
+
+void multiply_factor(Measure& m, std::string_view factor, int sign) {
+  std::size_t end = 0;
+  while (end < factor.size() &&
+         (std::isalpha(static_cast<unsigned char>(factor[end])) != 0 || factor[end] == '%'))
+    ++end;
+  const std::string_view symbol = factor.substr(0, end);
+  if (symbol.empty()) unknown_unit(factor);
+  if (symbol == "degC")
+    throw UnitError("\"degC\" cannot be part of a compound unit; use \"K\"");
+  multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
+}
+
+}  // namespace
+
+Measure parse_unit(std::string_view given) {
+  const std::string text = plain(given);
+  Measure m;
+  if (text.empty()) return m;
+  if (text == "1/min") return parse_unit("rpm");  // a turn a minute, as on a type plate
+  std::size_t from = 0;
+  int sign = 1;
+  for (bool first = true;; first = false) {
+    const std::size_t to = std::min(text.find_first_of("*/", from), text.size());
+    std::string_view factor = std::string_view(text).substr(from, to - from);
+    while (!factor.empty() && factor.front() == ' ') factor.remove_prefix(1);
+    while (!factor.empty() && factor.back() == ' ') factor.remove_suffix(1);
+    if (!(first && factor == "1" && to < text.size())) multiply_factor(m, factor, sign);
+    if (to == text.size()) return m;
+    sign = text[to] == '/' ? -1 : 1;
+    from = to + 1;
+  }
+}
+
+}  // namespace mahlwerk

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "mahlwerk/base/unit_table.hpp"
+
+namespace mahlwerk {
+namespace {
+
+constexpr double ice_point = 273.15;  // [K]
+constexpr std::size_t longest_text = 200;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+/// A text cut into its number and what follows.
+struct Parts {
+  double number = 0;
+  std::string_view digits, unit;
+};
+
+[[noreturn]] void not_a_quantity(std::string_view text) {
+  throw UnitError(fmt::format("\"{}\" is not a number with a unit", text.substr(0, longest_text)));
+}
+
+Parts split(std::string_view whole) {
+  const std::string_view text = trimmed(whole);
+  if (text.size() > longest_text) not_a_quantity(text);
+  std::string_view rest = text;
+  if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
+  const std::size_t sign = !rest.empty() && rest.front() == '-' && rest.size() != text.size() - 1;
+  if (rest.size() <= sign) not_a_quantity(text);
+  const char head = rest[sign];
+  if (head != '.' && (head < '0' || head > '9')) not_a_quantity(text);  // nan, inf, words
+  Parts p;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), p.number);
+  if (error == std::errc::result_out_of_range)
+    throw UnitError(fmt::format("the number in \"{}\" is too large or too small", text));
+  if (error != std::errc{}) not_a_quantity(text);
+  p.digits = {text.data(), static_cast<std::size_t>(end - text.data())};
+  p.unit = trimmed({end, static_cast<std::size_t>(rest.data() + rest.size() - end)});
+  if (p.unit.starts_with(','))
+    throw UnitError(fmt::format("\"{}\" has a comma; write a decimal point", text));
+  return p;
+}
+
+bool celsius(std::string_view unit) { return unit == "degC" || unit == "\u00b0C"; }
+
+/// `value` in units of `from`, measured in units of `to`.
+double converted(double value, const Scale& from, const Scale& to) {
+  double up = from.up * to.down, down = from.down * to.up;
+  for (double a = up, b = down;;) {
+    if (b == 0) {
+      up /= a;
+      down /= a;
+      break;
+    }
+    a = std::exchange(b, std::fmod(a, b));
+  }
+  double out = value * up / down;
+  constexpr double turn = 2 * std::numbers::pi;
+  for (int i = from.turns; i < to.turns; ++i) out /= turn;
+  for (int i = to.turns; i < from.turns; ++i) out *= turn;
+  return out;
+}
+
+double finite_or_fault(double value, std::string_view text) {
+  if (std::isfinite(value)) return value;
+  throw UnitError(fmt::format("the number in \"{}\" is too large", text));
+}
+
+/// What people call the dimension a unit measures.
+std::string_view kind_of(std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {"m", "a length"},         {"kg", "a mass"},        {"s", "a time"},
+      {"Hz", "a frequency"},     {"rad/s", "a speed of rotation"}, {"rad", "an angle"},
+      {"m/s", "a speed"},        {"m/s2", "an acceleration"}, {"kg/m3", "a density"},
+      {"m3", "a volume"},        {"Pa", "a pressure"},    {"J", "an energy"},
+      {"W", "a power"},          {"K", "a temperature"},  {"", "a number without a unit"}};
+  for (const auto& [u, kind] : kinds)
+    if (u == unit) return kind;
+  return "something else";
+}
+
+std::string_view example_unit(std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> units[] = {
+      {"m", "mm"}, {"kg", "g"}, {"rad/s", "rpm"}, {"rad", "deg"}, {"m3", "ml"}, {"Pa", "GPa"}};
+  for (const auto& [u, example] : units)
+    if (u == unit) return example;
+  return unit;
+}
+
+}  // namespace
+
+Quantity parse_quantity(std::string_view text) {
+  const Parts p = split(text);
+  if (celsius(p.unit))
+    return {finite_or_fault(p.number + ice_point, text), Dimension{.temperature = 1}};
+  const Measure m = parse_unit(p.unit);
+  return {finite_or_fault(converted(p.number, m.scale, {}), text), m.dimension};
+}
+
+double parse_in(std::string_view text, std::string_view unit) {
+  const Parts p = split(text);
+  const Measure wanted = parse_unit(unit);
+  if (celsius(p.unit) && wanted.dimension == Dimension{.temperature = 1})
+    return finite_or_fault(converted(p.number + ice_point, {}, wanted.scale), text);
+  if (p.unit.empty() && wanted.dimension != Dimension{})
+    throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
+                                example_unit(unit)));
+  const Dimension found = celsius(p.unit) ? Dimension{.temperature = 1} : parse_unit(p.unit).dimension;
+  if (found != wanted.dimension)
+    throw UnitError(fmt::format("\"{}\" is not {}; write for instance \"{}\"", trimmed(text),
+                                kind_of(unit), example_of(unit)));
+  return finite_or_fault(converted(p.number, parse_unit(p.unit).scale, wanted.scale), text);
+}
+
+std::string example_of(std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> examples[] = {
+      {"m", "12 mm"},    {"kg", "10 g"},      {"s", "60 s"},          {"Hz", "10 Hz"},
+      {"rad/s", "400 rpm"}, {"rad", "30 deg"}, {"m/s", "0.1 m/s"},    {"m/s2", "9.81 m/s2"},
+      {"kg/m3", "7850 kg/m3"}, {"m3", "5 ml"}, {"Pa", "200 GPa"},     {"K", "20 degC"},
+      {"", "0.5"}};
+  for (const auto& [u, example] : examples)
+    if (u == unit) return std::string(example);
+  return fmt::format("1 {}", unit);
+}
+
+std::string shortest(double value) {
+  std::array<char, 400> room;
+  const auto plain = std::to_chars(room.data(), room.data() + room.size(), value);
+  std::string text(room.data(), plain.ptr);
+  const double size = std::abs(value);
+  if (text.find('e') == std::string::npos || !(size >= 1e-4 && size < 1e15)) return text;
+  const auto fixed =
+      std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::fixed);
+  return {room.data(), fixed.ptr};
+}
+
+namespace {
+
+/// `value` rounded to that many significant digits.
+double rounded(double value, int digits) {
+  std::array<char, 64> room;
+  const auto end = std::to_chars(room.data(), room.data() + room.size(), value,
+                                 std::chars_format::scientific, digits - 1)
+                       .ptr;
+  double out = value;
+  std::from_chars(room.data(), end, out);
+  return out;
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  return unit.empty() ? shortest(value) : fmt::format("{} {}", shortest(value), unit);
+}
+
+/// How far `value` is from the sizes people like to read, in decades.
+int strain(double value) {
+  const double size = std::abs(value);
+  if (size == 0) return 0;
+  if (size < 0.1) return static_cast<int>(std::ceil(-1 - std::log10(size)));
+  return size < 1000 ? 0 : static_cast<int>(std::floor(std::log10(size))) - 2;
+}
+
+/// One way to write a value.
+struct Way {
+  std::string text;
+  int cost = 1000;
+};
+
+/// Fewest digits in `as` that read back as `value` in `unit`; an empty text if none do.
+Way exact_in(double value, std::string_view unit, std::string_view as) {
+  constexpr int enough = 17;
+  const double x = converted(value, parse_unit(unit).scale, parse_unit(as).scale);
+  if (!std::isfinite(x)) return {};
+  for (int digits = 1; digits <= enough; ++digits) {
+    const double r = rounded(x, digits);
+    std::string text = with_unit(r, as);
+    if (std::isfinite(r) && converted(r, parse_unit(as).scale, parse_unit(unit).scale) == value)
+      return {std::move(text), digits + 3 * strain(r)};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string show(double value, std::string_view unit) {
+  Way best;
+  if (std::isfinite(value))
+    for (const std::string_view as : shown_in(unit)) {
+      Way way = exact_in(value, unit, as);
+      if (!way.text.empty() && way.cost < best.cost) best = std::move(way);
+    }
+  return best.text.empty() ? with_unit(value, unit) : best.text;
+}
+
+std::string show_rounded(double value, std::string_view unit, int digits) {
+  if (!std::isfinite(value)) return with_unit(value, unit);
+  std::string_view best = unit;
+  int least = 1000;
+  for (const std::string_view as : shown_in(unit)) {
+    const int cost = strain(converted(value, parse_unit(unit).scale, parse_unit(as).scale));
+    if (cost < least) {
+      least = cost;
+      best = as;
+    }
+  }
+  const double x = converted(value, parse_unit(unit).scale, parse_unit(best).scale);
+  return with_unit(rounded(x, digits), best);
+}
+
+}  // namespace mahlwerk

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+
+// A case: what a user asks for, complete and in SI, with nothing left to guess.
+namespace mahlwerk::cases {
+
+struct Mill {
+  std::string model;  ///< name in the catalogue; empty if the case gives its own numbers
+  kinematics::AnyMotion motion;
+  Vec3 jar_axis{0, 0, 1};  ///< unit vector the mounted jar's own z axis points along
+  std::string motion_file;  ///< of a tabulated motion, as written; relative to the case file
+  bool operator==(const Mill&) const = default;
+};
+
+struct Jar {
+  std::string model;     ///< name in the catalogue, or empty
+  std::string material;  ///< name in the catalogue, or empty
+  geometry::AnyShape shape;
+  bool operator==(const Jar&) const = default;
+};
+
+/// Balls of one kind.
+struct BallSet {
+  std::int64_t count = 1;
+  double diameter = 0;   ///< [m]
+  double density = 0;    ///< [kg/m3]
+  std::string material;  ///< name in the catalogue, or empty
+  double mass() const;   ///< [kg] of one ball
+  bool operator==(const BallSet&) const = default;
+};
+
+struct Powder {
+  std::string material;
+  double mass = 0;                ///< [kg]
+  std::optional<double> size;     ///< [m]
+  std::optional<double> density;  ///< [kg/m3]
+  bool operator==(const Powder&) const = default;
+};
+
+/// What happens when bounces become countless and ever smaller.
+enum class Lasting {
+  roll,  ///< the ball goes on in lasting contact, rolling or sliding, until the wall lets it go
+  tc,    ///< TC rule: a bounce within `contact_time` of the last one is elastic
+  none   ///< nothing; the Zeno guard stops the run
+};
+
+struct Contact {
+  std::string law = "hertz-mindlin";  ///< of the soft engine
+  contact::BounceRule rule;           ///< friction infinite: paper A's constant e_t
+  double rolling_friction = 0;        ///< mu_r
+  Lasting lasting = Lasting::roll;
+  double lasting_speed = 0;  ///< [m/s] a rebound slower than this, pressed to the wall, has come to stay
+  double contact_time = 0;   ///< [s] t_c of the TC rule
+  bool operator==(const Contact&) const = default;
+};
+
+struct Run {
+  std::string engine = "event";  ///< "event", "soft" or "auto"
+  double time = 0;               ///< [s] counted
+  double settle = 0;             ///< [s] before that, not counted
+  std::int64_t replicates = 1;
+  double start_speed = 0;  ///< [m/s] starting speeds are uniform in 0 ... this
+  double start_spin = 0;   ///< [rad/s] starting spins are uniform in 0 ... this
+  bool operator==(const Run&) const = default;
+};
+
+struct Observe {
+  double threshold = 0;     ///< [m/s] on u_n
+  bool collisions = false;  ///< keep every record in collisions.h5
+  bool operator==(const Observe&) const = default;
+};
+
+/// Where one value of a resolved case came from.
+struct Origin {
+  std::string key;     ///< "mill.amplitude", "balls.1.density"
+  std::string value;   ///< as a user would write it
+  std::string source;  ///< "case.toml:9", "--set", "catalogue mills/fritsch-p7-classic: ...", "default: ..."
+  bool assumed = false;     ///< a default the user did not choose
+  bool unverified = false;  ///< its source is weak
+};
+
+struct Case {
+  std::string title;
+  std::uint64_t seed = 1;
+  Mill mill;
+  Jar jar;
+  std::vector<BallSet> balls;
+  std::optional<Powder> powder;
+  Contact contact;
+  Run run;
+  Observe observe;
+  double gravity = 9.81;  ///< [m/s2], downwards
+  /// Dotted key -> the values it takes, as text; the full product is run.
+  std::map<std::string, std::vector<std::string>> sweep;
+
+  /// Not compared: the same case may come from elsewhere.
+  std::vector<Origin> origins;
+  std::string file;  ///< path it was read from, or empty
+
+  bool operator==(const Case& o) const;
+};
+
+}  // namespace mahlwerk::cases

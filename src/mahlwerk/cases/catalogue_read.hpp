@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mahlwerk/cases/catalogue.hpp"
+
+namespace mahlwerk::cases {
+
+/// Reads the text of a catalogue file. `file` is the name faults cite. Throws InputError with every fault:
+/// unknown keys, values without a source, values that are not what their key asks for.
+CatalogueEntry read_entry(std::string_view text, std::string_view room, std::string_view name,
+                          std::string_view file);
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/cases/catalogue.hpp"
+
+namespace mahlwerk::cases {
+
+/// One "key=value" of the command line; the value is text as in TOML, quotes optional.
+struct Override {
+  std::string key, value;
+};
+
+/// Reads a case file, overrides applied, catalogue entries and defaults filled in, [sweep] kept as it is.
+/// Throws InputError with every fault found: file, line, what, remedy.
+Case read(const std::filesystem::path& file, const Catalogue& catalogue,
+          const std::vector<Override>& overrides = {});
+
+/// The same from text; `file` is the name faults cite and the folder other files are relative to.
+Case read_text(const std::string& text, const std::filesystem::path& file, const Catalogue& catalogue,
+               const std::vector<Override>& overrides = {});
+
+/// The resolved case as TOML: every value, its origin as a comment behind it. read_text(write(c)) == c.
+std::string write(const Case& c);
+
+/// Faults of a case as a whole, wherever it came from: a ball that does not fit its jar, an engine that
+/// cannot run it. Empty if it can run. Called by read(); bindings and tests call it too.
+std::vector<Fault> faults(const Case& c);
+
+}  // namespace mahlwerk::cases

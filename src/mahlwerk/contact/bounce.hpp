@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/vec3.hpp"
+
+// Instantaneous collisions of rough spheres: impulse in, impulse out, nothing else.
+namespace mahlwerk::contact {
+
+/// How a collision ends. Paper A: constant e_n and e_t, friction without limit. Walton: the same below the
+/// Coulomb limit `friction` (mu), sliding above it.
+struct BounceRule {
+  double restitution = 1;             ///< e_n in [0, 1]
+  double tangential_restitution = 1;  ///< e_t in [-1, 1]: 1 smooth, 0 no slip, -1 perfectly rough
+  double friction = INFINITY;         ///< mu >= 0; infinite: no Coulomb limit (paper A)
+  bool operator==(const BounceRule&) const = default;
+};
+
+/// The impulses of one collision [N s], both against the motion of the ball relative to the other body.
+struct Impulse {
+  double normal = 0;      ///< along n
+  double tangential = 0;  ///< along the slip
+};
+
+/// For solid spheres, `mass` [kg] effective, `approach` u_n and `slip` |u_t| in m/s (evt.6, evt.7).
+inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip) {
+  const double normal = mass * (1 + rule.restitution) * approach;
+  const double sticking = 2.0 / 7.0 * mass * (1 - rule.tangential_restitution) * slip;
+  return {normal, std::min(sticking, rule.friction * normal)};
+}
+
+/// What the collision dissipates [J], from the velocities before and the impulses (evt.8).
+struct Loss {
+  double normal = 0, tangential = 0;
+};
+inline Loss loss(const Impulse& j, double mass, double approach, double slip) {
+  return {j.normal * (approach - 0.5 * j.normal / mass),
+          j.tangential * (slip - 0.5 * 3.5 * j.tangential / mass)};
+}
+
+}  // namespace mahlwerk::contact

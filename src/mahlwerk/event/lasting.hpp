@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "mahlwerk/event/jar.hpp"
+#include "mahlwerk/event/rules.hpp"
+
+// A ball that stays on the wall: its equations of motion, rolling or sliding, on one face or in the edge
+// between two (evt.12 to evt.17). The state is that of the jar frame.
+namespace mahlwerk::event {
+
+/// A ball in lasting contact, with the work done on it and the energy it lost since contact began.
+struct Rest {
+  Vec3 position, velocity, spin;
+  double work = 0, lost = 0;  // [J]
+};
+inline Rest operator+(const Rest& a, const Rest& b) {
+  return {a.position + b.position, a.velocity + b.velocity, a.spin + b.spin, a.work + b.work,
+          a.lost + b.lost};
+}
+inline Rest operator*(double s, const Rest& a) {
+  return {s * a.position, s * a.velocity, s * a.spin, s * a.work, s * a.lost};
+}
+
+enum class Grip { rolling, sliding };
+
+/// The faces a ball rests on, one or two, and how it holds on the one.
+struct Seat {
+  int count = 0;
+  std::array<int, 2> face{};
+  Grip grip = Grip::rolling;
+  Vec3 slide;  ///< unit direction of the slip when sliding begins from rest
+};
+
+struct BallBody {
+  double radius = 0, mass = 0, inertia = 0;
+};
+
+/// Forces at an instant.
+struct Reaction {
+  std::array<double, 2> press{};  ///< [m/s2] normal force per mass, < 0: the wall would have to pull
+  double needed = 0;              ///< [m/s2] friction per mass that rolling needs
+  Vec3 slip;                      ///< [m/s] of the (first) contact
+  Vec3 drag;                      ///< [m/s2] friction per mass there
+};
+
+template <class J>
+class LastingContact {
+ public:
+  LastingContact(const J& jar, const BallBody& ball, const Rules& rules)
+      : jar_(&jar), ball_(ball), rules_(rules) {}
+
+  /// Derivative of the state at `t`, and the forces that make it.
+  Rest rate(const Seat& seat, double t, const Rest& y, Reaction& forces) const {
+    const kinematics::Ride ride = jar_->motion().ride(t);
+    const Vec3 field = jar_->gravity() - ride.acceleration;  // (evt.1)
+    return seat.count == 1 ? on_face(seat, t, y, ride.velocity, field, forces)
+                           : in_edge(seat, t, y, ride.velocity, field, forces);
+  }
+
+  /// The acceleration with which the wall holds the ball now, < 0 if it lets go [m/s2] (evt.12).
+  double press(int face, double t, const Vec3& position, const Vec3& velocity) const {
+    const auto hold = jar_->hold(face, {position, velocity}, t);
+    const Vec3 field = jar_->gravity() - jar_->motion().ride(t).acceleration;
+    return hold.bend - dot(field, hold.inward);
+  }
+
+  /// Slip of the touching surfaces [m/s].
+  Vec3 slip(int face, double t, const Rest& y) const {
+    const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
+    return across(y.velocity - wall.velocity - ball_.radius * cross(y.spin, wall.inward),
+                  wall.inward);
+  }
+
+  /// The state put back onto the wall: no gap, no normal speed. `grip` rolling: no slip either, the spin
+  /// following the centre.
+  void seat_exactly(const Seat& seat, double t, Rest& y) const {
+    for (int i = 0; i < seat.count; ++i) {
+      const Wall wall = jar_->wall(seat.face[static_cast<std::size_t>(i)], y.position, t, ball_.radius);
+      y.position -= wall.gap * wall.inward;
+      y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
+    }
+    if (seat.count == 1 && seat.grip == Grip::rolling && rules_.lasting_friction() > 0) {
+      const Wall wall = jar_->wall(seat.face[0], y.position, t, ball_.radius);
+      const Vec3 u = y.velocity - wall.velocity;
+      // R w x n = u has the solution w = n x u / R across n; the spin about n is free.
+      y.spin = dot(y.spin, wall.inward) * wall.inward + cross(wall.inward, u) / ball_.radius;
+    }
+  }
+
+  double energy(double t, const Rest& y) const {  // [J] kinetic, laboratory axes
+    const Vec3 v = y.velocity + jar_->motion().ride(t).velocity;
+    return 0.5 * ball_.mass * squared(v) + 0.5 * ball_.inertia * squared(y.spin);
+  }
+
+ private:
+  /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball hardly
+  /// turns (evt.16).
+  Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double press) const {
+    constexpr double hardly = 0.01;  // [rad/s]
+    const Vec3 w = across(turning, inward);
+    const double most = rules_.rolling_friction * ball_.radius * std::max(press, 0.0);
+    return -(most / std::sqrt(squared(w) + hardly * hardly)) * w;
+  }
+
+  Rest on_face(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
+               const Vec3& field, Reaction& forces) const {
+    const double r = ball_.radius;
+    const auto hold = jar_->hold(seat.face[0], {y.position, y.velocity}, t);
+    const Vec3 n = hold.inward, w = jar_->motion().spin(t), point = y.position - r * n;
+    const Vec3 wall = cross(w, point);
+    const double press = hold.bend - dot(field, n);  // (evt.12)
+    const Vec3 slip = across(y.velocity - wall - r * cross(y.spin, n), n);
+    const Vec3 torque = rolling_torque(y.spin - w, n, press);
+
+    // Friction per mass that keeps the slip as it is: d(slip)/dt = 0 (evt.13).
+    const Vec3 wall_rate =
+        cross(jar_->motion().spin_rate(t), point) + cross(w, y.velocity - r * hold.inward_rate);
+    const Vec3 wanted =
+        2.0 / 7.0 *
+        across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n), n);
+    Vec3 drag = wanted;
+    if (seat.grip == Grip::sliding) {  // (evt.14)
+      const double speed = norm(slip), mu = rules_.lasting_friction();
+      const Vec3 along = speed > 1e-9 ? slip / speed : seat.slide;
+      drag = mu == 0 ? Vec3{} : -(mu * std::max(press, 0.0)) * along;
+    }
+    forces = {{press, 0}, norm(wanted), slip, drag};
+    const Vec3 push = press * n + drag;  // per mass
+    return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
+            ball_.mass * (dot(push, centre_velocity + wall) + dot(torque, w)),
+            -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
+  }
+
+  /// Two faces hold the ball: two normal forces from two conditions, friction at both, made smooth over a
+  /// creeping speed because the two slips cannot both vanish in general (evt.17).
+  Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
+               const Vec3& field, Reaction& forces) const {
+    constexpr double creep = 1e-3;  // [m/s] below it friction is viscous
+    const double r = ball_.radius, mu = rules_.lasting_friction();
+    const Vec3 w = jar_->motion().spin(t);
+    std::array<Vec3, 2> n, wall, slip, grip;  // grip: friction per normal force, or per mass if unlimited
+    std::array<double, 2> bend{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto hold = jar_->hold(seat.face[i], {y.position, y.velocity}, t);
+      n[i] = hold.inward;
+      bend[i] = hold.bend - dot(field, n[i]);
+      wall[i] = cross(w, y.position - r * n[i]);
+      slip[i] = across(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
+      grip[i] = std::isinf(mu) ? -1e4 * slip[i]
+                               : -(mu / std::sqrt(squared(slip[i]) + creep * creep)) * slip[i];
+    }
+    // press_i + sum_j press_j (n_i . (n_j + grip_j)) = bend_i, i != j; unlimited friction is a given force.
+    const double c01 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[0], grip[1]));
+    const double c10 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[1], grip[0]));
+    if (std::isinf(mu)) {
+      bend[0] -= dot(n[0], grip[1]);
+      bend[1] -= dot(n[1], grip[0]);
+    }
+    const double det = 1 - c01 * c10;
+    forces.press = {(bend[0] - c01 * bend[1]) / det, (bend[1] - c10 * bend[0]) / det};
+    forces.slip = slip[0];
+    Rest d{y.velocity, field, {}, 0, 0};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double press = forces.press[i];
+      const Vec3 drag = std::isinf(mu) ? grip[i] : std::max(press, 0.0) * grip[i];
+      const Vec3 torque = rolling_torque(y.spin - w, n[i], press), push = press * n[i] + drag;
+      d.velocity += push;
+      d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], drag));
+      d.work += ball_.mass * (dot(push, centre_velocity + wall[i]) + dot(torque, w));
+      d.lost -= ball_.mass * (dot(drag, slip[i]) + dot(torque, y.spin - w));
+    }
+    return d;
+  }
+
+  const J* jar_;
+  BallBody ball_;
+  Rules rules_;
+};
+
+}  // namespace mahlwerk::event

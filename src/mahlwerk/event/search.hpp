@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "mahlwerk/event/jar.hpp"
+
+namespace mahlwerk::event {
+
+/// A ball in flight: in laboratory axes, a parabola (evt.1, evt.2).
+struct Flight {
+  double since = 0;         ///< [s] when it began, on the clock of the search
+  Vec3 position, velocity;  ///< then, in laboratory axes
+
+  Vec3 lab_position(double t, const Vec3& gravity) const {
+    const double s = t - since;
+    return position + s * (velocity + 0.5 * s * gravity);
+  }
+  Vec3 lab_velocity(double t, const Vec3& gravity) const {
+    return velocity + (t - since) * gravity;
+  }
+  /// Relative to the jar's centre.
+  Passing passing(double t, const Vec3& gravity, const kinematics::Ride& ride) const {
+    return {lab_position(t, gravity) - ride.centre, lab_velocity(t, gravity) - ride.velocity};
+  }
+};
+
+/// What the search of touches needs to know of a ball.
+struct Feeler {
+  double radius = 0;      ///< [m]
+  double margin = 0;      ///< [m] a gap below this is a touch; far below what a radius is known to
+  double least_step = 0;  ///< [s] too short to fall through a margin
+};
+
+/// An instant of a ball's way: the clock, the jar's ride, and the ball relative to it.
+struct Instant {
+  double time = 0;  ///< [s] on the clock of the search
+  kinematics::Ride ride;
+  Passing ball;
+};
+
+struct Touch {
+  Instant when;            ///< of the touch, or the latest instant looked at
+  int face = -1;           ///< < 0: none so far
+  std::int64_t steps = 0;  ///< the search took
+};
+
+/// Closing speeds below this are rounding, not an approach [m/s].
+constexpr double rounding_speed = 1e-10;
+
+template <class S, class M>
+double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
+  const Wall wall = jar.wall(face, now.ball.position, now.time, ball.radius);
+  return dot(wall.velocity - now.ball.velocity, wall.inward);
+}
+
+/// The first touch of a flight from `start` on, no later than about `until`: the first time at which a gap is
+/// (nearly) closed and shrinking. Steps by times that are certainly free, so no touch is passed
+/// (evt.3 to evt.5).
+template <class S, class M>
+Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start, double until,
+                 const Feeler& ball) {
+  const double radius = ball.radius - ball.margin;
+  Instant now = start;
+  for (std::int64_t steps = 1;; ++steps) {
+    double clear = geometry::never;
+    for (int face = 0; face < S::faces; ++face) {
+      if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
+      const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
+      if (look.gap <= 2 * ball.margin && look.closing > 0 &&
+          (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed))
+        return {now, face, steps};
+      clear = std::min(clear, look.time);
+    }
+    now.time += std::max(clear, ball.least_step);
+    now.ride = jar.motion().ride(now.time);
+    now.ball = flight.passing(now.time, jar.gravity(), now.ride);
+    if (!(now.time < until)) return {now, -1, steps};
+  }
+}
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <numbers>
+
+#include "mahlwerk/geometry/clear.hpp"
+
+namespace mahlwerk::geometry {
+
+/// A cylinder closed by two half spheres: the vial of paper A. All round it is the set of points one
+/// radius from the axis segment, so it is one C1 face (geo.3).
+struct Capsule {
+  double diameter = 0;  // [m]
+  double height = 0;    // [m] of the cylinder, caps left out
+
+  static constexpr std::string_view name = "capsule";
+  static constexpr std::string_view about = "a cylinder closed by two half spheres";
+  static constexpr int faces = 1;
+  static constexpr bool axisymmetric = true;
+  static constexpr std::string_view face_name(int) { return "wall"; }
+  static constexpr auto fields() {
+    return std::array{
+        Field<Capsule>{"diameter", "m", &Capsule::diameter, positive, "inner diameter"},
+        Field<Capsule>{"height", "m", &Capsule::height, not_negative,
+                       "height of the cylindrical part, without the caps"}};
+  }
+
+  /// From the nearest point of the axis segment to `p`.
+  Vec3 from_core(const Vec3& p) const {
+    const double h = 0.5 * height;
+    return {p.x, p.y, p.z - std::clamp(p.z, -h, h)};
+  }
+  Gap gap(int, const Vec3& p) const {
+    const Vec3 e = from_core(p);
+    const double r = norm(e), big = 0.5 * diameter;
+    return {big - r, r > 0 ? -e / r : Vec3{1, 0, 0}, 1 / big};
+  }
+  Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const {
+    const Vec3 e = from_core(p);
+    return rate_about_core(e, e.z == 0 ? Vec3{v.x, v.y, 0} : v);  // straight along the cylinder
+  }
+  Outlook outlook(int, const Course& c, double radius) const {
+    const double room = 0.5 * diameter - radius;
+    const Vec3 e = from_core(c.position);
+    const double e2 = squared(e), along = dot(e, c.velocity), speed2 = squared(c.velocity);
+    const double gap = gap_within(room, e2);
+    if (e.z == 0) {  // between the caps only the motion across the axis counts, until a cap is reached
+      const double vz = c.velocity.z, across2 = std::max(speed2 - vz * vz, 0.0);
+      const double side = clear_of_core(room, e2, along, across2, c.pull.across);
+      if (stays_between_caps(c, side)) return {gap, along, side};
+      const double ball = clear_of_core(room, e2, along, speed2, c.pull.whole);
+      return {gap, along, std::max(ball, std::min(side, until_cap(c)))};
+    }
+    // The ball of radius `room` about the foot lies inside: free at least that long.
+    return {gap, along, clear_of_core(room, e2, along, speed2, c.pull.whole)};
+  }
+  bool meets(int, double) const { return true; }
+  double volume() const {
+    return std::numbers::pi * diameter * diameter * (0.25 * height + diameter / 6);
+  }
+  double reach() const { return 0.5 * (diameter + height); }
+  double inradius() const { return 0.5 * diameter; }
+  bool operator==(const Capsule&) const = default;
+
+ private:
+  bool stays_between_caps(const Course& c, double time) const {
+    const double ahead = c.position.z + c.velocity.z * time;
+    return std::abs(ahead) + 0.5 * c.pull.most.z * time * time <= 0.5 * height;
+  }
+  double until_cap(const Course& c) const {
+    const double h = 0.5 * height, z = c.position.z, vz = c.velocity.z;
+    return std::min(clear_of_plane(h - z, vz, c.pull.most.z),
+                    clear_of_plane(h + z, -vz, c.pull.most.z));
+  }
+};
+
+}  // namespace mahlwerk::geometry

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <numbers>
+
+#include "mahlwerk/geometry/clear.hpp"
+
+namespace mahlwerk::geometry {
+
+/// A cylinder with flat ends. Side and ends meet at edges, so they are three faces.
+struct Cylinder {
+  double diameter = 0;  // [m]
+  double height = 0;    // [m]
+
+  static constexpr std::string_view name = "cylinder";
+  static constexpr std::string_view about = "a cylinder with flat ends";
+  static constexpr int faces = 3;
+  static constexpr bool axisymmetric = true;
+  static constexpr std::string_view face_name(int face) {
+    return face == 0 ? "side" : face == 1 ? "bottom" : "top";
+  }
+  static constexpr auto fields() {
+    return std::array{
+        Field<Cylinder>{"diameter", "m", &Cylinder::diameter, positive, "inner diameter"},
+        Field<Cylinder>{"height", "m", &Cylinder::height, positive, "inner height"}};
+  }
+
+  Gap gap(int face, const Vec3& p) const {
+    if (face != 0) {
+      const double up = face == 1 ? 1 : -1;
+      return {0.5 * height + up * p.z, {0, 0, up}, 0};
+    }
+    const double r = std::hypot(p.x, p.y), big = 0.5 * diameter;
+    return {big - r, r > 0 ? Vec3{-p.x / r, -p.y / r, 0} : Vec3{1, 0, 0}, 1 / big};
+  }
+  Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
+    if (face != 0) return {};
+    return rate_about_core({p.x, p.y, 0}, {v.x, v.y, 0});
+  }
+  Outlook outlook(int face, const Course& c, double radius) const {
+    const Vec3 &p = c.position, &v = c.velocity;
+    if (face != 0) {
+      const double up = face == 1 ? 1 : -1;
+      const double gap = 0.5 * height + up * p.z - radius;
+      return {gap, -up * v.z, clear_of_plane(gap, -up * v.z, c.pull.most.z)};
+    }
+    const double room = 0.5 * diameter - radius;
+    const double e2 = p.x * p.x + p.y * p.y, along = p.x * v.x + p.y * v.y;
+    return {gap_within(room, e2), along,
+            clear_of_core(room, e2, along, v.x * v.x + v.y * v.y,
+                          c.pull.across)};
+  }
+  bool meets(int, double) const { return true; }
+  double volume() const { return 0.25 * std::numbers::pi * diameter * diameter * height; }
+  double reach() const { return 0.5 * std::hypot(diameter, height); }
+  double inradius() const { return 0.5 * std::min(diameter, height); }
+  bool operator==(const Cylinder&) const = default;
+};
+
+}  // namespace mahlwerk::geometry

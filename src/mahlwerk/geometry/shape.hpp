@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+#include "mahlwerk/base/vec3.hpp"
+
+// A jar's inner wall, in the jar's own axes: origin in the middle, z along the jar's axis. The wall is
+// a set of smooth faces; where it is smooth all round it is one face with one C1 gap (geo.1).
+namespace mahlwerk::geometry {
+
+/// Where a point stands to one face.
+struct Gap {
+  double distance = 0;   ///< [m] from the wall, > 0 inside; |grad distance| = 1
+  Vec3 inward;           ///< unit normal of the wall, pointing into the jar: grad distance
+  double curvature = 0;  ///< [1/m] the wall's largest principal curvature there, > 0 concave
+};
+
+/// Bounds on an acceleration [m/s2], kept with what the faces make of them.
+struct Pull {
+  Vec3 most;          ///< on the components' sizes
+  double whole = 0;   ///< on its size
+  double across = 0;  ///< on the size of its part across z
+
+  Pull() = default;
+  explicit Pull(const Vec3& bounds)
+      : most(bounds), whole(norm(bounds)), across(std::hypot(bounds.x, bounds.y)) {}
+};
+
+/// A ball's centre on its way, in the jar's own axes.
+struct Course {
+  const Vec3& position;  ///< [m]
+  const Vec3& velocity;  ///< [m/s]
+  const Pull& pull;      ///< what accelerates it from now on
+};
+
+/// What a face can promise a ball on its course.
+struct Outlook {
+  double gap = 0;      ///< [m] between ball and face; a lower bound, exact as it closes
+  double closing = 0;  ///< > 0 if the gap shrinks (its sign is what counts)
+  double time = 0;     ///< [s] for which no touch is possible, whatever the acceleration within bounds
+};
+
+/// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at v; its
+/// product with -v is the inward acceleration of a point that runs along the parallel surface (geo.2).
+/// `outlook(face, course, radius)` serves the search of touches (geo.4 to geo.6).
+/// `meets(face, radius)` says whether a ball of that radius can touch the face at all.
+template <class S>
+concept Shape = requires(const S s, int face, double radius, Vec3 p, Course course) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::about } -> std::convertible_to<std::string_view>;
+  { S::faces } -> std::convertible_to<int>;
+  { S::axisymmetric } -> std::convertible_to<bool>;
+  { S::face_name(face) } -> std::convertible_to<std::string_view>;
+  { s.gap(face, p) } -> std::same_as<Gap>;
+  { s.normal_rate(face, p, p) } -> std::same_as<Vec3>;
+  { s.outlook(face, course, radius) } -> std::same_as<Outlook>;
+  { s.meets(face, radius) } -> std::same_as<bool>;
+  { s.volume() } -> std::same_as<double>;    // [m3]
+  { s.reach() } -> std::same_as<double>;     // [m] radius of a sphere about the origin that holds it
+  { s.inradius() } -> std::same_as<double>;  // [m] radius of the largest ball it holds
+};
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+}  // namespace mahlwerk::geometry

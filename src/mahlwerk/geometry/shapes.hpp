@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "mahlwerk/geometry/capsule.hpp"
+#include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/rounded_cylinder.hpp"
+#include "mahlwerk/geometry/sphere.hpp"
+
+namespace mahlwerk::geometry {
+
+/// The register: every jar shape there is. A new one is its file and its name here.
+using AnyShape = std::variant<Capsule, Cylinder, RoundedCylinder, Sphere>;
+
+}  // namespace mahlwerk::geometry

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A jar at the end of an arm that swings in a horizontal arc, turning with it: mixer mills (kin.6).
+struct ArcShaker {
+  double frequency = 0;  // [Hz]
+  double arm = 0;        // [m]
+  double swing = 0;      // [rad]
+
+  static constexpr std::string_view name = "arc-shaker";
+  static constexpr std::string_view about =
+      "a lying jar at the end of an arm that swings in a horizontal arc";
+  static constexpr Vec3 jar_axis = lying;
+  static constexpr auto fields() {
+    using A = ArcShaker;
+    return std::array{
+        Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"},
+        Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"},
+        Field<A>{"swing", "rad", &A::swing, {.least = 0, .most = std::numbers::pi / 2},
+                 "largest angle of the arm to either side"}};
+  }
+
+  double omega() const { return 2 * std::numbers::pi * frequency; }
+  /// Angle of the arm and its two derivatives.
+  struct Arc {
+    double angle, rate, gain;
+  };
+  Arc arc(double t) const {
+    const double w = omega(), s = std::sin(w * t), c = std::cos(w * t);
+    return {swing * s, swing * w * c, -swing * w * w * s};
+  }
+  Ride ride(double t) const {
+    const Arc a = arc(t);
+    const double c = arm * std::cos(a.angle), s = arm * std::sin(a.angle), r2 = a.rate * a.rate;
+    return {{s, arm - c, 0},
+            {c * a.rate, s * a.rate, 0},
+            {c * a.gain - s * r2, s * a.gain + c * r2, 0}};
+  }
+  Rotation turn(double t) const { return turning(upright, arc(t).angle); }
+  Vec3 spin(double t) const { return {0, 0, arc(t).rate}; }
+  Vec3 spin_rate(double t) const { return {0, 0, arc(t).gain}; }
+  Vec3 fixed_axis() const { return upright; }
+  Bounds bounds() const {
+    const double w = omega(), rate = swing * w, gain = swing * w * w;
+    const double a = arm * std::hypot(gain, rate * rate);
+    return {.speed = arm * rate,
+            .acceleration = {a, a, 0},
+            .jerk = arm * (gain * w + 3 * rate * gain + rate * rate * rate),
+            .spin = rate,
+            .spin_rate = gain};
+  }
+  double period() const { return 1 / frequency; }
+  bool operator==(const ArcShaker&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

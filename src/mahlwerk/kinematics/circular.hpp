@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A jar moved on a circle without turning (kin.5).
+struct Circular : NeverTurns {
+  double radius = 0;  // [m]
+  double speed = 0;   // [rad/s]
+
+  static constexpr std::string_view name = "circular";
+  static constexpr std::string_view about = "a jar moved on a horizontal circle without turning";
+  static constexpr Vec3 jar_axis = upright;
+  static constexpr auto fields() {
+    using C = Circular;
+    return std::array{
+        Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"},
+        Field<C>{"speed", "rad/s", &C::speed, positive, "turns of the circle per unit of time"}};
+  }
+
+  Ride ride(double t) const {
+    const double c = radius * std::cos(speed * t), s = radius * std::sin(speed * t), w = speed;
+    return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};
+  }
+  Bounds bounds() const {
+    const double a = speed * speed * radius;
+    return {.speed = speed * radius, .acceleration = {a, a, 0}, .jerk = a * speed};
+  }
+  double period() const { return 2 * std::numbers::pi / speed; }
+  bool operator==(const Circular&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A shaker whose jar swings at f along its axis and at 2 f across while its axis rocks (kin.7).
+struct FigureEight {
+  double frequency = 0;     // [Hz]
+  double stroke_along = 0;  // [m]
+  double stroke_across = 0;  // [m]
+  double stroke_up = 0;     // [m]
+  double phase_across = 0;  // [rad]
+  double phase_up = 0;      // [rad]
+  double rock = 0;          // [rad]
+  double phase_rock = 0;    // [rad]
+  double pivot = 0;         // [m]
+
+  static constexpr std::string_view name = "figure-eight";
+  static constexpr std::string_view about =
+      "a lying jar that runs through a figure of eight while its axis rocks";
+  static constexpr Vec3 jar_axis = lying;
+  static constexpr auto fields() {
+    using F = FigureEight;
+    constexpr std::string_view none = "no such motion unless said";
+    return std::array{
+        Field<F>{"frequency", "Hz", &F::frequency, positive, "cycles per second"},
+        Field<F>{"stroke_along", "m", &F::stroke_along, not_negative,
+                 "semi-amplitude along x, the jar's axis, at the frequency"},
+        Field<F>{"stroke_across", "m", &F::stroke_across, not_negative,
+                 "semi-amplitude along y, across, at twice the frequency"},
+        Field<F>{"stroke_up", "m", &F::stroke_up, not_negative,
+                 "semi-amplitude along z, upwards, at the frequency", 0.0, none},
+        Field<F>{"phase_across", "rad", &F::phase_across, any_number, "phase of the motion across",
+                 0.0, none},
+        Field<F>{"phase_up", "rad", &F::phase_up, any_number, "phase of the motion upwards", 0.0,
+                 none},
+        Field<F>{"rock", "rad", &F::rock, {.least = 0, .most = std::numbers::pi / 2},
+                 "largest angle of the jar's axis to either side, about z", 0.0, none},
+        Field<F>{"phase_rock", "rad", &F::phase_rock, any_number, "phase of the rocking", 0.0, none},
+        Field<F>{"pivot", "m", &F::pivot, not_negative,
+                 "distance from the jar's centre back along x to the axis it rocks about", 0.0, none}};
+  }
+
+  double omega() const { return 2 * std::numbers::pi * frequency; }
+  /// Rocking angle and its two derivatives.
+  struct Rock {
+    double angle, rate, gain;
+  };
+  Rock rocking(double t) const {
+    const double w = omega(), s = std::sin(w * t + phase_rock), c = std::cos(w * t + phase_rock);
+    return {rock * s, rock * w * c, -rock * w * w * s};
+  }
+  Ride ride(double t) const {
+    const double w = omega(), w2 = 2 * w, b = w2 * t + phase_across, u = w * t + phase_up;
+    const Vec3 s{stroke_along * std::sin(w * t), stroke_across * std::sin(b),
+                 stroke_up * std::sin(u)};
+    const Vec3 c{w * stroke_along * std::cos(w * t), w2 * stroke_across * std::cos(b),
+                 w * stroke_up * std::cos(u)};
+    const Rock r = rocking(t);
+    const double px = pivot * std::cos(r.angle), py = pivot * std::sin(r.angle),
+                 r2 = r.rate * r.rate;
+    return {s + Vec3{px - pivot, py, 0}, c + Vec3{-py * r.rate, px * r.rate, 0},
+            Vec3{-w * w * s.x, -w2 * w2 * s.y, -w * w * s.z} +
+                Vec3{-py * r.gain - px * r2, px * r.gain - py * r2, 0}};
+  }
+  Rotation turn(double t) const { return turning(upright, rocking(t).angle); }
+  Vec3 spin(double t) const { return {0, 0, rocking(t).rate}; }
+  Vec3 spin_rate(double t) const { return {0, 0, rocking(t).gain}; }
+  Vec3 fixed_axis() const { return rock == 0 ? Vec3{} : upright; }
+  Bounds bounds() const {
+    const double w = omega(), w2 = 2 * w, rate = rock * w, gain = rock * w * w;
+    const double swing = pivot * std::hypot(gain, rate * rate);
+    return {.speed = norm({w * stroke_along, w2 * stroke_across, w * stroke_up}) + pivot * rate,
+            .acceleration = {w * w * stroke_along + swing, w2 * w2 * stroke_across + swing,
+                             w * w * stroke_up},
+            .jerk = norm({w * w * w * stroke_along, w2 * w2 * w2 * stroke_across,
+                          w * w * w * stroke_up}) +
+                    pivot * (gain * w + 3 * rate * gain + rate * rate * rate),
+            .spin = rate,
+            .spin_rate = gain};
+  }
+  double period() const { return 1 / frequency; }
+  bool operator==(const FigureEight&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A jar on a turning disc, turning itself (physics of paper B; vertical axes) (kin.3).
+struct Planetary {
+  double orbit_radius = 0;  // [m]
+  double speed = 0;         // [rad/s] of the disc
+  double ratio = 0;         // jar speed relative to the disc over disc speed; "1:-2" is -2
+
+  static constexpr std::string_view name = "planetary";
+  static constexpr std::string_view about =
+      "a jar that turns about its own axis on a disc that turns about a parallel one";
+  static constexpr Vec3 jar_axis = upright;
+  static constexpr auto fields() {
+    using P = Planetary;
+    return std::array{Field<P>{"orbit_radius", "m", &P::orbit_radius, positive,
+                               "distance between the axes of disc and jar"},
+                      Field<P>{"speed", "rad/s", &P::speed, positive, "speed of the disc"},
+                      Field<P>{"ratio", "", &P::ratio, any_number,
+                               "jar speed over disc speed, relative to the disc unless "
+                               "ratio_convention says otherwise; \"1:-2\" is -2"}};
+  }
+
+  double jar_spin() const { return speed * (1 + ratio); }
+  Ride ride(double t) const {
+    const double c = orbit_radius * std::cos(speed * t), s = orbit_radius * std::sin(speed * t);
+    const double w = speed;
+    return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};
+  }
+  Rotation turn(double t) const { return turning({0, 0, 1}, jar_spin() * t); }
+  Vec3 spin(double) const { return {0, 0, jar_spin()}; }
+  Vec3 spin_rate(double) const { return {}; }
+  Vec3 fixed_axis() const { return {0, 0, jar_spin() == 0 ? 0.0 : 1.0}; }
+  Bounds bounds() const {
+    const double a = speed * speed * orbit_radius;
+    return {.speed = speed * orbit_radius,
+            .acceleration = {a, a, 0},
+            .jerk = a * speed,
+            .spin = std::abs(jar_spin())};
+  }
+  double period() const { return 2 * std::numbers::pi / speed; }
+  bool operator==(const Planetary&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// One line of a measured motion.
+struct Sample {
+  double time = 0;   ///< [s]
+  Vec3 centre;       ///< [m]
+  double angle = 0;  ///< [rad] turned about the jar's axis
+  bool operator==(const Sample&) const = default;
+};
+
+/// A measured motion, repeated for ever: the twice continuously differentiable periodic cubic spline
+/// through its samples. The last sample closes the period and equals the first, but for whole turns of
+/// the angle (kin.8).
+class Tabulated {
+ public:
+  static constexpr std::string_view name = "tabulated";
+  static constexpr std::string_view about = "a measured motion, repeated for ever";
+  static constexpr Vec3 jar_axis = upright;
+  static constexpr auto fields() { return std::array<Field<Tabulated>, 0>{}; }
+
+  Tabulated() = default;
+  /// At least four samples, times rising; throws std::invalid_argument naming the sample that is wrong.
+  /// The angle turns the jar about its mounted axis `axis` (unit vector).
+  explicit Tabulated(std::vector<Sample> samples, Vec3 axis = upright);
+
+  Ride ride(double t) const;
+  Rotation turn(double t) const;
+  Vec3 spin(double t) const;
+  Vec3 spin_rate(double t) const;
+  Vec3 fixed_axis() const { return turns_ ? axis_ : Vec3{}; }
+  Bounds bounds() const { return bounds_; }
+  double period() const { return period_; }
+  const std::vector<Sample>& samples() const { return samples_; }
+  bool operator==(const Tabulated& o) const { return samples_ == o.samples_ && axis_ == o.axis_; }
+
+ private:
+  static constexpr int channels = 4;  // x, y, z, angle
+  struct Piece {                      // value + slope s + half s^2/2 + third s^3/6 from its knot
+    std::array<double, channels> value, slope, half, third;
+  };
+  struct Place {
+    const Piece* piece;
+    double since;  // [s] of its knot
+    double round;  // periods gone by
+  };
+  Place find(double t) const;
+  double at(const Place& p, int channel, int order) const;
+  void bound();
+
+  std::vector<Sample> samples_;
+  std::vector<double> knots_;
+  std::vector<Piece> pieces_;
+  Bounds bounds_;
+  Vec3 axis_ = upright;
+  double period_ = no_period, angle_per_period_ = 0;
+  bool turns_ = false;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A drum that turns about its own horizontal axis (kin.4).
+struct Tumbling {
+  double speed = 0;  // [rad/s]
+
+  static constexpr std::string_view name = "tumbling";
+  static constexpr std::string_view about = "a drum that turns about its own horizontal axis";
+  static constexpr Vec3 jar_axis = lying;
+  static constexpr auto fields() {
+    return std::array{Field<Tumbling>{"speed", "rad/s", &Tumbling::speed, any_number,
+                                      "speed of the drum, or % of its critical speed"}};
+  }
+
+  Ride ride(double) const { return {}; }
+  Rotation turn(double t) const { return turning(lying, speed * t); }
+  Vec3 spin(double) const { return speed * lying; }
+  Vec3 spin_rate(double) const { return {}; }
+  Vec3 fixed_axis() const { return speed == 0 ? Vec3{} : lying; }
+  Bounds bounds() const { return {.spin = std::abs(speed)}; }
+  double period() const { return no_period; }
+  bool operator==(const Tumbling&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/kinematics/motion.hpp"
+
+namespace mahlwerk::kinematics {
+
+/// A jar shaken to and fro along a straight line (paper A, eq. 1) (kin.2).
+struct Vibration : NeverTurns {
+  double frequency = 0;  // [Hz]
+  double amplitude = 0;  // [m]
+  double tilt = 0;       // [rad]
+  double heading = 0;    // [rad]
+
+  static constexpr std::string_view name = "vibration";
+  static constexpr std::string_view about = "a jar shaken sinusoidally along a straight line";
+  static constexpr Vec3 jar_axis = upright;
+  static constexpr auto fields() {
+    using V = Vibration;
+    return std::array{
+        Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"},
+        Field<V>{"amplitude", "m", &V::amplitude, not_negative,
+                 "half the stroke: the jar moves this far to either side"},
+        Field<V>{"tilt", "rad", &V::tilt, {0, std::numbers::pi}, "angle of the line from the vertical",
+                 0.0, "vertical, as in paper A"},
+        Field<V>{"heading", "rad", &V::heading, any_number,
+                 "direction of a tilted line around the vertical, from x", 0.0, "along x"}};
+  }
+
+  Vec3 line() const {
+    if (tilt == 0) return upright;  // the usual case, and it is asked for at every step of a search
+    return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
+  }
+  Ride ride(double t) const {
+    const double w = 2 * std::numbers::pi * frequency, s = std::sin(w * t), c = std::cos(w * t);
+    const Vec3 stroke = amplitude * line();
+    return {s * stroke, w * c * stroke, -w * w * s * stroke};
+  }
+  Bounds bounds() const {
+    const double w = 2 * std::numbers::pi * frequency;
+    return {.speed = w * amplitude,
+            .acceleration = w * w * amplitude * magnitude(line()),
+            .jerk = w * w * w * amplitude};
+  }
+  double period() const { return 1 / frequency; }
+  bool operator==(const Vibration&) const = default;
+};
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/histogram.hpp"
+
+#include <cmath>
+
+namespace mahlwerk::observe {
+
+void LogHistogram::merge(const LogHistogram& other) {
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    bins_[i].count += other.bins_[i].count;
+    bins_[i].sum += other.bins_[i].sum;
+  }
+}
+
+double LogHistogram::lower(int bin) {
+  const auto quarter = static_cast<std::size_t>(bin % per_octave);
+  return std::ldexp(edges[quarter], bin / per_octave + lowest_octave);
+}
+
+std::int64_t LogHistogram::total() const {
+  std::int64_t all = 0;
+  for (const Bin& bin : bins_) all += bin.count;
+  return all;
+}
+
+std::array<int, 2> LogHistogram::filled() const {
+  int first = 0, last = bins;
+  while (first < bins && count(first) == 0) ++first;
+  if (first == bins) return {0, 0};
+  while (count(last - 1) == 0) --last;
+  return {first, last};
+}
+
+}  // namespace mahlwerk::observe

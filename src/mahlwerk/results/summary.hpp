@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mahlwerk/results/outcome.hpp"
+
+namespace mahlwerk::results {
+
+/// One number of a result, under its plain name in summary.json.
+struct Quantity {
+  std::string name;
+  double value = 0;
+  double ci95 = 0;  ///< half-width over replicates; NaN with fewer than two
+  std::string unit;
+  std::string about;
+};
+
+/// The quantities of summary.json, in their order (docs/formats.md).
+std::vector<Quantity> summarise(const Outcome& outcome);
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace mahlwerk::scene {
+
+/// Where a run's energy went since its start, in laboratory axes. All in J unless said otherwise.
+struct Account {
+  double time = 0;             ///< [s] simulated
+  double kinetic = 0;          ///< now, translation and rotation
+  double potential = 0;        ///< now, in gravity
+  double started_with = 0;     ///< kinetic + potential at the start
+  double wall_work = 0;        ///< done by the jar on the balls
+  double lost_normal = 0;      ///< dissipated in collisions, along the normal
+  double lost_tangential = 0;  ///< dissipated in collisions, along the wall
+  double lost_lasting = 0;     ///< dissipated in lasting contacts: sliding, rolling, and on entering one
+  double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
+  double contact_time = 0;     ///< [s] ball time in lasting contact
+  std::int64_t collisions = 0;
+  std::int64_t lasting_contacts = 0;  ///< how many began
+  std::int64_t tc_collisions = 0;     ///< made elastic by the TC rule
+  std::int64_t search_steps = 0;      ///< of the search of touches
+
+  double lost() const { return lost_normal + lost_tangential + lost_lasting; }
+  /// Energy that appeared from nowhere.
+  double residual() const { return kinetic + potential - started_with - wall_work + lost(); }
+};
+
+}  // namespace mahlwerk::scene

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+
+namespace mahlwerk::scene {
+
+/// A jar on its mill: what it looks like, how it is mounted, how it moves, and gravity.
+struct Chamber {
+  geometry::AnyShape shape;
+  kinematics::AnyMotion motion;
+  Rotation mount;              ///< from the jar's own axes to the laboratory's before any turning
+  Vec3 gravity{0, 0, -9.81};   ///< [m/s2]
+};
+
+/// The mounting that lays the jar's own z axis along the unit vector `axis`.
+inline Rotation mounted_along(const Vec3& axis) {
+  const Vec3 up{0, 0, 1};
+  const Vec3 across_both = cross(up, axis);
+  const double s = norm(across_both);
+  if (s == 0) return axis.z > 0 ? Rotation{} : Rotation{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  return turning(across_both / s, std::atan2(s, axis.z));
+}
+
+}  // namespace mahlwerk::scene

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/scene/account.hpp"
+#include "mahlwerk/scene/balls.hpp"
+#include "mahlwerk/scene/observer.hpp"
+
+namespace mahlwerk::scene {
+
+/// Both engines, seen from outside.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Goes on to `time` [s] since the start, handing finished collisions to `observer`. How a run is cut
+  /// into calls does not change it by a bit. Throws RunError where physics stops it, with all collisions
+  /// up to then handed over.
+  virtual void advance(double time, Observer& observer) = 0;
+
+  /// The energy account at the time reached.
+  virtual Account account() const = 0;
+
+  /// The balls at the time reached, in the jar frame.
+  virtual std::vector<Ball> balls() const = 0;
+};
+
+}  // namespace mahlwerk::scene

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "mahlwerk/scene/collision.hpp"
+
+namespace mahlwerk::scene {
+
+/// Receives finished collisions, in time order, in chunks. It sees copies and cannot change a trajectory.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void collisions(std::span<const Collision> finished) = 0;
+};
+
+}  // namespace mahlwerk::scene
