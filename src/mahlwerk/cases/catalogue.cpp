@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/cases/catalogue_read.hpp"
 
 namespace mahlwerk::cases {
@@ -24,36 +25,17 @@ std::string_view thing(std::string_view room) {
   return room == "media" ? "ball set" : "material";
 }
 
-/// Letters to insert, drop, change or swap with their neighbour to get from `a` to `b`.
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = a[i - 1] == b[j - 1] ? 0 : 1;
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + changed});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
-/// The names near a word, best first: few edits away, or holding the word as a part.
+/// Names that a wrong one may have meant, the likeliest first.
 std::vector<std::string> near_names(std::string_view word, const std::vector<std::string>& known) {
-  std::vector<std::pair<std::size_t, std::string>> ranked;
-  const std::size_t most = std::max<std::size_t>(1, word.size() / 3);
+  constexpr std::size_t shortest_part = 3, most = 4;
+  std::vector<std::string> near;
+  if (const std::string best = nearest_word(word, known); !best.empty()) near.push_back(best);
   for (const std::string& name : known) {
-    const std::size_t n = edits(word, name);
-    const bool part = word.size() >= 3 && name.find(word) != std::string::npos;
-    if (n <= most) ranked.emplace_back(n, name);
-    else if (part) ranked.emplace_back(most + n, name);
+    const bool part = word.size() >= shortest_part && name.find(word) != std::string::npos;
+    if (part && near.size() < most && std::ranges::find(near, name) == near.end())
+      near.push_back(name);
   }
-  std::ranges::sort(ranked);
-  std::vector<std::string> names;
-  for (auto& [n, name] : ranked) names.push_back(std::move(name));
-  return names;
+  return near;
 }
 
 std::string contents(const fs::path& file) {
@@ -80,12 +62,15 @@ Catalogue::Catalogue(fs::path root) : root_(std::move(root)) {
 
 std::vector<std::string> Catalogue::names(std::string_view room) const {
   if (std::ranges::find(rooms, room) == std::end(rooms))
-    throw InputError(Fault{"", fmt::format("the catalogue has no room called '{}'", room),
-                           fmt::format("one of: {}", fmt::join(rooms, ", ")), "unknown-name"});
+    throw InputError(
+        Fault{"", fmt::format("the catalogue has no room called '{}'", room),
+              fmt::format("one of: {}", joined({std::begin(rooms), std::end(rooms)}, ", ")),
+              "unknown-name"});
   std::vector<std::string> found;
   std::error_code missing;  // an empty room may have no folder
   for (const fs::directory_entry& file : fs::directory_iterator(root_ / room, missing))
-    if (file.path().extension() == ".toml" && file.is_regular_file()) found.push_back(file.path().stem().string());
+    if (file.path().extension() == ".toml" && file.is_regular_file())
+      found.push_back(file.path().stem().string());
   std::ranges::sort(found);
   return found;
 }
@@ -94,13 +79,12 @@ CatalogueEntry Catalogue::find(std::string_view room, std::string_view name,
                                std::string_view where) const {
   const std::vector<std::string> known = names(room);
   if (!std::ranges::binary_search(known, name)) {  // so "../x" never reaches the file system
-    std::vector<std::string> near = near_names(name, known);
-    if (near.size() > 4) near.resize(4);
-    throw InputError(
-        Fault{std::string(where), fmt::format("the catalogue has no {} called '{}'", thing(room), name),
-              (near.empty() ? "" : fmt::format("did you mean '{}'? ", fmt::join(near, "' or '"))) +
-                  fmt::format("`mahlwerk list {}` shows them all", room),
-              "unknown-name"});
+    const std::vector<std::string> near = near_names(name, known);
+    throw InputError(Fault{
+        std::string(where), fmt::format("the catalogue has no {} called '{}'", thing(room), name),
+        (near.empty() ? "" : fmt::format("did you mean '{}'? ", joined(near, "' or '"))) +
+            fmt::format("`mahlwerk list {}` shows them all", room),
+        "unknown-name"});
   }
   const fs::path file = root_ / room / (std::string(name) + ".toml");
   return read_entry(contents(file), room, name, file.string());

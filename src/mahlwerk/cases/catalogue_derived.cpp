@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <numbers>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
-#include "mahlwerk/cases/catalogue_keys.hpp"
+#include "mahlwerk/cases/catalogue_read.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
@@ -18,9 +18,10 @@ constexpr double g = 9.81;  // [m/s2] the maker's unit of acceleration
 constexpr double pi = std::numbers::pi;
 
 InputError missing(const CatalogueEntry& entry, std::string_view key) {
-  return InputError(Fault{entry.file, fmt::format("{} '{}' gives no {}", entry.room, entry.name, key),
-                          fmt::format("add [{}] with a value and a source, or remove the check", key),
-                          "bad-catalogue-file"});
+  return InputError(
+      Fault{entry.file, fmt::format("{} '{}' gives no {}", entry.room, entry.name, key),
+            fmt::format("add [{}] with a value and a source, or remove the check", key),
+            "bad-catalogue-file"});
 }
 
 double number(const CatalogueEntry& entry, const std::string& key, std::string_view unit) {
@@ -101,7 +102,8 @@ struct Row {
 
 constexpr Row rows[] = {
     {{"relative_centrifugal_acceleration", "",
-      "largest acceleration on the circle of the jar's centre over 9.81 m/s2: the maker's g figure"},
+      "largest acceleration on the circle of the jar's centre over 9.81 m/s2: the maker's g "
+      "figure"},
      acceleration_number},
     {{"peak_acceleration_number", "",
       "largest acceleration of the swinging jar's centre over 9.81 m/s2"},
@@ -129,12 +131,8 @@ double derived(const CatalogueEntry& entry, std::string_view quantity) {
     if (row.quantity.name == quantity) return row.value(entry);
     known.emplace_back(row.quantity.name);
   }
-  const std::string near = nearest(quantity, known);
-  throw InputError(Fault{
-      entry.file, fmt::format("unknown quantity '{}'", quantity),
-      near.empty() ? fmt::format("one of: {}", fmt::join(known, ", "))
-                   : fmt::format("did you mean '{}'?", near),
-      "unknown-quantity"});
+  throw InputError(Fault{entry.file, fmt::format("unknown quantity '{}'", quantity),
+                         suggestion(quantity, known), "unknown-quantity"});
 }
 
 }  // namespace mahlwerk::cases

@@ -53,8 +53,10 @@ constexpr const kinematics::AnyMotion* motions = nullptr;
 constexpr const geometry::AnyShape* shapes = nullptr;
 
 void add_range(std::vector<CatalogueKey>& keys, const CatalogueKey& of) {
-  keys.push_back({of.key + "_least", of.unit, of.range, "least value the mill offers: " + of.about});
-  keys.push_back({of.key + "_most", of.unit, of.range, "largest value the mill offers: " + of.about});
+  keys.push_back(
+      {of.key + "_least", of.unit, of.range, "least value the mill offers: " + of.about});
+  keys.push_back(
+      {of.key + "_most", of.unit, of.range, "largest value the mill offers: " + of.about});
 }
 
 /// The fields of the model called `kind` in a register.

@@ -22,11 +22,13 @@ struct CatalogueKey {
   std::string about;
 };
 
-/// Names a file of this room may give as `kind`: motions for mills, shapes for jars, none otherwise.
+/// Names a file of this room may give as `kind`: motions for mills, shapes for jars, none
+/// otherwise.
 std::vector<std::string> catalogue_kinds(std::string_view room);
 
-/// Every value an entry may give. For a mill the fields of its motion, each also with _least and _most,
-/// the range the machine offers; for a jar the fields of its shape; and what the room adds to them.
+/// Every value an entry may give. For a mill the fields of its motion, each also with _least and
+/// _most, the range the machine offers; for a jar the fields of its shape; and what the room adds
+/// to them.
 std::vector<CatalogueKey> catalogue_keys(std::string_view room, std::string_view kind);
 
 /// The number a value's text stands for, measured in the key's unit; "1:-2" of a speed ratio is -2.

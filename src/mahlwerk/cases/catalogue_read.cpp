@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/catalogue_read.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 #include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -16,12 +16,6 @@ namespace mahlwerk::cases {
 namespace {
 
 constexpr std::string_view bad_file = "bad-catalogue-file";
-
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  const std::string near = nearest(word, known);
-  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
-  return known.empty() ? "remove it" : fmt::format("one of: {}", fmt::join(known, ", "));
-}
 
 class EntryReader {
  public:
@@ -71,7 +65,8 @@ class EntryReader {
     kind_known_ = false;
   }
 
-  void read_top(std::string_view key, const toml::node& node, const std::vector<CatalogueKey>& keys) {
+  void read_top(std::string_view key, const toml::node& node,
+                const std::vector<CatalogueKey>& keys) {
     if (key == "title" || key == "about") return;
     if (key == "kind" && !catalogue_kinds(entry_.room).empty()) return;
     if (key == "jars" && entry_.room == "mills") return read_jars(node);
@@ -175,6 +170,18 @@ toml::table parsed(std::string_view text, std::string_view file) {
 }
 
 }  // namespace
+
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+  std::string line;  // fmt::join of texts trips a false warning of g++ 12
+  for (const std::string& word : words) line.append(line.empty() ? "" : between).append(word);
+  return line;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  const std::string near = nearest(word, known);
+  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
+  return known.empty() ? "remove it" : "one of: " + joined(known, ", ");
+}
 
 CatalogueEntry read_entry(std::string_view text, std::string_view room, std::string_view name,
                           std::string_view file) {

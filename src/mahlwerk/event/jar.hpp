@@ -53,6 +53,12 @@ class Jar {
   /// From the jar's own axes to the jar frame's, at the mill's own time `t`.
   Rotation turned(double t) const { return motion_.turn(t) * mount_; }
 
+  /// A vector of the jar frame in the jar's own turning axes.
+  Vec3 own(const Vec3& a, double t) const {
+    if (limits_.spin == 0) return aligned_ ? a : mount_.back(a);
+    return turned(t).back(a);
+  }
+
   /// What `face` can promise a passing ball. A jar that turns under the ball adds its own accelerations, so
   /// its promise is kept to a twentieth of a radian (evt.4).
   geometry::Outlook outlook(int face, const Passing& p, double t, double radius) const {
@@ -88,6 +94,13 @@ class Jar {
     return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point)};
   }
 
+  /// About when a ball that runs along `face` comes to where the wall's curvature is another [s].
+  double until_crease(int face, const Passing& p, double t) const {
+    const Rotation q = looks_still_ ? mount_ : turned(t);
+    const Vec3 u = looks_still_ ? p.velocity : p.velocity - cross(motion_.spin(t), p.position);
+    return shape_.until_crease(face, q.back(p.position), q.back(u));
+  }
+
   /// How a wall holds a ball that stays on it.
   struct Hold {
     Vec3 inward;
@@ -95,6 +108,10 @@ class Jar {
     double bend;       ///< [m/s2] the inward acceleration that keeps the gap zero
   };
   Hold hold(int face, const Passing& p, double t) const {
+    if (looks_still_ && aligned_) {
+      const Vec3 rate = shape_.normal_rate(face, p.position, p.velocity);
+      return {shape_.gap(face, p.position).inward, rate, -dot(p.velocity, rate)};
+    }
     const Rotation q = looks_still_ ? mount_ : turned(t);
     const Vec3 place = q.back(p.position), inward = q * shape_.gap(face, place).inward;
     if (looks_still_) {

@@ -42,9 +42,9 @@ struct BallBody {
 /// Forces at an instant.
 struct Reaction {
   std::array<double, 2> press{};  ///< [m/s2] normal force per mass, < 0: the wall would have to pull
-  double needed = 0;              ///< [m/s2] friction per mass that rolling needs
-  Vec3 slip;                      ///< [m/s] of the (first) contact
-  Vec3 drag;                      ///< [m/s2] friction per mass there
+  Vec3 wanted;  ///< [m/s2] friction per mass that would keep the slip as it is
+  Vec3 drag;    ///< [m/s2] friction per mass
+  Vec3 slip;    ///< [m/s] of the touching surfaces
 };
 
 template <class J>
@@ -83,7 +83,7 @@ class LastingContact {
       y.position -= wall.gap * wall.inward;
       y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
     }
-    if (seat.count == 1 && seat.grip == Grip::rolling && rules_.lasting_friction() > 0) {
+    if (seat.count == 1 && seat.grip == Grip::rolling && rules_.lasting_friction > 0) {
       const Wall wall = jar_->wall(seat.face[0], y.position, t, ball_.radius);
       const Vec3 u = y.velocity - wall.velocity;
       // R w x n = u has the solution w = n x u / R across n; the spin about n is free.
@@ -124,11 +124,11 @@ class LastingContact {
         across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n), n);
     Vec3 drag = wanted;
     if (seat.grip == Grip::sliding) {  // (evt.14)
-      const double speed = norm(slip), mu = rules_.lasting_friction();
+      const double speed = norm(slip), mu = rules_.lasting_friction;
       const Vec3 along = speed > 1e-9 ? slip / speed : seat.slide;
       drag = mu == 0 ? Vec3{} : -(mu * std::max(press, 0.0)) * along;
     }
-    forces = {{press, 0}, norm(wanted), slip, drag};
+    forces = {{press, 0}, wanted, drag, slip};
     const Vec3 push = press * n + drag;  // per mass
     return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
             ball_.mass * (dot(push, centre_velocity + wall) + dot(torque, w)),
@@ -140,7 +140,7 @@ class LastingContact {
   Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
                const Vec3& field, Reaction& forces) const {
     constexpr double creep = 1e-3;  // [m/s] below it friction is viscous
-    const double r = ball_.radius, mu = rules_.lasting_friction();
+    const double r = ball_.radius, mu = rules_.lasting_friction;
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, 2> n, wall, slip, grip;  // grip: friction per normal force, or per mass if unlimited
     std::array<double, 2> bend{};

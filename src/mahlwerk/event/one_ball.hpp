@@ -120,7 +120,7 @@ class OneBall final : public scene::Engine {
     return dot(impulse, now_.ride.velocity + wall.velocity);
   }
 
-  void collide(int face) {
+  [[gnu::flatten]] void collide(int face) {
     const double m = body_.mass, r = body_.radius;
     const Wall wall = jar_.wall(face, now_.ball.position, now_.time, r);
     const Vec3 n = -wall.inward, glide = now_.ball.velocity - wall.velocity;
@@ -161,13 +161,13 @@ class OneBall final : public scene::Engine {
 
   void record(int face, const Wall& wall, const Vec3& n, double approach, double slip, double glide,
               double impulse, const contact::Loss& loss) {
-    const Rotation own = jar_.turned(mill_time());
-    finished_.push_back({.time = mill_time() - start_,
+    const double t = mill_time();
+    finished_.push_back({.time = t - start_,
                          .duration = 0,
                          .ball = 0,
                          .other = ~face,
-                         .where = own.back(wall.point),
-                         .normal = own.back(n),
+                         .where = jar_.own(wall.point, t),
+                         .normal = jar_.own(n, t),
                          .mass = body_.mass,
                          .approach = approach,
                          .slip = slip,
@@ -204,7 +204,7 @@ class OneBall final : public scene::Engine {
       const Wall wall = jar_.wall(seat.face[static_cast<std::size_t>(i)], p.position, now_.time, body_.radius);
       const Vec3 n = -wall.inward, glide = p.velocity - wall.velocity;
       const Vec3 slip = across(glide + body_.radius * cross(spin_, n), n);
-      const bool sticks = seat.count == 1 && std::isinf(rules_.lasting_friction());
+      const bool sticks = seat.count == 1 && std::isinf(rules_.lasting_friction);
       const Vec3 impulse =
           -body_.mass * (dot(glide, n) * n + (sticks ? 2.0 / 7.0 : 0.0) * slip);
       work += push(impulse, wall, p);

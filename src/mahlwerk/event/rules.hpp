@@ -12,15 +12,11 @@ enum class Lasting { roll, tc, none };
 /// How one ball and its jar meet, and how the engine treats collapse.
 struct Rules {
   contact::BounceRule bounce;
-  double rolling_friction = 0;  ///< mu_r, of lasting contacts
+  double lasting_friction = 0.3;  ///< mu of lasting contacts; they need a limit even where bounces have none
+  double rolling_friction = 0;    ///< mu_r of lasting contacts
   Lasting lasting = Lasting::roll;
   double lasting_speed = 1e-4;  ///< [m/s] a slower rebound, pressed to the wall, has come to stay
   double contact_time = 1e-4;   ///< [s] t_c of the TC rule
-
-  /// Coulomb friction of a lasting contact: none on a smooth wall (evt.15).
-  double lasting_friction() const {
-    return bounce.tangential_restitution == 1 ? 0 : bounce.friction;
-  }
 };
 
 }  // namespace mahlwerk::event

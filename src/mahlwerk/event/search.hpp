@@ -59,7 +59,7 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
 /// (nearly) closed and shrinking. Steps by times that are certainly free, so no touch is passed
 /// (evt.3 to evt.5).
 template <class S, class M>
-Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start, double until,
+[[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start, double until,
                  const Feeler& ball) {
   const double radius = ball.radius - ball.margin;
   Instant now = start;

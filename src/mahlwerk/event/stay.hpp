@@ -12,33 +12,37 @@
 namespace mahlwerk::event {
 
 struct Stride {
-  Rest end;
+  Rest end, rate;    ///< the state at its end, and its derivative there
+  Reaction forces;   ///< there
   double error = 0;  ///< relative to what is allowed; the step is good up to 1
 };
 
-/// `rate(t, y)` is the derivative; `first` its value at the start.
+/// `rate(t, y, forces)` is the derivative; `first` its value at the start.
 template <class Rate>
-Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h, double radius) {
+[[gnu::flatten]] Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h, double radius) {
   const Rest& a = first;
-  const Rest b = rate(t + h / 5, y + h / 5 * a);
-  const Rest c = rate(t + 3 * h / 10, y + h * (3.0 / 40 * a + 9.0 / 40 * b));
-  const Rest d = rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c));
+  Reaction forces;
+  const Rest b = rate(t + h / 5, y + h / 5 * a, forces);
+  const Rest c = rate(t + 3 * h / 10, y + h * (3.0 / 40 * a + 9.0 / 40 * b), forces);
+  const Rest d = rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c), forces);
   const Rest e = rate(t + 8 * h / 9, y + h * (19372.0 / 6561 * a + -25360.0 / 2187 * b +
-                                              64448.0 / 6561 * c + -212.0 / 729 * d));
+                                              64448.0 / 6561 * c + -212.0 / 729 * d),
+                      forces);
   const Rest f = rate(t + h, y + h * (9017.0 / 3168 * a + -355.0 / 33 * b + 46732.0 / 5247 * c +
-                                      49.0 / 176 * d + -5103.0 / 18656 * e));
+                                      49.0 / 176 * d + -5103.0 / 18656 * e),
+                      forces);
   const Rest end = y + h * (35.0 / 384 * a + 500.0 / 1113 * c + 125.0 / 192 * d +
                             -2187.0 / 6784 * e + 11.0 / 84 * f);
-  const Rest last = rate(t + h, end);
+  const Rest last = rate(t + h, end, forces);
   const Rest wrong = h * (71.0 / 57600 * a + -71.0 / 16695 * c + 71.0 / 1920 * d +
                           -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
-  constexpr double relative = 1e-8;
+  constexpr double relative = 1e-7;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
   const double error =
       std::max({norm(wrong.position) / (relative * radius),
                 norm(wrong.velocity) / (relative * speed),
                 radius * norm(wrong.spin) / (relative * speed)});
-  return {end, error};
+  return {end, last, forces, error};
 }
 
 /// Drives a ball that stays on the wall until it leaves or time is up.
@@ -55,34 +59,36 @@ class Stay {
     seat_ = seat;
     now_ = y;
     step_ = 1e-5;
+    known_ = false;
     if (seat_.count == 1) choose_grip(t);
   }
 
   /// One step from `t`, which it moves on. `now()` is the state after it.
   Verdict advance(double& t) {
-    Reaction forces;
-    const auto rate = [&](double at, const Rest& y) {
-      Reaction ignored;
-      return contact_.rate(seat_, at, y, ignored);
+    const auto rate = [this](double at, const Rest& y, Reaction& forces) {
+      return contact_.rate(seat_, at, y, forces);
     };
-    Rest first = contact_.rate(seat_, t, now_, forces);
-    if (seat_.count == 1 && regrip(t, forces)) first = contact_.rate(seat_, t, now_, forces);
-    if (let_go(forces, t)) return Verdict::released;
+    if (!known_) rate_ = rate(t, now_, forces_);
+    if (seat_.count == 1 && regrip(t)) rate_ = rate(t, now_, forces_);
+    if (let_go(t)) return Verdict::released;
 
-    double h = std::min({step_, slide_limit(forces), clear_of_others(t)});
-    Stride s = stride(rate, t, now_, first, h, ball_.radius);
-    while (s.error > 1 || !(s.error >= 0)) {
-      h *= s.error >= 0 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
-      s = stride(rate, t, now_, first, h, ball_.radius);
+    double h = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
+    Stride s = stride(rate, t, now_, rate_, h, ball_.radius);
+    while (!(s.error <= 1)) {
+      h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
+      s = stride(rate, t, now_, rate_, h, ball_.radius);
     }
     const double grown = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (h == step_ || grown < step_) step_ = grown;  // not after a step cut short for other reasons
-    if (leaves(t + h, s.end)) {
-      h = moment_of_leaving(rate, t, first, h);
-      s = stride(rate, t, now_, first, h, ball_.radius);
+    if (leaves(t + h, s)) {
+      h = moment_of_leaving(rate, t, h);
+      s = stride(rate, t, now_, rate_, h, ball_.radius);
     }
     t += h;
     now_ = s.end;
+    rate_ = s.rate;
+    forces_ = s.forces;
+    known_ = true;
     contact_.seat_exactly(seat_, t, now_);
     return touches_other(t) ? Verdict::touched : Verdict::staying;
   }
@@ -93,39 +99,51 @@ class Stay {
   const LastingContact<J>& contact() const { return contact_; }
 
  private:
-  static constexpr double sticking_speed = 1e-6;  // [m/s] slip below it may come to rest
+  static constexpr double sticking_speed = 1e-4;  // [m/s] slip below it may come to rest
 
   void choose_grip(double t) {
-    const double mu = rules_.lasting_friction();
+    const double mu = rules_.lasting_friction;
     const bool slips = norm(contact_.slip(seat_.face[0], t, now_)) > sticking_speed;
     seat_.grip = mu == 0 || (slips && std::isfinite(mu)) ? Grip::sliding : Grip::rolling;
     contact_.seat_exactly(seat_, t, now_);
   }
 
   /// Rolling that needs more friction than there is begins to slide; sliding that has come to rest rolls.
-  bool regrip(double t, const Reaction& f) {
-    const double mu = rules_.lasting_friction();
+  bool regrip(double t) {
+    const double mu = rules_.lasting_friction;
     if (mu == 0 || std::isinf(mu)) return false;
-    const double most = mu * std::max(f.press[0], 0.0);
-    if (seat_.grip == Grip::rolling && f.needed > most && f.needed > 0) {
+    const double most = mu * std::max(forces_.press[0], 0.0), needed = norm(forces_.wanted);
+    if (seat_.grip == Grip::rolling && needed > most) {
       seat_.grip = Grip::sliding;
-      seat_.slide = -1.0 / f.needed * f.drag;
+      seat_.slide = -1.0 / needed * forces_.wanted;
       return true;
     }
-    if (seat_.grip == Grip::sliding && f.needed <= most && norm(f.slip) <= sticking_speed) {
+    if (seat_.grip == Grip::sliding && needed <= most && norm(forces_.slip) <= sticking_speed) {
+      const double before = contact_.energy(t, now_);
       seat_.grip = Grip::rolling;
       contact_.seat_exactly(seat_, t, now_);
+      now_.lost += before - contact_.energy(t, now_);
       return true;
     }
     return false;
   }
 
-  /// A sliding ball approaches rest in halves, so that it does not slide past it.
-  double slide_limit(const Reaction& f) const {
-    const double mu = rules_.lasting_friction();
-    if (seat_.count == 2 || seat_.grip != Grip::sliding || mu == 0) return geometry::never;
-    const double fastest = 3.5 * (mu * std::max(f.press[0], 0.0) + f.needed);  // [m/s2] of the slip
-    return std::max(0.5 * norm(f.slip) / fastest, 1e-8);
+  /// A ball whose slip is coming to rest nears that moment from this side (evt.14).
+  double slide_limit() const {
+    if (seat_.count == 2 || seat_.grip != Grip::sliding) return geometry::never;
+    const double speed = norm(forces_.slip);
+    if (speed <= sticking_speed) return geometry::never;
+    const double slowing = 3.5 * dot(forces_.wanted - forces_.drag, forces_.slip) / speed;  // [m/s2]
+    return slowing > 0 ? 0.98 * speed / slowing : geometry::never;
+  }
+
+  /// Steps end where the curvature jumps, for across it the derivative is not smooth.
+  double until_crease(double t) const {
+    double soonest = geometry::never;
+    for (int i = 0; i < seat_.count; ++i)
+      soonest = std::min(soonest, jar_->until_crease(seat_.face[static_cast<std::size_t>(i)],
+                                                     {now_.position, now_.velocity}, t));
+    return std::max(soonest, feeler_.least_step);
   }
 
   bool rests_on(int face) const {
@@ -151,33 +169,33 @@ class Stay {
   }
 
   /// The wall would have to pull. From an edge the ball leaves one face and may stay on the other.
-  bool let_go(const Reaction& f, double t) {
-    if (seat_.count == 1) return f.press[0] < 0;
-    if (f.press[0] >= 0 && f.press[1] >= 0) return false;
-    const int kept = f.press[0] < f.press[1] ? seat_.face[1] : seat_.face[0];
-    begin({1, {kept, 0}, Grip::rolling, {}}, t, now_);
-    return contact_.press(kept, t, now_.position, now_.velocity) < 0;
+  bool let_go(double t) {
+    if (seat_.count == 1) return forces_.press[0] < 0;
+    if (forces_.press[0] >= 0 && forces_.press[1] >= 0) return false;
+    const int kept = forces_.press[0] < forces_.press[1] ? seat_.face[1] : seat_.face[0];
+    begin({1, {kept, kept}, Grip::rolling, {}}, t, now_);
+    rate_ = contact_.rate(seat_, t, now_, forces_);
+    return forces_.press[0] < 0;
   }
 
   /// Whether a step ends with a wall that pulls or with the ball through another face.
-  bool leaves(double t, const Rest& y) const {
-    Reaction f;
-    contact_.rate(seat_, t, y, f);
-    if (f.press[0] < 0 || (seat_.count == 2 && f.press[1] < 0)) return true;
+  bool leaves(double t, const Stride& s) const {
+    if (s.forces.press[0] < 0 || (seat_.count == 2 && s.forces.press[1] < 0)) return true;
     for (int face = 0; face < jar_->shape().faces; ++face)
-      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius) && outlook(face, t, y).gap < 0)
+      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius) &&
+          outlook(face, t, s.end).gap < 0)
         return true;
     return false;
   }
 
   /// The length of the step at whose end the ball has just left, by bisection: `leaves` is no smooth function.
   template <class Rate>
-  double moment_of_leaving(const Rate& rate, double t, const Rest& first, double h) const {
+  double moment_of_leaving(const Rate& rate, double t, double h) const {
     double stays = 0, gone = h;
     for (int i = 0; i < 40 && gone - stays > 1e-9 * h + feeler_.least_step; ++i) {
       const double middle = 0.5 * (stays + gone);
-      (leaves(t + middle, stride(rate, t, now_, first, middle, ball_.radius).end) ? gone : stays) =
-          middle;
+      const Stride s = stride(rate, t, now_, rate_, middle, ball_.radius);
+      (leaves(t + middle, s) ? gone : stays) = middle;
     }
     return gone;
   }
@@ -189,7 +207,10 @@ class Stay {
   Feeler feeler_;
   Seat seat_;
   Rest now_;
-  double step_ = 1e-5;
+  Rest rate_;           // derivative of now_, and the forces in it, if known_
+  Reaction forces_;
+  bool known_ = false;
+  double step_ = 1e-5;  // [s] what the error asks for
 };
 
 }  // namespace mahlwerk::event

@@ -41,6 +41,9 @@ struct Capsule {
     const Vec3 e = from_core(p);
     return rate_about_core(e, e.z == 0 ? Vec3{v.x, v.y, 0} : v);  // straight along the cylinder
   }
+  double until_crease(int, const Vec3& p, const Vec3& v) const {
+    return until_crossing(0.5 * height, p.z, v.z);
+  }
   Outlook outlook(int, const Course& c, double radius) const {
     const double room = 0.5 * diameter - radius;
     const Vec3 e = from_core(c.position);

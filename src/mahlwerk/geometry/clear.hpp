@@ -40,4 +40,11 @@ inline Vec3 rate_about_core(const Vec3& e, const Vec3& u) {
   return (dot(u, e) / e2 * e - u) / std::sqrt(e2);
 }
 
+/// When a point at `x` moving at `v` next crosses +-`edge`.
+inline double until_crossing(double edge, double x, double v) {
+  if (v < 0) x = -x;
+  const double way = x < -edge ? -edge - x : x < edge ? edge - x : never;
+  return v != 0 ? way / std::abs(v) : never;
+}
+
 }  // namespace mahlwerk::geometry

@@ -39,6 +39,7 @@ struct Cylinder {
     if (face != 0) return {};
     return rate_about_core({p.x, p.y, 0}, {v.x, v.y, 0});
   }
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
   Outlook outlook(int face, const Course& c, double radius) const {
     const Vec3 &p = c.position, &v = c.velocity;
     if (face != 0) {

@@ -54,6 +54,12 @@ struct RoundedCylinder {
     const double swept = over * dot(v, around) / rho;  // the normal turns with the azimuth
     return rate_about_core(e, u + swept * around);
   }
+  double until_crease(int face, const Vec3& p, const Vec3& v) const {
+    if (face != 3) return never;
+    const double rho = std::hypot(p.x, p.y), out = (p.x * v.x + p.y * v.y) / (rho > 0 ? rho : 1);
+    return std::min(until_crossing(0.5 * height - fillet, p.z, v.z),
+                    until_crossing(0.5 * diameter - fillet, rho, out));
+  }
   Outlook outlook(int face, const Course& c, double radius) const {
     if (face != 3) return plain().outlook(face, c, radius);
     const Vec3 e = from_core(c.position);

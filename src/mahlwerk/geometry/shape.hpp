@@ -48,7 +48,8 @@ struct Outlook {
 
 /// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at v; its
 /// product with -v is the inward acceleration of a point that runs along the parallel surface (geo.2).
-/// `outlook(face, course, radius)` serves the search of touches (geo.4 to geo.6).
+/// `until_crease(face, p, v)` [s] is when a point on a straight line crosses to where the wall's curvature
+/// is another, infinite if it does not. `outlook(face, course, radius)` serves the search of touches (geo.4 to geo.6).
 /// `meets(face, radius)` says whether a ball of that radius can touch the face at all.
 template <class S>
 concept Shape = requires(const S s, int face, double radius, Vec3 p, Course course) {
@@ -59,6 +60,7 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, Course cour
   { S::face_name(face) } -> std::convertible_to<std::string_view>;
   { s.gap(face, p) } -> std::same_as<Gap>;
   { s.normal_rate(face, p, p) } -> std::same_as<Vec3>;
+  { s.until_crease(face, p, p) } -> std::same_as<double>;
   { s.outlook(face, course, radius) } -> std::same_as<Outlook>;
   { s.meets(face, radius) } -> std::same_as<bool>;
   { s.volume() } -> std::same_as<double>;    // [m3]

@@ -28,6 +28,7 @@ struct Sphere {
     return {big - r, r > 0 ? -p / r : Vec3{0, 0, 1}, 1 / big};
   }
   Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const { return rate_about_core(p, v); }
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
   Outlook outlook(int, const Course& c, double radius) const {
     const double room = 0.5 * diameter - radius, e2 = squared(c.position);
     const double along = dot(c.position, c.velocity);
