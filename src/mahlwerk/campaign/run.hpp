@@ -4,10 +4,12 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/scene/observer.hpp"
 
 namespace mahlwerk::campaign {
 
@@ -18,13 +20,19 @@ struct Progress {
   double residual = 0;  ///< [1] worst relative residual of the energy balance so far
 };
 
+/// Makes the observer that keeps every record of one replicate of one point; empty: none is kept.
+using Records = std::function<std::unique_ptr<scene::Observer>(std::size_t point, int replicate)>;
+
 struct Options {
   int threads = 0;                         ///< 0: as many as the machine has
   const std::atomic<bool>* stop = nullptr;  ///< set: end cleanly, keep what was computed
-  std::function<void(const Progress&)> progress;  ///< called from one thread, a few times a second
+  std::function<void(const Progress&)> progress;  ///< never from two threads at once
+  Records records;
 };
 
-/// Runs every replicate of a case, several at a time; the result does not depend on how many.
+/// Runs every replicate of every case, several at a time; the result does not depend on how many.
+/// Throws InputError if an engine of this version cannot run one of them.
+std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options = {});
 results::Outcome run(const cases::Case& what, const Options& options = {});
 
 /// A case without [sweep] is itself; one with it becomes a case per point of the full product, in order.

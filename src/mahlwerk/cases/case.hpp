@@ -58,6 +58,7 @@ enum class Lasting {
 struct Contact {
   std::string law = "hertz-mindlin";  ///< of the soft engine
   contact::BounceRule rule;           ///< friction infinite: paper A's constant e_t
+  double lasting_friction = 0;        ///< mu of lasting contacts of the event engine
   double rolling_friction = 0;        ///< mu_r
   Lasting lasting = Lasting::roll;
   double lasting_speed = 0;  ///< [m/s] a rebound slower than this, pressed to the wall, has come to stay

@@ -94,9 +94,7 @@ class OneBall final : public scene::Engine {
                          (limits.jerk > 0 ? limits.speed * limits.speed /
                                                 (norm(limits.acceleration) + 1e-300)
                                           : 0.0);
-    const double margin = std::max(1e-12 * radius, 64 * 0x1p-52 * scale);
-    const double pull = norm(limits.acceleration) + norm(jar.gravity()) + 1e-3;
-    return {radius, margin, std::sqrt(margin / pull)};
+    return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
   }
 
   double kinetic(const Vec3& lab_velocity) const {

@@ -28,9 +28,11 @@ struct Flight {
 
 /// What the search of touches needs to know of a ball.
 struct Feeler {
-  double radius = 0;      ///< [m]
-  double margin = 0;      ///< [m] a gap below this is a touch; far below what a radius is known to
-  double least_step = 0;  ///< [s] too short to fall through a margin
+  double radius = 0;  ///< [m]
+  double margin = 0;  ///< [m] a gap below this is a touch; far below what a radius is known to
+
+  /// A time in which a ball at `speed` does not cross the margin [s].
+  double least_step(double speed) const { return margin / (speed + 1e-3); }
 };
 
 /// An instant of a ball's way: the clock, the jar's ride, and the ball relative to it.
@@ -73,7 +75,7 @@ template <class S, class M>
         return {now, face, steps};
       clear = std::min(clear, look.time);
     }
-    now.time += std::max(clear, ball.least_step);
+    now.time += std::max(clear, ball.least_step(norm(now.ball.velocity)));
     now.ride = jar.motion().ride(now.time);
     now.ball = flight.passing(now.time, jar.gravity(), now.ride);
     if (!(now.time < until)) return {now, -1, steps};

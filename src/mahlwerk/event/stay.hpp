@@ -143,8 +143,10 @@ class Stay {
     for (int i = 0; i < seat_.count; ++i)
       soonest = std::min(soonest, jar_->until_crease(seat_.face[static_cast<std::size_t>(i)],
                                                      {now_.position, now_.velocity}, t));
-    return std::max(soonest, feeler_.least_step);
+    return std::max(soonest, least_step());
   }
+
+  double least_step() const { return feeler_.least_step(norm(now_.velocity)); }
 
   bool rests_on(int face) const {
     return seat_.face[0] == face || (seat_.count == 2 && seat_.face[1] == face);
@@ -153,7 +155,7 @@ class Stay {
     double clear = geometry::never;
     for (int face = 0; face < jar_->shape().faces; ++face)
       if (!rests_on(face) && jar_->shape().meets(face, ball_.radius))
-        clear = std::min(clear, std::max(outlook(face, t, now_).time, 10 * feeler_.least_step));
+        clear = std::min(clear, std::max(outlook(face, t, now_).time, least_step()));
     return clear;
   }
   bool touches_other(double t) const {
@@ -192,7 +194,7 @@ class Stay {
   template <class Rate>
   double moment_of_leaving(const Rate& rate, double t, double h) const {
     double stays = 0, gone = h;
-    for (int i = 0; i < 40 && gone - stays > 1e-9 * h + feeler_.least_step; ++i) {
+    for (int i = 0; i < 60 && gone - stays > least_step(); ++i) {
       const double middle = 0.5 * (stays + gone);
       const Stride s = stride(rate, t, now_, rate_, middle, ball_.radius);
       (leaves(t + middle, s) ? gone : stays) = middle;

@@ -14,6 +14,7 @@ namespace mahlwerk::results {
 /// One stretch of a replicate's time, for the time series. Rates and powers are means over the stretch.
 struct Window {
   double time = 0;          ///< [s] its end, since counting began
+  double length = 0;        ///< [s] how long it was
   double collisions = 0;    ///< how many
   double above = 0;         ///< how many with u_n above the threshold
   double energy_normal = 0;  ///< [J] sum over its collisions
@@ -33,6 +34,7 @@ struct Replicate {
   scene::Account at_settled;     ///< when counting began
   bool complete = true;          ///< false if stopped early
   std::string stopped;           ///< why, if physics stopped it
+  double cpu_seconds = 0;
   double time() const { return account.time - at_settled.time; }  ///< [s] counted
 };
 

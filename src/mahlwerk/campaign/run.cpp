@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/replicate.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Job {
+  std::size_t point;
+  int replicate;
+};
+
+/// Does `work(i)` for every i below `count`; the first failure ends it and is thrown again here.
+template <class Work>
+void in_parallel(int threads, std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failed;
+  const auto worker = [&] {
+    for (std::size_t i = next++; i < count; i = next++) try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(failed);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+  };
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  {
+    std::vector<std::jthread> team;
+    for (int i = 1; i < (threads > 0 ? threads : cores); ++i) team.emplace_back(worker);
+    worker();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Progress of all replicates together, told at most ten times a second.
+class Teller {
+ public:
+  Teller(const Options& options, double wanted) : options_(&options) { sum_.wanted = wanted; }
+
+  void add(double simulated, double collisions, double residual) {
+    if (!options_->progress) return;
+    const std::lock_guard lock(mutex_);
+    sum_.simulated += simulated;
+    sum_.collisions += collisions;
+    sum_.residual = std::max(sum_.residual, residual);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < std::chrono::milliseconds(100)) return;
+    told_ = now;
+    options_->progress(sum_);
+  }
+
+ private:
+  const Options* options_;
+  Progress sum_;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options) {
+  std::vector<Fault> wrong;
+  std::vector<Job> jobs;
+  std::vector<results::Outcome> outcomes;
+  double wanted = 0;
+  for (const cases::Case& what : points) {
+    for (Fault& fault : cases::engine_faults(what)) wrong.push_back(std::move(fault));
+    const auto count = static_cast<std::size_t>(what.run.replicates);
+    for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
+    wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
+    outcomes.push_back(
+        {.what = what, .replicates = {count, results::Replicate(what.observe.threshold)}});
+  }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+
+  const auto started = std::chrono::steady_clock::now();
+  Teller teller(options, wanted);
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  in_parallel(options.threads, jobs.size(), [&](std::size_t i) {
+    const auto told = [&](double time, double collisions, double residual) {
+      teller.add(time, collisions, residual);
+      return !stopped();
+    };
+    const Job& job = jobs[i];
+    const double cpu = thread_cpu_seconds();
+    auto& place = outcomes[job.point].replicates[static_cast<std::size_t>(job.replicate)];
+    place = replicate(points[job.point], job.replicate, told,
+                      options.records ? options.records(job.point, job.replicate) : nullptr);
+    place.cpu_seconds = thread_cpu_seconds() - cpu;
+  });
+  for (results::Outcome& outcome : outcomes) {
+    outcome.interrupted = stopped();
+    outcome.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    for (const results::Replicate& r : outcome.replicates) outcome.cpu_seconds += r.cpu_seconds;
+  }
+  return outcomes;
+}
+
+results::Outcome run(const cases::Case& what, const Options& options) {
+  return run(std::vector{what}, options).front();
+}
+
+std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
+                                const std::vector<cases::Override>& overrides) {
+  std::vector<std::vector<cases::Override>> all{overrides};
+  for (const auto& [key, values] : what.sweep) {
+    std::vector<std::vector<cases::Override>> longer;
+    for (const auto& so_far : all)
+      for (const std::string& value : values) {
+        longer.push_back(so_far);
+        longer.back().push_back({key, value});
+      }
+    all = std::move(longer);
+  }
+  if (what.sweep.empty()) return {what};
+  std::vector<cases::Case> made;
+  std::vector<Fault> wrong;
+  for (const auto& one : all) try {
+      made.push_back(cases::read(what.file, catalogue, one));
+      made.back().sweep.clear();
+    } catch (const InputError& e) {
+      wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
+    }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/case.hpp"
+
+#include "mahlwerk/scene/balls.hpp"
+
+namespace mahlwerk::cases {
+
+double BallSet::mass() const {
+  scene::Ball ball;
+  ball.radius = 0.5 * diameter;
+  ball.density = density;
+  return ball.mass();
+}
+
+bool Case::operator==(const Case& o) const {
+  return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
+         powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&
+         gravity == o.gravity && sweep == o.sweep;
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr std::string_view no_such_key = "unknown-key";
+using Sweep = std::map<std::string, std::vector<std::string>>;
+
+/// [sweep] as dotted keys with their values as text.
+class SweepReader {
+ public:
+  SweepReader(Findings& findings, std::map<std::string, std::string>& places)
+      : findings_(findings), places_(places) {}
+
+  Sweep read(const Node* table) {
+    if (table != nullptr && table->kind == Node::Kind::table) read_table(*table, "");
+    return std::move(sweep_);
+  }
+
+ private:
+  void read_table(const Node& table, const std::string& prefix) {
+    for (const auto& [key, node] : table.members) {
+      if (node.kind == Node::Kind::table)
+        read_table(node, prefix + key + ".");
+      else
+        read_values(prefix + key, node);
+    }
+  }
+  void read_values(const std::string& key, const Node& node) {
+    std::vector<std::string> values;
+    bool sound = node.kind == Node::Kind::list && !node.items.empty();
+    for (const Node& item : node.items) {
+      sound = sound && (item.kind == Node::Kind::text || item.kind == Node::Kind::number ||
+                        item.kind == Node::Kind::boolean);
+      values.push_back(item.text);
+    }
+    if (!sound)
+      findings_.faults.push_back(
+          {node.where, fmt::format("\"{}\" must be a list of values", key),
+           fmt::format("write \"{}\" = [\"...\", \"...\"], texts or numbers", key), "wrong-type"});
+    else
+      sweep_.emplace(key, std::move(values));
+    places_.emplace(key, node.where);
+  }
+
+  Findings& findings_;
+  std::map<std::string, std::string>& places_;
+  Sweep sweep_;
+};
+
+bool has(const Node& root, std::string_view key) {
+  Node copy = root;  // put() finds its way through numbered ball sets; so do not repeat that here
+  Node mark;
+  mark.where = "mark";
+  const auto before = [](const Node& n, auto&& self) -> std::size_t {
+    std::size_t count = 1;
+    for (const Member& m : n.members) count += self(m.value, self);
+    for (const Node& i : n.items) count += self(i, self);
+    return count;
+  };
+  return put(copy, key, mark).empty() && before(copy, before) == before(root, before);
+}
+
+class CaseReader {
+ public:
+  CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
+      : root_(std::move(root)), file_(std::move(file)), catalogue_(catalogue) {}
+
+  Case read(const std::vector<Override>& overrides) {
+    apply(overrides);
+    c_.file = file_.generic_string();
+    std::map<std::string, std::string> places;
+    c_.sweep = SweepReader(findings_, places).read(section("sweep", false));
+    fill_from_sweep(places);
+    read_top();
+    read_sections();
+    c_.origins = std::move(findings_.origins);
+    auto more = findings_.faults.empty() ? faults(c_) : misfits(c_);
+    std::ranges::move(more, std::back_inserter(findings_.faults));
+    if (!findings_.faults.empty()) throw InputError(in_order(std::move(findings_.faults)));
+    return std::move(c_);
+  }
+
+ private:
+  void apply(const std::vector<Override>& overrides) {
+    for (const auto& [key, value] : overrides) {
+      const std::string where = fmt::format("--set {}", key);
+      const std::string trouble = put(root_, key, loose_value(value, where, Rank::command));
+      if (!trouble.empty())
+        findings_.faults.push_back({where, trouble, "name a value of the case: mill.speed, "
+                                    "balls.2.diameter", std::string(no_such_key)});
+    }
+  }
+
+  /// A value that only the sweep gives is read with the first it takes.
+  void fill_from_sweep(const std::map<std::string, std::string>& places) {
+    for (const auto& [key, values] : c_.sweep) {
+      if (has(root_, key)) continue;
+      const std::string where = places.at(key);
+      Node value = loose_value(values.front(), where, Rank::sweep);
+      value.source = fmt::format("first of [sweep] \"{}\"", key);
+      const std::string trouble = put(root_, key, std::move(value));
+      if (!trouble.empty())
+        findings_.faults.push_back({where, trouble, "sweep over a value of the case: \"mill.speed\"",
+                                    std::string(no_such_key)});
+    }
+  }
+
+  /// The table of a section, or null; one that is no table is a fault.
+  const Node* section(std::string_view name, bool needed) {
+    const Node* found = root_.find(name);
+    if (found != nullptr && found->kind == Node::Kind::table) return found;
+    if (found != nullptr)
+      findings_.faults.push_back({found->where, fmt::format("`{}` must be a section", name),
+                                  fmt::format("write [{}] and its values below", name),
+                                  "wrong-type"});
+    else if (needed)
+      findings_.faults.push_back({file_.generic_string(), fmt::format("there is no [{}]", name),
+                                  fmt::format("add the section [{}]", name), "missing-value"});
+    return nullptr;
+  }
+
+  void read_top() {
+    Section in(&root_, "", findings_);
+    for (const std::string_view name :
+         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "sweep"})
+      in.find(name);
+    if (const auto title = in.text("title")) {
+      c_.title = *title;
+    } else {
+      c_.title = file_.stem().string();
+      in.note_default("title", fmt::format("\"{}\"", c_.title), "the file's name");
+    }
+    c_.seed = read_seed(in);
+    for (const auto& field : case_fields()) c_.*field.value = in.value(Wanted(field));
+    in.close();
+  }
+
+  std::uint64_t read_seed(Section& in) {
+    const Node* at = in.find("seed");
+    if (at == nullptr) {
+      in.note_default("seed", "1", "any will do");
+      return 1;
+    }
+    std::uint64_t seed = 0;
+    const char* end = at->text.data() + at->text.size();
+    const auto [stop, error] = std::from_chars(at->text.data(), end, seed);
+    const bool written = at->whole || at->kind == Node::Kind::text;
+    if (!written || error != std::errc{} || stop != end)
+      in.fault(*at, fmt::format("seed = {} must be a whole number from 0 on", at->text),
+               "write for instance seed = 1", "out-of-range");
+    else
+      in.note("seed", std::to_string(seed), at);
+    return seed;
+  }
+
+  void read_sections() {
+    if (const Node* jar = section("jar", true)) {
+      c_.jar = read_jar(jar, catalogue_, findings_);
+    } else {
+      std::visit([](auto& s) { s.diameter = unread; }, c_.jar.shape);
+    }
+    const Node no_balls{.where = file_.generic_string()};
+    const Node* balls = root_.find("balls");
+    c_.balls = read_balls(balls ? balls : &no_balls, c_.jar, catalogue_, findings_);
+    if (const Node* mill = section("mill", true))
+      c_.mill = read_mill(mill, c_, file_.parent_path().generic_string(), catalogue_, findings_);
+    if (const Node* powder = section("powder", false))
+      c_.powder = read_powder(powder, c_.balls, catalogue_, findings_);
+    c_.contact = read_contact(section("contact", false), findings_);
+    if (const Node* run = section("run", true)) c_.run = read_run(run, findings_);
+    c_.observe = read_observe(section("observe", false), findings_);
+  }
+
+  /// By line, so that a user mends the file from top to bottom; what is not in the file last.
+  std::vector<Fault> in_order(std::vector<Fault> all) const {
+    const std::string here = file_.generic_string() + ":";
+    const auto line = [&](const Fault& f) {
+      long n = f.where + ":" == here ? 0 : std::numeric_limits<long>::max();
+      if (f.where.starts_with(here))
+        std::from_chars(f.where.data() + here.size(), f.where.data() + f.where.size(), n);
+      return n;
+    };
+    std::ranges::stable_sort(all, {}, line);
+    return all;
+  }
+
+  Node root_;
+  std::filesystem::path file_;
+  const Catalogue& catalogue_;
+  Findings findings_;
+  Case c_;
+};
+
+}  // namespace
+
+Case read(const std::filesystem::path& file, const Catalogue& catalogue,
+          const std::vector<Override>& overrides) {
+  std::error_code trouble;
+  const auto status = std::filesystem::status(file, trouble);
+  const auto fault = [&](std::string what, std::string remedy) {
+    return InputError(
+        Fault{file.generic_string(), std::move(what), std::move(remedy), "no-such-file"});
+  };
+  if (!std::filesystem::exists(status))
+    throw fault("there is no such case file", "check the path; a case is a .toml file");
+  if (!std::filesystem::is_regular_file(status))
+    throw fault("this is not a file", "name the case file in it: case.toml");
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw fault("the case file cannot be read", "check that you may read it");
+  return read_text(text, file, catalogue, overrides);
+}
+
+Case read_text(const std::string& text, const std::filesystem::path& file,
+               const Catalogue& catalogue, const std::vector<Override>& overrides) {
+  return CaseReader(parse_tree(text, file.generic_string()), file, catalogue).read(overrides);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// The density of a material, from where it is said or from the catalogue. Nothing if neither says.
+std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material,
+                                   const Catalogue& catalogue) {
+  const Node *density = in.find("density"), *name = in.find("material");
+  if (name != nullptr) material = in.text("material").value_or("");
+  const bool by_name = name != nullptr && !material.empty() &&
+                       (density == nullptr || name->rank > density->rank);
+  if (!by_name) return in.maybe(wanted);
+  const auto entry = look_up(catalogue, "materials", *name, in.findings());
+  if (!entry) return unread;
+  const auto found = entry->values.find("density");
+  if (found == entry->values.end()) return std::nullopt;
+  Node node = loose_value(found->second.text, entry->file, Rank::catalogue);
+  node.source = fmt::format("catalogue materials/{}: {}", material, found->second.source);
+  node.unverified = found->second.unverified;
+  const double value = in.quantity(node, wanted);
+  in.note("density", show(value, wanted.unit), &node);
+  return value;
+}
+
+std::int64_t nearest_count(Section& in, const Node& at, std::string_view key, double share) {
+  if (std::isnan(share)) return 0;  // reported where it comes from
+  const double n = std::max(1.0, std::round(share));
+  if (n > static_cast<double>(most_balls)) {
+    in.fault(at, fmt::format("{} = \"{}\" makes more than {} balls", key, at.text, most_balls),
+             "give fewer or larger balls", "out-of-range");
+    return 0;
+  }
+  const auto count = static_cast<std::int64_t>(n);
+  in.note("count", std::to_string(count), &at, fmt::format("nearest to {} = \"{}\"", key, at.text));
+  return count;
+}
+
+/// By number, by mass, or by the balls' share of the jar's volume.
+std::int64_t read_count(Section& in, const BallSet& set, const Jar& jar) {
+  const std::string_view key = in.one_of({"count", "mass", "filling"});
+  if (key == "count") return in.whole("count", most_balls).value_or(0);
+  if (key.empty()) {
+    in.note_default("count", "1", "one ball");
+    return 1;
+  }
+  const Node& at = *in.find(key);
+  if (key == "mass") {
+    const double mass = in.quantity(at, {"mass", "kg", positive, "mass of all balls of this set"});
+    return nearest_count(in, at, key, mass / set.mass());
+  }
+  const Range share{.least = 0, .most = 1, .without_least = true};
+  const double filling =
+      in.quantity(at, {"filling", "", share, "volume of the balls over volume of the jar"});
+  return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
+}
+
+BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Catalogue& catalogue,
+                 Findings& findings) {
+  BallSet set;
+  Section in(&table, fmt::format("balls.{}", number), findings);
+  if (const Node* model = in.find("model")) {
+    in.text("model");
+    if (const auto entry = look_up(catalogue, "media", *model, findings)) in.lend(*entry);
+  }
+  const Wanted diameter(ball_fields()[0]), density(ball_fields()[1]);
+  set.diameter = in.value(diameter);
+  const auto given = read_density(in, density, set.material, catalogue);
+  if (!given)
+    in.missing("density", density.about,
+               set.material.empty()
+                   ? "write density = \"7850 kg/m3\", or material with a name `mahlwerk list "
+                     "materials` shows"
+                   : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
+                                 set.material));
+  set.density = given.value_or(unread);
+  set.count = read_count(in, set, jar);
+  in.close();
+  return set;
+}
+
+/// "70:1" or 70, balls to powder by mass.
+double read_ball_to_powder(Section& in, const Node& at) {
+  const Wanted wanted("ball_to_powder", "", positive, "mass of the balls over mass of the powder");
+  const auto colon = at.text.find(':');
+  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, wanted);
+  try {
+    const double ratio =
+        parse_in(at.text.substr(0, colon), "") / parse_in(at.text.substr(colon + 1), "");
+    if (std::isfinite(ratio) && ratio > 0) return ratio;
+    in.fault(at, fmt::format("ball_to_powder = \"{}\" is not a ratio above 0", at.text),
+             "write balls to powder by mass: \"30:1\"", "out-of-range");
+  } catch (const UnitError& error) {
+    in.fault(at, fmt::format("ball_to_powder = \"{}\": {}", at.text, error.what()),
+             "write balls to powder by mass, \"30:1\", or the number 30", "bad-quantity");
+  }
+  return unread;
+}
+
+double read_powder_mass(Section& in, const std::vector<BallSet>& balls) {
+  const std::string_view key = in.one_of({"mass", "ball_to_powder"});
+  Wanted mass("mass", "kg", positive, "mass of the powder");
+  mass.instead = "ball_to_powder";
+  if (key != "ball_to_powder") return in.value(mass);
+  const Node& at = *in.find(key);
+  const double powder = balls_mass(balls) / read_ball_to_powder(in, at);
+  if (!std::isnan(powder))
+    in.note("mass", show(powder, "kg"), &at, fmt::format("ball_to_powder = \"{}\"", at.text));
+  return powder;
+}
+
+}  // namespace
+
+double ball_volume(const BallSet& set) {
+  return std::numbers::pi * set.diameter * set.diameter * set.diameter / 6;
+}
+
+double balls_mass(const std::vector<BallSet>& balls) {
+  double mass = 0;
+  for (const BallSet& set : balls) mass += static_cast<double>(set.count) * set.mass();
+  return mass;
+}
+
+std::int64_t balls_count(const std::vector<BallSet>& balls) {
+  std::int64_t count = 0;
+  for (const BallSet& set : balls) count += set.count;
+  return count;
+}
+
+double largest_ball(const std::vector<BallSet>& balls) {
+  double diameter = 0;
+  for (const BallSet& set : balls) {
+    if (std::isnan(set.diameter)) return unread;
+    diameter = std::max(diameter, set.diameter);
+  }
+  return diameter;
+}
+
+std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
+                                Findings& findings) {
+  std::vector<BallSet> balls;
+  bool tables = list != nullptr && list->kind == Node::Kind::list && !list->items.empty();
+  if (tables)
+    for (const Node& item : list->items) tables = tables && item.kind == Node::Kind::table;
+  if (!tables) {
+    findings.faults.push_back({list ? list->where : "",
+                               list ? "`balls` must be a list of ball sets" : "there are no balls",
+                               "write [[balls]] with diameter, density and count", "missing-value"});
+    return balls;
+  }
+  for (const Node& item : list->items)
+    balls.push_back(read_set(item, balls.size() + 1, jar, catalogue, findings));
+  return balls;
+}
+
+Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const Catalogue& catalogue,
+                   Findings& findings) {
+  Powder powder;
+  Section in(table, "powder", findings);
+  powder.density = read_density(in, {"density", "kg/m3", positive, "density of the solid"},
+                                powder.material, catalogue);
+  powder.mass = read_powder_mass(in, balls);
+  powder.size = in.maybe({"size", "m", positive, "grain size of the powder as fed"});
+  in.close();
+  return powder;
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/register.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+template <class S>
+constexpr bool has_height = requires(S s) { s.height; };
+template <class S>
+constexpr bool has_fillet = requires(S s) { s.fillet; };
+
+/// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
+template <class S>
+double size_for(S shape, double volume) {
+  if constexpr (has_height<S>) {
+    shape.height = 0;
+    const double radius = 0.5 * shape.diameter;
+    const double height = (volume - shape.volume()) / (std::numbers::pi * radius * radius);
+    constexpr double rounding = 1e-12;  // a capsule without a cylinder is a capsule still
+    return std::abs(height) < rounding * shape.diameter ? 0 : height;
+  } else {
+    return std::cbrt(6 * volume / std::numbers::pi);
+  }
+}
+
+/// The volume at which the height is the least the shape can have.
+template <class S>
+double least_volume(S shape) {
+  if constexpr (has_fillet<S>) {
+    shape.height = 2 * shape.fillet;
+  } else {
+    shape.height = 0;
+  }
+  return shape.volume();
+}
+
+template <class S>
+void size_from_volume(Section& in, S& shape, std::string_view follows, double S::*size) {
+  const Wanted wanted("volume", "m3", positive, "inner volume");
+  const Node& at = *in.find("volume");
+  const double volume = in.quantity(at, wanted);
+  shape.*size = size_for(shape, volume);
+  if constexpr (has_height<S>) {
+    const double least = least_volume(shape);
+    if (volume < least || (volume == least && !std::is_same_v<S, geometry::Capsule>)) {
+      in.fault(at,
+               fmt::format("volume = \"{}\" is too small for a diameter of {}: the {} holds more "
+                           "than {} without any height",
+                           at.text, show(shape.diameter, "m"), S::name,
+                           show_rounded(least, "m3")),
+               "give a larger volume or a smaller diameter", "volume-too-small");
+      shape.*size = unread;
+    }
+  }
+  if (!std::isnan(shape.*size))
+    in.note(follows, show(shape.*size, "m"), &at,
+            fmt::format("follows from volume = \"{}\"", at.text));
+}
+
+template <class S>
+void read_shape(Section& in, S& shape) {
+  constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
+  const bool by_volume = in.one_of({follows, "volume"}) == "volume";
+  double S::*size = nullptr;
+  for (const auto& field : S::fields()) {
+    if (field.key == follows && by_volume) {
+      size = field.value;
+      continue;
+    }
+    Wanted wanted(field);
+    if (field.key == follows) wanted.instead = "volume";
+    shape.*field.value = in.value(wanted);
+  }
+  if (size != nullptr) size_from_volume(in, shape, follows, size);
+}
+
+}  // namespace
+
+Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) {
+  Jar jar;
+  Section in(table, "jar", findings);
+  const auto kinds = model_names(std::type_identity<geometry::AnyShape>{});
+  const Model model = read_model(in, "jars", kinds, catalogue);
+  jar.model = model.name;
+  if (const auto material = in.text("material")) jar.material = *material;
+  if (!choose_model(jar.shape, model.kind)) {
+    std::visit([](auto& s) { s.diameter = unread; }, jar.shape);
+    return jar;
+  }
+  std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
+  in.close();
+  return jar;
+}
+
+double jar_volume(const Jar& jar) {
+  return std::visit([](const auto& s) { return s.volume(); }, jar.shape);
+}
+
+}  // namespace mahlwerk::cases

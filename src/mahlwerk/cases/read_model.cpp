@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+
+std::optional<CatalogueEntry> look_up(const Catalogue& catalogue, std::string_view room,
+                                      const Node& at, Findings& findings) {
+  try {
+    return catalogue.find(room, at.text, at.where);
+  } catch (const InputError& error) {
+    findings.faults.insert(findings.faults.end(), error.faults().begin(), error.faults().end());
+    return std::nullopt;
+  }
+}
+
+Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
+                 const Catalogue& catalogue) {
+  const Node *kind = in.find("kind"), *name = in.find("model");
+  if (kind == nullptr && name == nullptr) {
+    in.missing("kind", "",
+               fmt::format("write kind = ..., one of {}, or model = \"...\" with a name `mahlwerk "
+                           "list {}` shows",
+                           listed(kinds), room));
+    return {};
+  }
+  Model model;
+  if (kind == nullptr || (name != nullptr && name->rank > kind->rank)) {
+    model.name = in.text("model").value_or("");
+    if (model.name.empty()) return model;
+    model.entry = look_up(catalogue, room, *name, in.findings());
+    if (!model.entry) return model;
+    in.lend(*model.entry);
+    model.kind = model.entry->kind;
+    in.note("kind", fmt::format("\"{}\"", model.kind), name,
+            fmt::format("catalogue {}/{}", room, model.name));
+    return model;
+  }
+  if (name != nullptr && name->rank == kind->rank) model.name = in.text("model").value_or("");
+  model.kind = in.choice({"kind", kinds, ""});
+  return model;
+}
+
+}  // namespace mahlwerk::cases

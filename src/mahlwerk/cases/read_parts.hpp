@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/cases/section.hpp"
+
+// The sections of a case file, one function each. What cannot be read is left `unread`.
+namespace mahlwerk::cases {
+
+/// The catalogue's entry, or nothing after a fault; the fault cites the place of `at`.
+std::optional<CatalogueEntry> look_up(const Catalogue& catalogue, std::string_view room,
+                                      const Node& at, Findings& findings);
+
+/// What a section says of its model: by `kind` with its own numbers, or by the `model` of the
+/// catalogue, whose values are lent to the section. With both, `model` is a mere name.
+struct Model {
+  std::string name, kind;  ///< `kind` is empty after a fault
+  std::optional<CatalogueEntry> entry;
+};
+Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
+                 const Catalogue& catalogue);
+
+Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings);
+std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
+                                Findings& findings);
+/// `folder` is where files are looked for; `c` has its gravity, jar and balls already.
+Mill read_mill(const Node* table, const Case& c, const std::string& folder,
+               const Catalogue& catalogue, Findings& findings);
+Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const Catalogue& catalogue,
+                   Findings& findings);
+Contact read_contact(const Node* table, Findings& findings);
+Run read_run(const Node* table, Findings& findings);
+Observe read_observe(const Node* table, Findings& findings);
+
+/// A measured motion, its rows checked one by one. Faults cite the file's lines.
+kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
+                                       Findings& findings);
+
+/// Faults of parts that were read but do not go together; silent about what is `unread`.
+std::vector<Fault> misfits(const Case& c);
+
+double jar_volume(const Jar& jar);               ///< [m3]
+double ball_volume(const BallSet& set);          ///< [m3] of one ball
+double balls_mass(const std::vector<BallSet>& balls);  ///< [kg] of all
+std::int64_t balls_count(const std::vector<BallSet>& balls);
+double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter
+/// [rad/s] at which the largest ball is pinned to the wall of a tumbling jar (kin.11).
+double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity);
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/base/field.hpp"
+#include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/cases/table.hpp"
+
+namespace mahlwerk::cases {
+
+/// What reading has found so far: all that is wrong, and where every value came from.
+struct Findings {
+  std::vector<Fault> faults;
+  std::vector<Origin> origins;
+};
+
+/// A number a section may or must give; a Field without the place where it lives.
+struct Wanted {
+  std::string_view key, unit;
+  Range range;
+  std::string_view about;
+  std::optional<double> standard = std::nullopt;
+  std::string_view source = "";
+  std::string_view instead = "";  ///< another key that would do as well
+
+  Wanted(std::string_view k, std::string_view u, Range r, std::string_view a)
+      : key(k), unit(u), range(r), about(a) {}
+  template <class Model>
+  explicit Wanted(const Field<Model>& f)
+      : key(f.key), unit(f.unit), range(f.range), about(f.about), standard(f.standard),
+        source(f.source) {}
+};
+
+/// A word a section may give, one of a few.
+struct Choice {
+  std::string_view key;
+  std::vector<std::string> words;
+  std::string standard;  ///< empty: the user must say it
+  std::string_view source = "";
+};
+
+constexpr double unread = std::numeric_limits<double>::quiet_NaN();  ///< a value that had a fault
+
+/// Reads one section of a case strictly: every fault and every origin goes into the findings, and
+/// reading goes on with `unread` in place of what was wrong.
+class Section {
+ public:
+  /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or empty.
+  Section(const Node* table, std::string name, Findings& findings);
+
+  /// Values to fall back on where the case is silent.
+  void lend(const CatalogueEntry& entry);
+
+  bool gives(std::string_view key) { return find(key) != nullptr; }
+  /// The value, the case's own before the catalogue's, which then counts as read.
+  const Node* find(std::string_view key);
+  /// Of keys that exclude each other the one that counts; empty if none is given. Two of the same
+  /// standing are a fault.
+  std::string_view one_of(std::initializer_list<std::string_view> keys);
+
+  double value(const Wanted& wanted);                  ///< a fault if it is not given
+  std::optional<double> maybe(const Wanted& wanted);   ///< nothing if it is not given
+  std::optional<std::string> text(std::string_view key);
+  std::string choice(const Choice& choice);            ///< empty after a fault
+  std::optional<std::int64_t> whole(std::string_view key, std::int64_t most);  ///< 1 to `most`
+  bool flag(std::string_view key, bool standard, std::string_view source);
+
+  /// Notes where a value came from. `how` is put behind the source: "volume = \"5 ml\"".
+  void note(std::string_view key, std::string value, const Node* from, std::string_view how = "");
+  void note_default(std::string_view key, std::string value, std::string_view source);
+
+  void fault(const Node& at, std::string what, std::string remedy, std::string_view code);
+  void missing(std::string_view key, std::string_view about, std::string remedy);
+  /// What `at` says as a quantity in `wanted`'s unit and range, or `unread` after a fault.
+  double quantity(const Node& at, const Wanted& wanted);
+
+  /// Reports every key that nobody asked for.
+  void close();
+
+  const std::string& name() const { return name_; }
+  std::string heading() const;  ///< "[mill]"
+  Findings& findings() { return findings_; }
+
+ private:
+  std::string dotted(std::string_view key) const;
+  void mark(std::string_view key);
+
+  const Node* table_;
+  std::string name_;
+  Findings& findings_;
+  std::map<std::string, Node, std::less<>> lent_;
+  std::vector<std::string> known_;
+};
+
+/// "a", "b" or "c".
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace mahlwerk::cases

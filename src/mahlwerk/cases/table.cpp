@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/table.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "mahlwerk/base/units.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::string_view ball_sets = "balls";  // the one list of tables in a case
+
+void fill(Node& node, const toml::node& from, const std::string& file);
+
+void fill_table(Node& node, const toml::table& from, const std::string& file) {
+  node.kind = Node::Kind::table;
+  for (const auto& [key, value] : from) {
+    node.members.push_back({std::string(key.str()), {}});
+    fill(node.members.back().value, value, file);
+  }
+}
+
+void fill(Node& node, const toml::node& from, const std::string& file) {
+  node.where = fmt::format("{}:{}", file, from.source().begin.line);
+  const auto slash = node.where.find_last_of("/\\");
+  node.source = slash == std::string::npos ? node.where : node.where.substr(slash + 1);
+  if (const auto* table = from.as_table()) {
+    fill_table(node, *table, file);
+  } else if (const auto* list = from.as_array()) {
+    node.kind = Node::Kind::list;
+    for (const toml::node& item : *list) fill(node.items.emplace_back(), item, file);
+  } else if (const auto* text = from.as_string()) {
+    node.kind = Node::Kind::text;
+    node.text = text->get();
+  } else if (const auto* integer = from.as_integer()) {
+    node.kind = Node::Kind::number;
+    node.whole = true;
+    node.number = static_cast<double>(integer->get());
+    node.text = std::to_string(integer->get());
+  } else if (const auto* real = from.as_floating_point()) {
+    node.kind = Node::Kind::number;
+    node.number = real->get();
+    node.text = shortest(node.number);
+  } else if (const auto* flag = from.as_boolean()) {
+    node.kind = Node::Kind::boolean;
+    node.boolean = flag->get();
+    node.text = node.boolean ? "true" : "false";
+  }
+}
+
+/// The parts between the dots; a quoted TOML key has none inside, so plain cutting will do.
+std::vector<std::string_view> parts_of(std::string_view key) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = std::min(key.find('.', from), key.size());
+    parts.push_back(key.substr(from, to - from));
+    if (to == key.size()) return parts;
+    from = to + 1;
+  }
+}
+
+Node& member(Node& table, std::string_view key) {
+  if (Node* found = table.find(key)) return *found;
+  table.members.push_back({std::string(key), {}});
+  return table.members.back().value;
+}
+
+/// The ball set a key names by its number, counted from 1, cutting the number off; the first without.
+Node* ball_set(Node& sets, std::vector<std::string_view>& rest) {
+  std::size_t index = 1;
+  if (rest.size() > 1) {
+    const auto [end, error] =
+        std::from_chars(rest[0].data(), rest[0].data() + rest[0].size(), index);
+    if (error != std::errc{} || end != rest[0].data() + rest[0].size()) return nullptr;
+    rest.erase(rest.begin());
+  }
+  return index >= 1 && index <= sets.items.size() ? &sets.items[index - 1] : nullptr;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+  const auto at = std::ranges::find(members, key, &Member::key);
+  return at == members.end() ? nullptr : &at->value;
+}
+
+Node* Node::find(std::string_view key) {
+  return const_cast<Node*>(std::as_const(*this).find(key));
+}
+
+Node parse_tree(std::string_view text, const std::string& file) {
+  Node root;
+  try {
+    fill(root, toml::parse(text, std::string_view(file)), file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(Fault{fmt::format("{}:{}", file, error.source().begin.line),
+                           std::string(error.description()),
+                           "mend the TOML there; texts stand in quotes: speed = \"400 rpm\"",
+                           "not-toml"});
+  }
+  root.where = root.source = file;
+  return root;
+}
+
+Node loose_value(std::string_view text, const std::string& where, Rank rank) {
+  Node node;
+  try {
+    const toml::table table = toml::parse(fmt::format("value = {}", text), "value"sv);
+    if (table.size() == 1) fill(node, *table.get("value"), "value");
+  } catch (const toml::parse_error&) {
+    node.kind = Node::Kind::other;
+  }
+  const bool in_quotes = node.kind == Node::Kind::text;
+  if (node.kind == Node::Kind::other || node.kind == Node::Kind::table) node = {};
+  if (node.kind == Node::Kind::other) node.kind = Node::Kind::text;
+  if (!in_quotes) node.text = text;
+  node.where = node.source = where;
+  node.rank = rank;
+  return node;
+}
+
+std::string put(Node& root, std::string_view key, Node value) {
+  std::vector<std::string_view> parts = parts_of(key);
+  if (std::ranges::any_of(parts, &std::string_view::empty))
+    return fmt::format("\"{}\" is not a key", key);
+  Node* table = &root;
+  const std::string_view section = parts.front();
+  if (parts.size() > 1) {
+    Node& found = member(root, section);
+    if (found.kind == Node::Kind::other && found.where.empty()) {
+      found.kind = section == ball_sets ? Node::Kind::list : Node::Kind::table;
+      found.where = value.where;
+      if (section == ball_sets) {
+        found.items.emplace_back().kind = Node::Kind::table;
+        found.items.back().where = value.where;
+      }
+    }
+    parts.erase(parts.begin());
+    table = &found;
+    if (section == ball_sets && found.kind == Node::Kind::list) {
+      table = ball_set(found, parts);
+      if (table == nullptr)
+        return fmt::format("there is no ball set for \"{}\": the case has {}", key,
+                           found.items.size());
+    }
+  }
+  if (parts.size() != 1 || table->kind != Node::Kind::table)
+    return fmt::format("there is nothing that \"{}\" could name", key);
+  member(*table, parts.front()) = std::move(value);
+  return {};
+}
+
+}  // namespace mahlwerk::cases

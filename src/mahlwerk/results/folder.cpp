@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every file that a result or a campaign may hold: --force removes these and nothing else.
+constexpr std::array<std::string_view, 11> our_files{
+    "summary.json",   "case.resolved.toml", "spectrum.csv",  "speeds.csv",   "angles.csv", "timeseries.csv",
+    "replicates.csv", "collisions.h5",      "report.html",   "campaign.csv", "campaign.html"};
+
+std::string reason(int number) { return std::strerror(number); }
+
+InputError cannot_write(const fs::path& place, const std::string& why) {
+  return InputError(Fault{place.string(), "cannot be written: " + why,
+                          "free some space or mend the permissions, or choose another folder with --out",
+                          "cannot-write"});
+}
+
+/// Ours is a folder with a summary or a campaign table that names its maker.
+bool is_result(const fs::path& folder) {
+  for (const char* mark : {"summary.json", "campaign.csv"}) {
+    std::error_code error;
+    if (fs::is_regular_file(folder / mark, error)) return true;
+  }
+  return false;
+}
+
+/// Names inside a folder that no result of ours has.
+std::vector<std::string> foreign(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool known = std::find(our_files.begin(), our_files.end(), name) != our_files.end();
+    if (entry.is_symlink()) {
+      names.push_back(name);
+    } else if (entry.is_directory()) {
+      const bool ours = is_result(entry.path());
+      for (const std::string& inner : ours ? foreign(entry.path()) : std::vector<std::string>{""})
+        names.push_back(name + "/" + inner);
+    } else if (!known) {
+      names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void check_replaceable(const fs::path& wanted, bool force) {
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    throw InputError(Fault{wanted.string(), what, remedy, "result-exists"});
+  };
+  if (!fs::exists(fs::symlink_status(wanted))) return;
+  if (!fs::is_directory(wanted)) refuse("is a file, not a folder", "choose another folder with --out");
+  if (fs::is_empty(wanted)) return;
+  if (!is_result(wanted))
+    refuse("is not empty, and what it holds is not a result of Mahlwerk, so it is left alone",
+           "choose another folder with --out");
+  if (!force)
+    refuse("holds a result already", "choose another folder with --out, or replace it with --force");
+  const std::vector<std::string> others = foreign(wanted);
+  if (!others.empty())
+    refuse(fmt::format("holds, besides a result, what Mahlwerk did not write ({}{}), so it is left alone",
+                       others.front(), others.size() > 1 ? " and more" : ""),
+           "move that away, or choose another folder with --out");
+}
+
+/// The folder as an absolute path without "..", links followed as far as the path exists.
+fs::path resolved(const fs::path& wanted) {
+  if (wanted.empty())
+    throw InputError(
+        Fault{"--out", "the name of the result folder is empty", "give a folder", "cannot-write"});
+  fs::path path = fs::weakly_canonical(fs::absolute(wanted));
+  if (!path.has_filename()) path = path.parent_path();
+  return path;
+}
+
+fs::path beside(const fs::path& wanted, std::string_view what) {
+  return wanted.parent_path() /
+         fmt::format(".{}.{}-{}", wanted.filename().string(), what, ::getpid());
+}
+
+}  // namespace
+
+Folder::Folder(const fs::path& wanted, bool force) {
+  try {
+    wanted_ = resolved(wanted);
+    check_replaceable(wanted_, force);
+    fs::create_directories(wanted_.parent_path());
+    aside_ = beside(wanted_, "partial");
+    fs::remove_all(aside_);  // of a process of the same number that was killed
+    fs::create_directory(aside_);
+  } catch (const fs::filesystem_error& e) {
+    throw cannot_write(wanted, e.code().message());
+  }
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  if (!done_) fs::remove_all(aside_, ignored);
+}
+
+fs::path Folder::file(std::string_view name) const {
+  const fs::path path = aside_ / name;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) throw cannot_write(wanted_ / name, error.message());
+  return path;
+}
+
+void Folder::write(std::string_view name, std::string_view text) const {
+  write_text(file(name), text);
+}
+
+void Folder::commit() {
+  const fs::path old = beside(wanted_, "replaced");
+  std::error_code error;
+  bool moved = false;
+  if (fs::exists(wanted_, error) && !fs::is_empty(wanted_, error)) {
+    // Looked at again: hours may have passed, and what has come into the folder since must not go.
+    check_replaceable(wanted_, true);
+    fs::rename(wanted_, old, error);
+    moved = !error;
+  }
+  if (!error) fs::rename(aside_, wanted_, error);
+  done_ = true;
+  std::error_code ignored;
+  if (error) {
+    if (moved) fs::rename(old, wanted_, ignored);
+    throw InputError(Fault{wanted_.string(), "cannot be put in place: " + error.message(),
+                           "the result is complete in " + aside_.string() + "; move it by hand",
+                           "cannot-write"});
+  }
+  if (moved) fs::remove_all(old, ignored);
+}
+
+void write_text(const fs::path& file, std::string_view text) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) throw cannot_write(file, reason(errno));
+  int failed = 0;
+  if (std::fwrite(text.data(), 1, text.size(), out) != text.size()) failed = errno;
+  if (failed == 0 && std::fflush(out) != 0) failed = errno;
+  if (std::fclose(out) != 0 && failed == 0) failed = errno;
+  if (failed != 0) throw cannot_write(file, reason(failed));
+}
+
+}  // namespace mahlwerk::results

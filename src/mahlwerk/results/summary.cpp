@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::Sums;
+using scene::Account;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// A number of one replicate, taken from its case and itself.
+struct Measure {
+  std::string name, unit, about;
+  double (*of)(const cases::Case&, const Replicate&);
+  bool worst = false;  ///< over replicates: the largest instead of the mean
+};
+
+double share(double part, double whole) { return whole > 0 ? part / whole : nothing; }
+
+double per_time(const Replicate& r, double Account::*what) {
+  return share(r.account.*what - r.at_settled.*what, r.time());
+}
+
+double dissipated_power(const cases::Case&, const Replicate& r) {
+  return share(r.account.lost() - r.at_settled.lost(), r.time());
+}
+
+double balls(const cases::Case& c) {
+  double all = 0;
+  for (const cases::BallSet& set : c.balls) all += static_cast<double>(set.count);
+  return all;
+}
+
+double energy_balance(const cases::Case&, const Replicate& r) {
+  const Account& a = r.account;
+  const double scale = std::abs(a.wall_work) + std::abs(a.lost()) + std::abs(a.started_with);
+  const double residual = std::abs(a.residual());
+  return residual == 0 ? 0 : residual / scale;
+}
+
+/// A mean over collisions, once over all of them and once over those above the threshold.
+struct CollisionMean {
+  std::string name, unit, about;
+  double Sums::*sum;
+  double factor = 1;
+};
+
+std::vector<CollisionMean> collision_means() {
+  return {
+      {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
+       &Sums::energy_normal},
+      {"energy_contact_point_mean", "J",
+       "mean impact energy of the motion of the touching points, m (u_n^2 + u_t^2)/2, spin included",
+       &Sums::energy_contact_point},
+      {"energy_centre_mean", "J", "mean impact energy of the motion of the centres, spin left out",
+       &Sums::energy_centre},
+      {"energy_lost_mean", "J", "mean energy dissipated in one collision", &Sums::lost},
+      {"impact_speed_normal_mean", "m/s", "mean normal speed u_n at first touch", &Sums::approach},
+      {"impact_speed_tangential_mean", "m/s",
+       "mean tangential speed |u_t| of the touching points at first touch, spin included", &Sums::slip},
+      {"impact_angle_mean", "deg", "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing",
+       &Sums::angle, 180 / std::numbers::pi},
+  };
+}
+
+double of_mean(const CollisionMean& mean, const Sums& sums) {
+  return share(mean.factor * sums.*mean.sum, static_cast<double>(sums.count));
+}
+
+const std::vector<Measure>& rates() {
+  static const std::vector<Measure> list{
+      {"collision_rate", "1/s", "collisions per second, all of them",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.tally.all.count), r.time());
+       }},
+      {"collision_rate_above_threshold", "1/s",
+       "collisions per second with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.tally.above.count), r.time());
+       }},
+  };
+  return list;
+}
+
+const std::vector<Measure>& powers() {
+  static const std::vector<Measure> list{
+      {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
+       dissipated_power},
+      {"drawn_power", "W", "work of the jar on the balls per time",
+       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::wall_work); }},
+      {"contact_time_share", "1", "share of the balls' time spent in lasting contact",
+       [](const cases::Case& c, const Replicate& r) {
+         return per_time(r, &Account::contact_time) / balls(c);
+       }},
+      {"lasting_contacts_rate", "1/s", "lasting contacts begun per second",
+       [](const cases::Case&, const Replicate& r) {
+         const auto begun = r.account.lasting_contacts - r.at_settled.lasting_contacts;
+         return share(static_cast<double>(begun), r.time());
+       }},
+  };
+  return list;
+}
+
+const Measure& tc_share() {
+  static const Measure measure{
+      "tc_collision_share", "1", "share of the collisions that the TC rule made elastic",
+      [](const cases::Case&, const Replicate& r) {
+        return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
+                     static_cast<double>(r.account.collisions - r.at_settled.collisions));
+      }};
+  return measure;
+}
+
+const std::vector<Measure>& doses() {
+  static const std::vector<Measure> list{
+      {"specific_energy_dose_rate", "W/g",
+       "dissipated power per mass of powder: what the powder gets at most",
+       [](const cases::Case& c, const Replicate& r) {
+         return dissipated_power(c, r) / (1000 * c.powder->mass);
+       }},
+      {"specific_energy_dose", "J/g", "that dose rate times the counted time of the case",
+       [](const cases::Case& c, const Replicate& r) {
+         return dissipated_power(c, r) / (1000 * c.powder->mass) * c.run.time;
+       }},
+  };
+  return list;
+}
+
+const std::vector<Measure>& checks() {
+  static const std::vector<Measure> list{
+      {"energy_residual", "1",
+       "largest relative residual of one collision's energy balance, of all replicates",
+       [](const cases::Case&, const Replicate& r) { return r.account.worst_collision; }, true},
+      {"energy_balance", "1",
+       "residual of a whole run's energy balance over wall work + losses + energy at the start, of the "
+       "worst replicate",
+       energy_balance, true},
+      {"simulated_time", "s", "counted time of one replicate",
+       [](const cases::Case&, const Replicate& r) { return r.time(); }},
+  };
+  return list;
+}
+
+/// Gathers one replicate's numbers in the order of summary.json.
+class Gathering {
+ public:
+  Gathering(const Outcome& outcome, const Replicate& replicate)
+      : case_(outcome.what), replicate_(replicate) {}
+
+  void add(const Measure& m) {
+    found_.push_back({m.name, m.of(case_, replicate_), nothing, m.unit, m.about});
+  }
+  void add(const std::vector<Measure>& list) {
+    for (const Measure& m : list) add(m);
+  }
+  void add(const CollisionMean& m) {
+    found_.push_back({m.name, of_mean(m, replicate_.tally.all), nothing, m.unit, m.about});
+    found_.push_back({m.name + "_above_threshold", of_mean(m, replicate_.tally.above), nothing, m.unit,
+                      m.about + "; collisions above the threshold"});
+  }
+  std::vector<Quantity> found() { return std::move(found_); }
+
+ private:
+  const cases::Case& case_;
+  const Replicate& replicate_;
+  std::vector<Quantity> found_;
+};
+
+/// The TC rule's share is told where the case asks for the rule, so that names depend on the case alone.
+bool has_tc(const Outcome& o) { return o.what.contact.lasting == cases::Lasting::tc; }
+
+/// The mean of one quantity; a replicate in which it does not exist (no collision) is left out.
+void combine(Quantity& q, const std::vector<double>& values) {
+  std::vector<double> there;
+  for (const double v : values) {
+    if (std::isfinite(v)) there.push_back(v);
+  }
+  q.value = q.ci95 = nothing;
+  if (there.empty()) return;
+  const observe::Estimate e = observe::estimate(there);
+  q.value = e.mean;
+  q.ci95 = e.ci95;
+}
+
+/// The worst of all replicates, averaged or not; one that is not even a number is the worst there is.
+double worst(const Outcome& outcome, const Measure& m) {
+  double most = 0;
+  for (const Replicate& r : outcome.replicates) {
+    const double v = m.of(outcome.what, r);
+    if (!(v <= most)) most = v;
+    if (std::isnan(most)) break;
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<const Replicate*> averaged(const Outcome& outcome) {
+  std::vector<const Replicate*> whole, any;
+  for (const Replicate& r : outcome.replicates) {
+    if (!(r.time() > 0)) continue;
+    any.push_back(&r);
+    if (r.complete) whole.push_back(&r);
+  }
+  return whole.size() >= 2 ? whole : any;
+}
+
+bool complete(const Outcome& outcome) {
+  return !outcome.replicates.empty() &&
+         std::all_of(outcome.replicates.begin(), outcome.replicates.end(),
+                     [](const Replicate& r) { return r.complete && r.time() > 0; });
+}
+
+std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate) {
+  Gathering gathering(outcome, replicate);
+  gathering.add(rates());
+  for (const CollisionMean& m : collision_means()) gathering.add(m);
+  gathering.add(powers());
+  if (has_tc(outcome)) gathering.add(tc_share());
+  if (outcome.what.powder && outcome.what.powder->mass > 0) gathering.add(doses());
+  gathering.add(checks());
+  return gathering.found();
+}
+
+std::vector<Quantity> summarise(const Outcome& outcome) {
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  std::vector<std::vector<Quantity>> each;
+  for (const Replicate* r : chosen) each.push_back(summarise(outcome, *r));
+  std::vector<Quantity> list =
+      each.empty() ? summarise(outcome, Replicate(outcome.what.observe.threshold)) : each.front();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::vector<double> values;
+    for (const auto& one : each) values.push_back(one[i].value);
+    combine(list[i], values);
+  }
+  for (const Measure& m : checks()) {
+    if (!m.worst) continue;
+    const auto same = [&](const Quantity& q) { return q.name == m.name; };
+    Quantity& q = *std::find_if(list.begin(), list.end(), same);
+    q.value = worst(outcome, m);
+    q.ci95 = nothing;
+  }
+  list.push_back({"replicates", static_cast<double>(chosen.size()), nothing, "1",
+                  "independent replicates that the means are taken over"});
+  return list;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Every motion of the register keeps the promises of kinematics/motion.hpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using namespace kinematics;
+
+constexpr double pi = std::numbers::pi;
+
+template <class M>
+M sample();
+template <>
+Still sample() { return {}; }
+template <>
+Vibration sample() {
+  Vibration v;
+  v.frequency = 13, v.amplitude = 0.02, v.tilt = 0.7, v.heading = 1.1;
+  return v;
+}
+template <>
+Planetary sample() { return {.orbit_radius = 0.07, .speed = 42, .ratio = -2}; }
+template <>
+Tumbling sample() { return {.speed = 6}; }
+template <>
+ArcShaker sample() { return {.frequency = 30, .arm = 0.12, .swing = 0.09}; }
+template <>
+FigureEight sample() {
+  return {.frequency = 17.5, .stroke_along = 0.03, .stroke_across = 0.012, .stroke_up = 0.004,
+          .phase_across = 0.4, .phase_up = 1.0, .rock = 0.2, .phase_rock = -0.3, .pivot = 0.05};
+}
+template <>
+Circular sample() {
+  Circular c;
+  c.radius = 0.017, c.speed = 209;
+  return c;
+}
+template <>
+Tabulated sample() {
+  std::vector<Sample> samples;
+  for (int i = 0; i <= 40; ++i) {
+    const double u = i / 40.0, angle = 2 * pi * u;
+    samples.push_back({0.25 * (u + 0.002 * std::sin(3 * angle)),
+                       {0.01 * std::sin(angle), 0.02 * std::cos(2 * angle), 0.005 * std::sin(3 * angle)},
+                       angle});
+  }
+  samples.back().centre = samples.front().centre;
+  return Tabulated(samples);
+}
+
+template <class Variant>
+struct AsTypes;
+template <class... T>
+struct AsTypes<std::variant<T...>> { using type = ::testing::Types<T...>; };
+
+template <class M>
+class Motions : public ::testing::Test {
+ protected:
+  M motion = sample<M>();
+  Random random{3, 2};
+  double some_time() { return random.uniform(0, 3); }
+};
+TYPED_TEST_SUITE(Motions, AsTypes<AnyMotion>::type);
+
+/// Central difference; off by h^2/6 of the third derivative plus rounding.
+template <class F>
+auto slope(const F& f, double t, double h) { return (f(t + h) - f(t - h)) / (2 * h); }
+
+TYPED_TEST(Motions, velocity_and_acceleration_are_the_derivatives_of_the_centre) {
+  const auto& m = this->motion;
+  const Bounds b = m.bounds();
+  double worst_v = 0, worst_a = 0;
+  const double h = 1e-6;
+  for (int i = 0; i < 2000; ++i) {
+    const double t = this->some_time();
+    const auto centre = [&](double s) { return m.ride(s).centre; };
+    const auto velocity = [&](double s) { return m.ride(s).velocity; };
+    worst_v = std::max(worst_v, norm(slope(centre, t, h) - m.ride(t).velocity));
+    worst_a = std::max(worst_a, norm(slope(velocity, t, h) - m.ride(t).acceleration));
+  }
+  stays_below("velocity [m/s]", worst_v, h * h * b.jerk + 1e-9, "kin.1, central differences");
+  stays_below("acceleration [m/s2]", worst_a, h * b.jerk + 1e-16 * b.speed / h + 1e-8,
+              "kin.1, central differences; a spline's jerk may jump within h");
+}
+
+TYPED_TEST(Motions, spin_is_the_rate_of_turn) {
+  const auto& m = this->motion;
+  double worst = 0, worst_rate = 0;
+  const double h = 1e-6;
+  for (int i = 0; i < 2000; ++i) {
+    const double t = this->some_time();
+    for (const Vec3 e : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      const auto turned = [&](double s) { return m.turn(s) * e; };
+      worst = std::max(worst, norm(slope(turned, t, h) - cross(m.spin(t), m.turn(t) * e)));
+    }
+    const auto spin = [&](double s) { return m.spin(s); };
+    worst_rate = std::max(worst_rate, norm(slope(spin, t, h) - m.spin_rate(t)));
+  }
+  const Bounds b = m.bounds();
+  stays_below("spin [rad/s]", worst, 1e-9 * (1 + b.spin + b.spin_rate + b.spin * b.spin), "kin.1");
+  stays_below("spin rate [rad/s2]", worst_rate, 1e-5 * (1 + b.spin_rate * (1 + b.spin)), "kin.1");
+  const Vec3 axis = m.fixed_axis();
+  for (int i = 0; i < 100 && norm(axis) > 0; ++i)
+    EXPECT_NEAR(norm(cross(axis, m.spin(this->some_time()))), 0, 1e-12 * (1 + b.spin));
+}
+
+TYPED_TEST(Motions, bounds_are_never_exceeded) {
+  const auto& m = this->motion;
+  const Bounds b = m.bounds();
+  for (int i = 0; i < 20000; ++i) {
+    const double t = this->some_time(), h = 1e-5;
+    const Ride r = m.ride(t);
+    const double a_little = 1 + 1e-12;
+    EXPECT_LE(norm(r.velocity), b.speed * a_little);
+    EXPECT_LE(std::abs(r.acceleration.x), b.acceleration.x * a_little);
+    EXPECT_LE(std::abs(r.acceleration.y), b.acceleration.y * a_little);
+    EXPECT_LE(std::abs(r.acceleration.z), b.acceleration.z * a_little);
+    EXPECT_LE(norm(m.ride(t + h).acceleration - r.acceleration), h * b.jerk * (1 + 1e-6) + 1e-12);
+    EXPECT_LE(norm(m.spin(t)), b.spin * a_little);
+    EXPECT_LE(norm(m.spin_rate(t)), b.spin_rate * a_little);
+  }
+}
+
+TYPED_TEST(Motions, the_period_closes) {
+  const auto& m = this->motion;
+  if (!std::isfinite(m.period())) return;
+  const Bounds b = m.bounds();
+  double worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = this->some_time();
+    const Ride now = m.ride(t), later = m.ride(t + m.period());
+    worst = std::max({worst, norm(now.centre - later.centre) * b.spin,
+                      norm(now.velocity - later.velocity), norm(m.spin(t) - m.spin(t + m.period()))});
+  }
+  stays_below("change over a period [m/s, rad/s]", worst,
+              1e-14 * (norm(b.acceleration) + b.spin_rate + 1), "a few roundings of the time");
+}
+
+TYPED_TEST(Motions, turning_begins_at_nothing) {
+  if constexpr (std::is_same_v<TypeParam, FigureEight>) this->motion.phase_rock = 0;
+  const Rotation r = this->motion.turn(0);
+  EXPECT_NEAR(norm(r.ex - Vec3{1, 0, 0}) + norm(r.ey - Vec3{0, 1, 0}), 0, 1e-15);
+}
+
+TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {
+  std::vector<Sample> samples;
+  const double f = 10, a = 0.025;
+  constexpr int n = 100;
+  for (int i = 0; i <= n; ++i)
+    samples.push_back({0.1 * i / n, {0, 0, i == n ? 0 : a * std::sin(2 * pi * i / n)}, 0});
+  const Tabulated table(samples);
+  double worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 0.3 * i / 1000;
+    worst = std::max(worst, std::abs(table.ride(t).centre.z - a * std::sin(2 * pi * f * t)));
+  }
+  // de Boor: 5/384 of the fourth derivative times the spacing to the fourth, doubled for safety.
+  const double w = 2 * pi * f, h = 0.1 / n;
+  stays_below("spline against sine [m]", worst, 2 * 5.0 / 384 * a * std::pow(w * h, 4), "de Boor");
+}
+
+TEST(Tabulated, refuses_samples_that_make_no_motion) {
+  using Samples = std::vector<Sample>;
+  EXPECT_THROW(Tabulated(Samples{}), std::invalid_argument);
+  EXPECT_THROW(Tabulated(Samples(5)), std::invalid_argument);  // time stands still
+  Samples open{{0, {}, 0}, {1, {}, 0}, {2, {}, 0}, {3, {0.01, 0, 0}, 0}};
+  EXPECT_THROW(Tabulated{open}, std::invalid_argument);  // does not close
+  open[3].centre = {NAN, 0, 0};
+  EXPECT_THROW(Tabulated{open}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

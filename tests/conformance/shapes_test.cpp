@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Every shape of the register keeps the promises of geometry/shape.hpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using geometry::Capsule;
+using geometry::Cylinder;
+using geometry::RoundedCylinder;
+using geometry::Sphere;
+
+template <class S>
+S sample();
+template <>
+Sphere sample() { return {0.03}; }
+template <>
+Capsule sample() { return {0.012, 0.03621}; }
+template <>
+Cylinder sample() { return {0.042, 0.0325}; }
+template <>
+RoundedCylinder sample() { return {0.042, 0.0325, 0.006}; }
+
+template <class Variant>
+struct AsTypes;
+template <class... T>
+struct AsTypes<std::variant<T...>> { using type = ::testing::Types<T...>; };
+
+template <class S>
+class Shapes : public ::testing::Test {
+ protected:
+  S shape = sample<S>();
+  Random random{7, 1};
+
+  double nearest(const Vec3& p, double radius = 0) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < S::faces; ++face)
+      if (radius == 0 || shape.meets(face, radius))
+        least = std::min(least, shape.gap(face, p).distance);
+    return least - radius;
+  }
+  Vec3 anywhere() {
+    const double r = shape.reach();
+    return {random.uniform(-r, r), random.uniform(-r, r), random.uniform(-r, r)};
+  }
+  Vec3 inside(double radius) {
+    Vec3 p = anywhere();
+    while (nearest(p, radius) <= 1e-6) p = anywhere();
+    return p;
+  }
+};
+TYPED_TEST_SUITE(Shapes, AsTypes<geometry::AnyShape>::type);
+
+TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
+  double worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p = this->inside(0);
+    for (int face = 0; face < TypeParam::faces; ++face) {
+      const auto at = [&](const Vec3& q) { return this->shape.gap(face, q).distance; };
+      const double h = 1e-7;
+      const Vec3 slope{(at(p + Vec3{h, 0, 0}) - at(p - Vec3{h, 0, 0})) / (2 * h),
+                       (at(p + Vec3{0, h, 0}) - at(p - Vec3{0, h, 0})) / (2 * h),
+                       (at(p + Vec3{0, 0, h}) - at(p - Vec3{0, 0, h})) / (2 * h)};
+      // Central differences are off by h^2/6 times a third derivative of order 1/r^2, and have no
+      // meaning across the ridge of a distance, where the nearest wall changes (geo.1).
+      if (std::abs(norm(slope) - 1) > 1e-3) continue;
+      const Vec3 inward = this->shape.gap(face, p).inward;
+      EXPECT_NEAR(norm(inward), 1, 1e-14);
+      worst = std::max(worst, norm(slope - inward));
+    }
+  }
+  stays_below("difference between gradient and inward normal", worst, 1e-3, "geo.1");
+}
+
+TYPED_TEST(Shapes, normal_rate_is_the_derivative_of_the_inward_normal) {
+  double worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p = this->inside(0), v = this->random.direction();
+    for (int face = 0; face < TypeParam::faces; ++face) {
+      const auto inward = [&](double s) { return this->shape.gap(face, p + s * v).inward; };
+      const Vec3 rate = this->shape.normal_rate(face, p, v);
+      const double h = 1e-8 / (1 + norm(rate) * 1e-3);
+      const Vec3 ahead = (inward(h) - inward(0)) / h, behind = (inward(0) - inward(-h)) / h;
+      if (norm(ahead - behind) > 1e-2 * (1 + norm(rate))) continue;  // across a crease or a ridge
+      worst = std::max(worst, norm(rate - 0.5 * (ahead + behind)) / (1 + norm(rate)));
+    }
+  }
+  stays_below("relative difference of the normal's rate", worst, 1e-4, "geo.2");
+}
+
+TYPED_TEST(Shapes, volume_is_that_of_the_points_inside) {
+  constexpr int points = 400000;
+  int inside = 0;
+  for (int i = 0; i < points; ++i) inside += this->nearest(this->anywhere()) > 0;
+  const double share = static_cast<double>(inside) / points, box = 8 * std::pow(this->shape.reach(), 3);
+  const double sigma = std::sqrt(share * (1 - share) / points);
+  states("volume [ml]", 1e6 * this->shape.volume(), 1e6 * box * share, 5e6 * box * sigma,
+         "Monte Carlo, five standard errors");
+}
+
+TYPED_TEST(Shapes, reach_holds_the_jar_and_inradius_the_largest_ball) {
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p = this->inside(0);
+    EXPECT_LE(norm(p), this->shape.reach() * (1 + 1e-12));
+    EXPECT_LE(this->nearest(p), this->shape.inradius() * (1 + 1e-12));
+  }
+  EXPECT_NEAR(this->nearest({0, 0, 0}), this->shape.inradius(), 1e-12);
+}
+
+/// The promise the search stands on: no path with bounded acceleration reaches the wall sooner.
+TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
+  double deepest = 0, longest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double radius = this->random.uniform(0.05, 0.9) * this->shape.inradius();
+    const Vec3 start = this->inside(radius);
+    const double speed = std::pow(10, this->random.uniform(-2, 1));
+    const Vec3 velocity = speed * this->random.direction();
+    const geometry::Pull pull({this->random.uniform(0, 100), this->random.uniform(0, 100),
+                               this->random.uniform(0, 700)});
+    double clear = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < TypeParam::faces; ++face) {
+      if (!this->shape.meets(face, radius)) continue;
+      const geometry::Outlook look = this->shape.outlook(face, {start, velocity, pull}, radius);
+      EXPECT_LE(look.gap, this->shape.gap(face, start).distance - radius + 1e-15);
+      clear = std::min(clear, look.time);
+    }
+    longest = std::max(longest, clear);
+    Vec3 p = start, v = velocity;
+    constexpr int steps = 60;
+    const double h = clear / steps;
+    const bool steady = i % 2 == 0;  // the worst field is often a steady one towards the wall
+    Vec3 a{};
+    for (int k = 0; k < steps; ++k) {
+      if (k == 0 || !steady)
+        a = {std::copysign(pull.most.x, this->random.uniform(-1, 1)),
+             std::copysign(pull.most.y, this->random.uniform(-1, 1)),
+             std::copysign(pull.most.z, this->random.uniform(-1, 1))};
+      p += h * (v + 0.5 * h * a);
+      v += h * a;
+      deepest = std::max(deepest, -this->nearest(p, radius));
+    }
+  }
+  stays_below("deepest penetration [m]", deepest, 1e-15, "geo.4 to geo.6, 20000 random courses");
+  EXPECT_GT(longest, 1e-3);
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

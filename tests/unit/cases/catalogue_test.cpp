@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/catalogue.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/catalogue_keys.hpp"
+#include "mahlwerk/cases/catalogue_read.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Catalogue& shipped() {
+  static const Catalogue catalogue(fs::path(MAHLWERK_HOME) / "catalogue");
+  return catalogue;
+}
+
+template <class Visit>
+void for_each_entry(Visit visit) {
+  for (const std::string_view room : Catalogue::rooms) {
+    for (const std::string& name : shipped().names(room)) {
+      SCOPED_TRACE(std::string(room) + "/" + name);
+      CatalogueEntry entry;
+      ASSERT_NO_THROW(entry = shipped().find(room, name));
+      visit(entry);
+    }
+  }
+}
+
+bool has(const std::vector<std::string>& list, const std::string& word) {
+  return std::ranges::find(list, word) != list.end();
+}
+
+/// All faults of a file's text, as a user reads them.
+std::string complaint(const std::string& text, std::string_view room = "mills") {
+  try {
+    read_entry(text, room, "trial", "trial.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const std::string good = R"(title = "A mill"
+kind = "planetary"
+about = "For trial."
+
+[orbit_radius]
+value = "70 mm"
+source = "a ruler"
+)";
+
+TEST(Catalogue, every_room_is_filled) {
+  EXPECT_GE(shipped().names("mills").size(), 20u);
+  EXPECT_GE(shipped().names("jars").size(), 7u);
+  EXPECT_GE(shipped().names("materials").size(), 16u);
+  EXPECT_GE(shipped().names("media").size(), 15u);
+  for (const std::string_view room : Catalogue::rooms)
+    EXPECT_TRUE(std::ranges::is_sorted(shipped().names(room))) << room;
+}
+
+TEST(Catalogue, every_check_in_every_file_holds) {
+  int checks = 0;
+  for_each_entry([&](const CatalogueEntry& entry) {
+    for (const CatalogueCheck& check : entry.checks) {
+      ++checks;
+      double found = 0;
+      ASSERT_NO_THROW(found = derived(entry, check.quantity));
+      EXPECT_LE(std::abs(found - check.expected), check.tolerance * std::abs(check.expected))
+          << check.quantity << ": expected " << check.expected << ", found " << found
+          << ", tolerance " << check.tolerance << ", source: " << check.source;
+    }
+  });
+  EXPECT_GE(checks, 20);
+}
+
+TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
+  for_each_entry([&](const CatalogueEntry& entry) {
+    EXPECT_FALSE(entry.values.empty());
+    const auto keys = catalogue_keys(entry.room, entry.kind);
+    for (const auto& [key, value] : entry.values) {
+      SCOPED_TRACE(key + " = " + value.text);
+      EXPECT_FALSE(value.source.empty());
+      const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
+      ASSERT_NE(known, keys.end());
+      if (known->unit == a_material) {
+        EXPECT_TRUE(has(shipped().names("materials"), value.text));
+        continue;
+      }
+      double number = NAN;
+      ASSERT_NO_THROW(number = number_of(value.text, *known));
+      EXPECT_TRUE(known->range.holds(number));
+    }
+  });
+}
+
+TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified) {
+  for_each_entry([&](const CatalogueEntry& entry) {
+    for (const auto& [key, value] : entry.values) {
+      const bool weak = value.source.find("from memory") != std::string::npos ||
+                        value.source.find("recalled") != std::string::npos;
+      EXPECT_TRUE(value.unverified || !weak) << key;
+    }
+  });
+}
+
+TEST(Catalogue, every_mill_is_a_known_motion_and_its_jars_exist) {
+  const auto motions = catalogue_kinds("mills");
+  const auto jars = shipped().names("jars");
+  for_each_entry([&](const CatalogueEntry& entry) {
+    if (entry.room != "mills") return;
+    EXPECT_TRUE(has(motions, entry.kind)) << entry.kind;
+    for (const std::string& jar : entry.jars) EXPECT_TRUE(has(jars, jar)) << jar;
+    for (const auto& [key, value] : entry.values) {  // least <= most
+      if (!key.ends_with("_least")) continue;
+      const auto most = entry.values.find(key.substr(0, key.size() - 5) + "most");
+      if (most == entry.values.end()) continue;
+      const auto keys = catalogue_keys(entry.room, entry.kind);
+      const auto known = *std::ranges::find(keys, key, &CatalogueKey::key);
+      EXPECT_LE(number_of(value.text, known), number_of(most->second.text, known)) << key;
+    }
+  });
+}
+
+TEST(Catalogue, every_jar_can_be_built_and_every_planetary_g_figure_is_checked) {
+  for_each_entry([&](const CatalogueEntry& entry) {
+    if (entry.room == "jars") {
+      EXPECT_GT(derived(entry, "jar_volume"), 0);
+    }
+    if (entry.kind != "planetary" || !entry.values.contains("speed_most")) return;
+    if (entry.name == "fritsch-p4") return;  // no g figure is known for it
+    EXPECT_TRUE(std::ranges::any_of(entry.checks, [](const CatalogueCheck& check) {
+      return check.quantity == "relative_centrifugal_acceleration" && check.tolerance <= 0.03;
+    }));
+  });
+}
+
+TEST(Catalogue, ball_sets_give_diameter_and_a_whole_number_of_balls) {
+  for_each_entry([&](const CatalogueEntry& entry) {
+    if (entry.room != "media") return;
+    EXPECT_GT(parse_in(entry.values.at("diameter").text, "m"), 0);
+    const double count = parse_in(entry.values.at("count").text, "");
+    EXPECT_EQ(count, std::round(count));
+  });
+}
+
+TEST(Catalogue, the_p7_of_paper_b_reads_as_the_file_says) {
+  const CatalogueEntry p7 = shipped().find("mills", "fritsch-p7-classic");
+  EXPECT_EQ(p7.kind, "planetary");
+  EXPECT_EQ(p7.values.at("ratio").text, "1:-2");
+  EXPECT_EQ(p7.jars, std::vector<std::string>{"fritsch-45ml-steel"});
+  // Omega^2 R_p / 9.81 at 800 rpm and 70 mm, physics sheet 1.8: 50.1
+  EXPECT_NEAR(derived(p7, "relative_centrifugal_acceleration"), 50.08, 0.01);
+  EXPECT_TRUE(shipped().find("mills", "retsch-pm100").values.at("orbit_radius").unverified);
+  EXPECT_FALSE(p7.values.at("orbit_radius").unverified);
+}
+
+TEST(Catalogue, a_ratio_is_jar_over_disc) {
+  const auto keys = catalogue_keys("mills", "planetary");
+  const auto ratio = *std::ranges::find(keys, "ratio", &CatalogueKey::key);
+  EXPECT_DOUBLE_EQ(number_of("1:-2", ratio), -2);
+  EXPECT_DOUBLE_EQ(number_of("1:-2.19", ratio), -2.19);
+  EXPECT_DOUBLE_EQ(number_of("-1.82", ratio), -1.82);
+  EXPECT_THROW(number_of("1:", ratio), UnitError);
+}
+
+TEST(Catalogue, an_unknown_name_gets_the_nearest_ones) {
+  const auto said = [](std::string_view room, std::string_view name) -> Fault {
+    try {
+      shipped().find(room, name, "case.toml:4");
+    } catch (const InputError& error) {
+      return error.faults().at(0);
+    }
+    return {};
+  };
+  const Fault misspelt = said("mills", "fritsch-p7-clasic");
+  EXPECT_EQ(misspelt.where, "case.toml:4");
+  EXPECT_NE(misspelt.remedy.find("'fritsch-p7-classic'"), std::string::npos) << misspelt.remedy;
+  const Fault part = said("mills", "pm100");
+  EXPECT_NE(part.remedy.find("'retsch-pm100' or 'retsch-pm100-cm'"), std::string::npos)
+      << part.remedy;
+  EXPECT_NE(said("jars", "zzzzzz").remedy.find("mahlwerk list jars"), std::string::npos);
+  EXPECT_THROW(shipped().names("mill"), InputError);
+}
+
+TEST(Catalogue, a_name_cannot_leave_its_room) {
+  for (const char* name : {"../jars/fritsch-45ml-steel", "..", "", "/etc/passwd", "thped.toml",
+                           "../mills/thped", "./thped"})
+    EXPECT_THROW(shipped().find("mills", name), InputError) << name;
+}
+
+TEST(Catalogue, a_folder_without_a_catalogue_is_refused) {
+  EXPECT_THROW(Catalogue("no/such/folder"), InputError);
+  EXPECT_THROW(Catalogue(fs::path(MAHLWERK_HOME) / "src"), InputError);
+}
+
+TEST(CatalogueFile, a_good_one_has_no_fault) {
+  EXPECT_EQ(complaint(good), "");
+}
+
+TEST(CatalogueFile, a_value_needs_its_text_and_its_source) {
+  EXPECT_NE(complaint(good + "[ratio]\nvalue = \"1:-2\"\n").find("trial.toml:8: source is missing"),
+            std::string::npos);
+  EXPECT_NE(complaint(good + "[ratio]\nsource = \"x\"\n").find("trial.toml:8: value is missing"),
+            std::string::npos);
+  EXPECT_NE(complaint(good + "[ratio]\nvalue = \"-2\"\nsource = \" \"\n").find("trial.toml:10:"),
+            std::string::npos);
+  EXPECT_NE(complaint("ratio = \"1:-2\"\n" + good).find("trial.toml:1: ratio has no source"),
+            std::string::npos);
+}
+
+TEST(CatalogueFile, unknown_keys_are_faults_with_line_and_suggestion) {
+  const std::string top = complaint(good + "[orbit_radios]\nvalue = \"7 mm\"\nsource = \"x\"\n");
+  EXPECT_NE(top.find("trial.toml:8: unknown key 'orbit_radios'"), std::string::npos) << top;
+  EXPECT_NE(top.find("'orbit_radius'"), std::string::npos) << top;
+  const std::string inner =
+      complaint(good + "[ratio]\nvalue = \"-2\"\nsource = \"x\"\nsauce = \"y\"\n");
+  EXPECT_NE(inner.find("trial.toml:11: unknown key 'sauce'"), std::string::npos) << inner;
+  EXPECT_NE(complaint(good, "materials").find("unknown key 'kind'"), std::string::npos);
+  EXPECT_NE(complaint(good, "jars").find("unknown kind 'planetary'"), std::string::npos);
+}
+
+TEST(CatalogueFile, values_must_be_quantities_in_range) {
+  const auto with = [](const std::string& value) {
+    return complaint(good + "[speed_most]\nvalue = \"" + value + "\"\nsource = \"x\"\n");
+  };
+  EXPECT_EQ(with("400 rpm"), "");
+  for (const char* bad : {"400", "400 mm", "-3 rpm", "0 rpm", "nan rpm", "fast", "400 rpn"})
+    EXPECT_NE(with(bad).find("trial.toml:9: speed_most"), std::string::npos) << bad;
+  EXPECT_NE(complaint(good + "[speed_most]\nvalue = 400\nsource = \"x\"\n").find("trial.toml:9:"),
+            std::string::npos);
+}
+
+TEST(CatalogueFile, checks_are_strict_too) {
+  const auto with = [](const std::string& check) {
+    return complaint(good + "[[check]]\n" + check);
+  };
+  const std::string whole =
+      "quantity = \"jar_volume\"\nequals = 45\nwithin = \"2 %\"\nsource = \"x\"\n";
+  EXPECT_EQ(with(whole), "");
+  EXPECT_NE(with("quantity = \"jar_volum\"\nequals = 45\nwithin = \"2 %\"\nsource = \"x\"\n")
+                .find("did you mean 'jar_volume'?"),
+            std::string::npos);
+  EXPECT_NE(with(whole + "units = 3\n").find("unknown key 'units'"), std::string::npos);
+  const std::string empty = with("");
+  for (const char* key : {"quantity", "equals", "within", "source"})
+    EXPECT_NE(empty.find(key), std::string::npos) << key;
+  for (const char* within : {"2 mm", "0 %", "200 %", "-1 %"})
+    EXPECT_NE(with("quantity = \"jar_volume\"\nequals = 1\nsource = \"x\"\nwithin = \"" +
+                   std::string(within) + "\"\n")
+                  .find("trial.toml:12: within"),
+              std::string::npos)
+        << within;
+}
+
+TEST(CatalogueFile, all_faults_come_together) {
+  try {
+    read_entry("kind = \"planetry\"\n[a]\n", "mills", "trial", "trial.toml");
+    FAIL() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().size(), 3u) << error.what();  // title, about, kind
+  }
+  EXPECT_NE(complaint("title = \n").find("trial.toml:1"), std::string::npos);
+  EXPECT_NE(complaint(good + "jars = 3\n").find("unknown key 'jars'"), std::string::npos);
+  EXPECT_NE(complaint("jars = [3]\n" + good).find("jars must be a list of names"),
+            std::string::npos);
+}
+
+TEST(CatalogueFile, one_from_disc_names_its_path) {
+  const fs::path root =
+      fs::temp_directory_path() / ("mahlwerk-catalogue-" + std::to_string(getpid()));
+  fs::create_directories(root / "mills");
+  std::ofstream(root / "mills" / "mine.toml") << good << "[oops]\n";
+  std::ofstream(root / "mills" / "fine.toml") << good;
+  const Catalogue mine(root);
+  EXPECT_EQ(mine.names("mills"), (std::vector<std::string>{"fine", "mine"}));
+  EXPECT_TRUE(mine.names("jars").empty());
+  EXPECT_EQ(mine.find("mills", "fine").values.at("orbit_radius").source, "a ruler");
+  try {
+    mine.find("mills", "mine");
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().at(0).where, (root / "mills" / "mine.toml").string() + ":8");
+  }
+  fs::remove_all(root);
+}
+
+TEST(Derived, quantities_match_hand_calculation) {
+  CatalogueEntry entry;
+  entry.kind = "vibration";
+  entry.values = {{"frequency_most", {"25 Hz", "x"}}, {"amplitude", {"25 mm", "x"}}};
+  // physics sheet 1.1: Gamma 62.9 and 3.93 m/s at 25 Hz and 25 mm
+  EXPECT_NEAR(derived(entry, "peak_acceleration_number"), 62.88, 0.01);
+  EXPECT_NEAR(derived(entry, "peak_wall_speed"), 3.927, 0.001);
+  EXPECT_THROW(derived(entry, "jar_volume"), InputError);
+  EXPECT_THROW(derived(entry, "ball_mass"), InputError);
+  EXPECT_THROW(derived(entry, "peak_wal_speed"), InputError);
+}
+
+TEST(Nearest, is_empty_if_nothing_is_near) {
+  EXPECT_EQ(nearest("steal", {"steel", "stone"}), "steel");
+  EXPECT_EQ(nearest("xyzzy", {"steel", "stone"}), "");
+}
+
+}  // namespace
+}  // namespace mahlwerk::cases

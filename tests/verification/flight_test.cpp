@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Flights, and where they end.
+#include <gtest/gtest.h>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/event/search.hpp"
+#include "one_ball.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+TEST(Flight, free_fall_is_a_parabola) {
+  const scene::Chamber still{geometry::Cylinder{2, 2}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  const Vec3 start{0.1, -0.2, 0.5}, velocity{0.3, 0.1, 1.0};
+  const auto engine = event::one_ball(still, ball_a(start, velocity), rules_a());
+  Recorder recorder;
+  double worst = 0;
+  for (int i = 1; i <= 50; ++i) {
+    const double t = 0.01 * i;
+    engine->advance(t, recorder);
+    const Vec3 expected = start + t * velocity + 0.5 * t * t * Vec3{0, 0, -gravity};
+    worst = std::max(worst, norm(engine->balls().front().position - expected));
+  }
+  stays_below("distance from the parabola [m]", worst, 1e-15, "evt.2");
+  engine->advance(0.7, recorder);
+  const double h = 0.5 + 1 - 0.004;  // down to the floor
+  ASSERT_EQ(recorder.all.size(), 1U);
+  states("time of the first touch [s]", recorder.all[0].time,
+         (velocity.z + std::sqrt(velocity.z * velocity.z + 2 * gravity * h)) / gravity, 1e-13,
+         "seed 0 eq. 6 with its guard; margin 1e-12 R over the speed");
+}
+
+TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_time) {
+  const scene::Chamber still{geometry::Cylinder{2, 2}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  const double e = 0.8, h = 0.5;
+  const auto engine = event::one_ball(still, ball_a({0, 0, -1 + 0.004 + h}), rules_a(e));
+  Recorder recorder;
+  engine->advance(10, recorder);
+  for (std::size_t n = 1; n <= 20; n += 5) {
+    const double rise = std::pow(e * recorder.all[n - 1].approach, 2) / (2 * gravity);
+    const double expected = h * std::pow(e, 2.0 * static_cast<double>(n));
+    states("height after bounce " + std::to_string(n) + " [m]", rise, expected, 1e-11 * h,
+           "h e^(2n), physics 7.2");
+  }
+  const scene::Account account = engine->account();
+  const double fall = std::sqrt(2 * h / gravity), all_over = fall * (1 + e) / (1 - e);
+  // Contact is declared at a rebound below 0.1 mm/s; what is left is at most 2 w / (g (1 - e)).
+  states("time to rest [s]", account.time - account.contact_time, all_over,
+         2 * 1e-4 / (gravity * (1 - e)), "t_f (1+e)/(1-e)");
+  EXPECT_EQ(account.lasting_contacts, 1);
+  states("energy lost [J]", account.lost(), ball_a().mass() * gravity * h, 1e-15, "it came to rest");
+}
+
+/// The guaranteed search against looking everywhere: 1e5 flights over paper A's frequencies and vials.
+TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
+  Random random(11, 0);
+  double deepest = -1, furthest = 0;
+  int touched = 0;
+  constexpr int flights = 100000, looks = 400;
+  for (int i = 0; i < flights; ++i) {
+    const geometry::Capsule vial_i = vial(random.uniform(0.010, 0.014));
+    const scene::Chamber mill{vial_i, shaken(random.uniform(10, 25), 0.025), {}, {0, 0, -gravity}};
+    const event::Jar jar(vial_i, std::get<kinematics::Vibration>(mill.motion), mill);
+    const event::Feeler feeler{0.004, 4e-15};
+    Vec3 place;  // anywhere the ball fits, one start in three right at the wall
+    do {
+      const double r = 0.5 * vial_i.diameter;
+      place = {random.uniform(-r, r), random.uniform(-r, r), random.uniform(-1, 1) * vial_i.reach()};
+    } while (vial_i.gap(0, place).distance < 0.004 + 1e-6);
+    if (i % 3 == 0) {
+      const geometry::Gap gap = vial_i.gap(0, place);
+      place -= (gap.distance - 0.004) * gap.inward;
+    }
+    Vec3 velocity = std::pow(10, random.uniform(-3, 0.9)) * random.direction();
+    const Vec3 inward = vial_i.gap(0, place).inward;
+    if (i % 3 == 0 && dot(velocity, inward) < 0) velocity -= 2 * dot(velocity, inward) * inward;
+    event::Instant start{random.uniform(0, 0.1), {}, {place, velocity}};
+    start.ride = jar.motion().ride(start.time);
+    const event::Flight flight{start.time, place + start.ride.centre, velocity + start.ride.velocity};
+    const event::Touch touch = event::next_touch(jar, flight, start, start.time + 10, feeler);
+    touched += touch.face == 0;
+    const auto gap_at = [&](double t) {
+      const event::Passing p = flight.passing(t, jar.gravity(), jar.motion().ride(t));
+      return vial_i.gap(0, p.position).distance - 0.004;
+    };
+    for (int k = 1; k < looks; ++k)
+      deepest = std::max(deepest, -gap_at(start.time + (touch.when.time - start.time) * k / looks));
+    furthest = std::max(furthest, std::abs(gap_at(touch.when.time)));
+  }
+  EXPECT_EQ(touched, flights);
+  // The margin of the search, and the rounding of positions of 0.1 m.
+  stays_below("deepest penetration before the touch found [m]", deepest, 1e-14,
+              "dense sampling, 400 looks a flight");
+  stays_below("largest gap at the touch [m]", furthest, 1e-14, "twice the margin");
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
