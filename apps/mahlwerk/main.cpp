@@ -1,3 +1,94 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+/// "mill.speed=500 rpm" becomes a key and a value.
+cases::Override override_of(const std::string& text) {
+  const auto at = text.find('=');
+  if (at == 0 || at == std::string::npos)
+    throw InputError(Fault{"--set " + text, "this is no key=value",
+                           "write for instance --set mill.frequency=\"12 Hz\"", "bad-override"});
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+void add_options(CLI::App& sub, const Command& command, Request& request,
+                 std::vector<std::string>& set) {
+  const bool takes_case = command.takes == Takes::case_file || command.takes == Takes::run;
+  if (takes_case) {
+    sub.add_option("CASE", request.target, "a case file, or a folder with a case.toml or several cases")
+        ->required();
+    sub.add_option("--set", set, "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    sub.add_option("--seed", request.seed, "seed of the random numbers, instead of the case's");
+  }
+  if (command.takes == Takes::run) {
+    sub.add_option("--out", request.out,
+                   "folder for the results (default: results/ and the name of the case)");
+    sub.add_flag("--force", request.force, "replace results that are there");
+    sub.add_option("--threads", request.threads, "how many replicates run at a time (default: all cores)")
+        ->check(CLI::Range(1, 4096));
+    sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
+  }
+  if (command.takes == Takes::room)
+    sub.add_option("ROOM", request.target, "mills, jars, materials or media (default: all)");
+  if (command.takes == Takes::name)
+    sub.add_option("NAME", request.target, "a name from 'mahlwerk list'")->required();
+  if (command.takes == Takes::shell)
+    sub.add_option("SHELL", request.target, "bash or zsh")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh"}));
+  if (command.takes != Takes::shell)
+    sub.add_flag("--json", request.json, "print JSON instead of a table");
+}
+
+int perform(int argc, char** argv) {
+  CLI::App app{"Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
+               "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
+  app.name("mahlwerk");
+  app.set_version_flag("--version", "mahlwerk " + std::string(version()));
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 130 interrupted.");
+  Request request;
+  std::vector<std::string> set;
+  const Command* chosen = nullptr;
+  for (const Command& command : commands) {
+    CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.about));
+    add_options(*sub, command, request, set);
+    sub->callback([&chosen, &command] { chosen = &command; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? fine : bad_input;
+  }
+  for (const std::string& one : set) request.set.push_back(override_of(one));
+  return chosen->perform(request);
+}
+
+}  // namespace
+}  // namespace mahlwerk::app
+
+int main(int argc, char** argv) {
+  using namespace mahlwerk;
+  try {
+    return app::perform(argc, argv);
+  } catch (const InputError& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return app::bad_input;
+  } catch (const RunError& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return app::stopped_by_physics;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "internal error: %s\nPlease report this, with the case file.\n", e.what());
+    return app::internal_error;
+  }
+}

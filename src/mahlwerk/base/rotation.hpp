@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/trig.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 namespace mahlwerk {
@@ -21,7 +22,7 @@ constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
 
 /// Turning by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
 inline Rotation turning(const Vec3& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = sin_cos(angle);
   const auto turned = [&](const Vec3& a) {
     return c * a + s * cross(axis, a) + (1 - c) * dot(axis, a) * axis;
   };

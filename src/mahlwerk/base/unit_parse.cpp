@@ -20,7 +20,7 @@ constexpr int highest_power = 9;  // of a unit; keeps exponents and factors with
 /// Other spellings of the same units.
 std::string plain(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> spellings[] = {
-      {"\u00b5", "u"}, {"\u03bc", "u"},   {"\u00b2", "2"}, {"\u00b3", "3"},
+      {"\u00b5", "u"}, {"\u03bc", "u"},     {"\u00b2", "2"},  {"\u00b3", "3"},
       {"\u00b7", "*"}, {"\u00b0C", "degC"}, {"\u00b0", "deg"}};
   std::string out(text);
   for (const auto& [from, to] : spellings)
@@ -39,8 +39,9 @@ double common_divisor(double a, double b) {
   for (const Unit& u : all_units()) known.emplace_back(u.symbol);
   known.insert(known.end(), {"degC", "1/min", "rad/s", "m/s", "kg/m3", "g/cm3", "m/s2", "J/kg"});
   const std::string near = nearest_word(symbol, known);
-  throw UnitError(near.empty() ? fmt::format("there is no unit \"{}\"", symbol)
-                               : fmt::format("there is no unit \"{}\"; did you mean \"{}\"?", symbol, near));
+  throw UnitError(near.empty()
+                      ? fmt::format("there is no unit \"{}\"", symbol)
+                      : fmt::format("there is no unit \"{}\"; did you mean \"{}\"?", symbol, near));
 }
 
 const Unit& find_unit(std::string_view symbol) {
@@ -93,8 +94,7 @@ void multiply_factor(Measure& m, std::string_view factor, int sign) {
     ++end;
   const std::string_view symbol = factor.substr(0, end);
   if (symbol.empty()) unknown_unit(factor);
-  if (symbol == "degC")
-    throw UnitError("\"degC\" cannot be part of a compound unit; use \"K\"");
+  if (symbol == "degC") throw UnitError("\"degC\" cannot be part of a compound unit; use \"K\"");
   multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
 }
 

@@ -86,7 +86,9 @@ constexpr Shown shown[] = {
 
 }  // namespace
 
-std::span<const Unit> all_units() { return table; }
+std::span<const Unit> all_units() {
+  return table;
+}
 
 std::span<const std::string_view> shown_in(std::string_view unit) {
   for (const Shown& s : shown) {

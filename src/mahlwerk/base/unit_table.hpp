@@ -9,8 +9,8 @@
 
 namespace mahlwerk {
 
-/// The size of a unit in SI: up / down * (2 pi)^turns. Kept apart so that "600 rpm" is 10 Hz and "12 mm"
-/// is the double nearest to 0.012 m, without detours through rounded factors.
+/// The size of a unit in SI: up / down * (2 pi)^turns. Kept apart so that "600 rpm" is 10 Hz and
+/// "12 mm" is the double nearest to 0.012 m, without detours through rounded factors.
 struct Scale {
   double up = 1, down = 1;  ///< whole numbers without a common divisor
   int turns = 0;

@@ -55,7 +55,9 @@ Parts split(std::string_view whole) {
   return p;
 }
 
-bool celsius(std::string_view unit) { return unit == "degC" || unit == "\u00b0C"; }
+bool celsius(std::string_view unit) {
+  return unit == "degC" || unit == "\u00b0C";
+}
 
 /// `value` in units of `from`, measured in units of `to`.
 double converted(double value, const Scale& from, const Scale& to) {
@@ -83,11 +85,21 @@ double finite_or_fault(double value, std::string_view text) {
 /// What people call the dimension a unit measures.
 std::string_view kind_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> kinds[] = {
-      {"m", "a length"},         {"kg", "a mass"},        {"s", "a time"},
-      {"Hz", "a frequency"},     {"rad/s", "a speed of rotation"}, {"rad", "an angle"},
-      {"m/s", "a speed"},        {"m/s2", "an acceleration"}, {"kg/m3", "a density"},
-      {"m3", "a volume"},        {"Pa", "a pressure"},    {"J", "an energy"},
-      {"W", "a power"},          {"K", "a temperature"},  {"", "a number without a unit"}};
+      {"m", "a length"},
+      {"kg", "a mass"},
+      {"s", "a time"},
+      {"Hz", "a frequency"},
+      {"rad/s", "a speed of rotation"},
+      {"rad", "an angle"},
+      {"m/s", "a speed"},
+      {"m/s2", "an acceleration"},
+      {"kg/m3", "a density"},
+      {"m3", "a volume"},
+      {"Pa", "a pressure"},
+      {"J", "an energy"},
+      {"W", "a power"},
+      {"K", "a temperature"},
+      {"", "a number without a unit"}};
   for (const auto& [u, kind] : kinds)
     if (u == unit) return kind;
   return "something else";
@@ -119,7 +131,8 @@ double parse_in(std::string_view text, std::string_view unit) {
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
                                 example_unit(unit)));
-  const Dimension found = celsius(p.unit) ? Dimension{.temperature = 1} : parse_unit(p.unit).dimension;
+  const Dimension found =
+      celsius(p.unit) ? Dimension{.temperature = 1} : parse_unit(p.unit).dimension;
   if (found != wanted.dimension)
     throw UnitError(fmt::format("\"{}\" is not {}; write for instance \"{}\"", trimmed(text),
                                 kind_of(unit), example_of(unit)));
@@ -128,9 +141,10 @@ double parse_in(std::string_view text, std::string_view unit) {
 
 std::string example_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> examples[] = {
-      {"m", "12 mm"},    {"kg", "10 g"},      {"s", "60 s"},          {"Hz", "10 Hz"},
-      {"rad/s", "400 rpm"}, {"rad", "30 deg"}, {"m/s", "0.1 m/s"},    {"m/s2", "9.81 m/s2"},
-      {"kg/m3", "7850 kg/m3"}, {"m3", "5 ml"}, {"Pa", "200 GPa"},     {"K", "20 degC"},
+      {"m", "12 mm"},     {"kg", "10 g"},        {"s", "60 s"},
+      {"Hz", "10 Hz"},    {"rad/s", "400 rpm"},  {"rad", "30 deg"},
+      {"m/s", "0.1 m/s"}, {"m/s2", "9.81 m/s2"}, {"kg/m3", "7850 kg/m3"},
+      {"m3", "5 ml"},     {"Pa", "200 GPa"},     {"K", "20 degC"},
       {"", "0.5"}};
   for (const auto& [u, example] : examples)
     if (u == unit) return std::string(example);

@@ -15,7 +15,7 @@ namespace mahlwerk::cases {
 scene::Chamber chamber(const Case& c);
 
 /// Balls at random places where they touch nothing, with random velocities and spins as the case's [run]
-/// says (paper A: 0 to 0.1 m/s, 0 to 0.1 rad/s). Depends on the seed and the replicate alone.
+/// says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Depends on the seed and the replicate alone.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
 
 /// One thing that follows from a case before it is run.

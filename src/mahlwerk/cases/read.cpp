@@ -62,19 +62,6 @@ class SweepReader {
   Sweep sweep_;
 };
 
-bool has(const Node& root, std::string_view key) {
-  Node copy = root;  // put() finds its way through numbered ball sets; so do not repeat that here
-  Node mark;
-  mark.where = "mark";
-  const auto before = [](const Node& n, auto&& self) -> std::size_t {
-    std::size_t count = 1;
-    for (const Member& m : n.members) count += self(m.value, self);
-    for (const Node& i : n.items) count += self(i, self);
-    return count;
-  };
-  return put(copy, key, mark).empty() && before(copy, before) == before(root, before);
-}
-
 class CaseReader {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
@@ -101,21 +88,24 @@ class CaseReader {
       const std::string where = fmt::format("--set {}", key);
       const std::string trouble = put(root_, key, loose_value(value, where, Rank::command));
       if (!trouble.empty())
-        findings_.faults.push_back({where, trouble, "name a value of the case: mill.speed, "
-                                    "balls.2.diameter", std::string(no_such_key)});
+        findings_.faults.push_back({where, trouble,
+                                    "name a value of the case: mill.speed, "
+                                    "balls.2.diameter",
+                                    std::string(no_such_key)});
     }
   }
 
   /// A value that only the sweep gives is read with the first it takes.
   void fill_from_sweep(const std::map<std::string, std::string>& places) {
     for (const auto& [key, values] : c_.sweep) {
-      if (has(root_, key)) continue;
+      if (holds(root_, key)) continue;
       const std::string where = places.at(key);
       Node value = loose_value(values.front(), where, Rank::sweep);
       value.source = fmt::format("first of [sweep] \"{}\"", key);
       const std::string trouble = put(root_, key, std::move(value));
       if (!trouble.empty())
-        findings_.faults.push_back({where, trouble, "sweep over a value of the case: \"mill.speed\"",
+        findings_.faults.push_back({where, trouble,
+                                    "sweep over a value of the case: \"mill.speed\"",
                                     std::string(no_such_key)});
     }
   }
@@ -174,7 +164,8 @@ class CaseReader {
     } else {
       std::visit([](auto& s) { s.diameter = unread; }, c_.jar.shape);
     }
-    const Node no_balls{.where = file_.generic_string()};
+    Node no_balls;
+    no_balls.where = file_.generic_string();
     const Node* balls = root_.find("balls");
     c_.balls = read_balls(balls ? balls : &no_balls, c_.jar, catalogue_, findings_);
     if (const Node* mill = section("mill", true))

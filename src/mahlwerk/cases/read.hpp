@@ -17,20 +17,25 @@ struct Override {
   std::string key, value;
 };
 
-/// Reads a case file, overrides applied, catalogue entries and defaults filled in, [sweep] kept as it is.
-/// Throws InputError with every fault found: file, line, what, remedy.
+/// Reads a case file, overrides applied, catalogue entries and defaults filled in, [sweep] kept as
+/// it is. Throws InputError with every fault found: file, line, what, remedy.
 Case read(const std::filesystem::path& file, const Catalogue& catalogue,
           const std::vector<Override>& overrides = {});
 
 /// The same from text; `file` is the name faults cite and the folder other files are relative to.
-Case read_text(const std::string& text, const std::filesystem::path& file, const Catalogue& catalogue,
-               const std::vector<Override>& overrides = {});
+Case read_text(const std::string& text, const std::filesystem::path& file,
+               const Catalogue& catalogue, const std::vector<Override>& overrides = {});
 
-/// The resolved case as TOML: every value, its origin as a comment behind it. read_text(write(c)) == c.
+/// The resolved case as TOML: every value, its origin as a comment behind it. read_text(write(c))
+/// == c.
 std::string write(const Case& c);
 
-/// Faults of a case as a whole, wherever it came from: a ball that does not fit its jar, an engine that
-/// cannot run it. Empty if it can run. Called by read(); bindings and tests call it too.
+/// Faults of a case as a whole, wherever it came from: values out of range, a ball that does not
+/// fit its jar. Empty if it makes sense. Called by read(); bindings and tests call it too.
 std::vector<Fault> faults(const Case& c);
+
+/// What keeps the engines of this version from running a case that makes sense otherwise. Not
+/// called by read(), so that such a case can be checked.
+std::vector<Fault> engine_faults(const Case& c);
 
 }  // namespace mahlwerk::cases

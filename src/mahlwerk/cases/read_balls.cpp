@@ -18,8 +18,8 @@ std::optional<double> read_density(Section& in, const Wanted& wanted, std::strin
                                    const Catalogue& catalogue) {
   const Node *density = in.find("density"), *name = in.find("material");
   if (name != nullptr) material = in.text("material").value_or("");
-  const bool by_name = name != nullptr && !material.empty() &&
-                       (density == nullptr || name->rank > density->rank);
+  const bool by_name =
+      name != nullptr && !material.empty() && (density == nullptr || name->rank > density->rank);
   if (!by_name) return in.maybe(wanted);
   const auto entry = look_up(catalogue, "materials", *name, in.findings());
   if (!entry) return unread;
@@ -153,9 +153,11 @@ std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogu
   if (tables)
     for (const Node& item : list->items) tables = tables && item.kind == Node::Kind::table;
   if (!tables) {
-    findings.faults.push_back({list ? list->where : "",
-                               list ? "`balls` must be a list of ball sets" : "there are no balls",
-                               "write [[balls]] with diameter, density and count", "missing-value"});
+    const bool written = list != nullptr && list->kind != Node::Kind::other;
+    findings.faults.push_back(
+        {list ? list->where : "",
+         written ? "`balls` must be a list of ball sets" : "there are no balls",
+         "write [[balls]] with diameter, density and count", "missing-value"});
     return balls;
   }
   for (const Node& item : list->items)

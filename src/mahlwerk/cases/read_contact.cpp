@@ -31,17 +31,16 @@ contact::BounceRule read_rule(Section& in) {
   rule.tangential_restitution = in.value(with_default(
       {"tangential_restitution", "", tangential_range,
        "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough"},
-      0,
-      bounce == "constant" ? "no slip after a bounce" : "no slip below the Coulomb limit"));
+      0, bounce == "constant" ? "no slip after a bounce" : "no slip below the Coulomb limit"));
   if (bounce == "constant") {
     if (friction != nullptr)
       in.fault(*friction, "friction has no meaning under bounce = \"constant\"",
                "remove friction, or write bounce = \"walton\"", "too-much");
     return rule;
   }
-  rule.friction = in.value(
-      with_default({"friction", "", not_negative, "Coulomb's friction coefficient mu"}, 0.3,
-                   "uncalibrated, 0.1-0.6"));
+  rule.friction =
+      in.value(with_default({"friction", "", not_negative, "Coulomb's friction coefficient mu"},
+                            0.3, "uncalibrated, 0.1-0.6"));
   return rule;
 }
 

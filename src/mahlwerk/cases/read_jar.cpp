@@ -14,9 +14,13 @@ namespace mahlwerk::cases {
 namespace {
 
 template <class S>
-constexpr bool has_height = requires(S s) { s.height; };
+constexpr bool has_height = requires(S s) {
+  s.height;
+};
 template <class S>
-constexpr bool has_fillet = requires(S s) { s.fillet; };
+constexpr bool has_fillet = requires(S s) {
+  s.fillet;
+};
 
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
@@ -55,8 +59,7 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
       in.fault(at,
                fmt::format("volume = \"{}\" is too small for a diameter of {}: the {} holds more "
                            "than {} without any height",
-                           at.text, show(shape.diameter, "m"), S::name,
-                           show_rounded(least, "m3")),
+                           at.text, show(shape.diameter, "m"), S::name, show_rounded(least, "m3")),
                "give a larger volume or a smaller diameter", "volume-too-small");
       shape.*size = unread;
     }

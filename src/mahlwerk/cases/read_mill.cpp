@@ -51,8 +51,9 @@ double read_ratio(Section& in, const Wanted& wanted) {
   if (std::isnan(given)) return unread;
   const double ratio = convention == "absolute" ? given - 1 : given;  // (kin.12)
   in.note(wanted.key, show(ratio, ""), at,
-          convention == "absolute" ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
-                                   : "");
+          convention == "absolute"
+              ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
+              : "");
   // Stored relative, whatever was said.
   for (Origin& o : in.findings().origins)
     if (o.key == "mill.ratio_convention") o.value = "\"relative\"";
@@ -68,9 +69,9 @@ double read_drum_speed(Section& in, const Wanted& wanted, const Case& c) {
   const double critical = critical_speed(c.jar, c.balls, c.gravity);
   const double speed = share * critical;
   if (std::isfinite(speed))
-    in.note(wanted.key, show(speed, wanted.unit), at,
-            fmt::format("{} of the critical speed {}", at->text,
-                        show_rounded(critical, wanted.unit)));
+    in.note(
+        wanted.key, show(speed, wanted.unit), at,
+        fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, wanted.unit)));
   return speed;
 }
 
@@ -132,10 +133,8 @@ void read_measured(Section& in, Mill& mill, const std::string& folder) {
 }
 
 Vec3 read_axis(Section& in, const Vec3& standard) {
-  const std::string word = in.choice({"jar_axis",
-                                      {"vertical", "horizontal"},
-                                      axis_word(standard),
-                                      "as such mills are built"});
+  const std::string word = in.choice(
+      {"jar_axis", {"vertical", "horizontal"}, axis_word(standard), "as such mills are built"});
   if (word.empty()) return standard;
   return word == "vertical" ? kinematics::upright : kinematics::lying;
 }

@@ -75,8 +75,8 @@ class MotionFile {
   }
   void fault(std::string what, std::string remedy) {
     ++faults_;
-    findings_.faults.push_back(
-        {fmt::format("{}:{}", file_, line_), std::move(what), std::move(remedy), "bad-motion-file"});
+    findings_.faults.push_back({fmt::format("{}:{}", file_, line_), std::move(what),
+                                std::move(remedy), "bad-motion-file"});
   }
 
   const std::string& file_;
@@ -100,7 +100,8 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
   try {
     return kinematics::Tabulated(std::move(samples), axis);
   } catch (const std::invalid_argument& error) {
-    findings.faults.push_back({file, error.what(), "see the rules for measured motions in the manual",
+    findings.faults.push_back({file, error.what(),
+                               "see the rules for measured motions in the manual",
                                "bad-motion-file"});
     return {};
   }

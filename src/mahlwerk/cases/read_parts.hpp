@@ -45,8 +45,8 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
 /// Faults of parts that were read but do not go together; silent about what is `unread`.
 std::vector<Fault> misfits(const Case& c);
 
-double jar_volume(const Jar& jar);               ///< [m3]
-double ball_volume(const BallSet& set);          ///< [m3] of one ball
+double jar_volume(const Jar& jar);                     ///< [m3]
+double ball_volume(const BallSet& set);                ///< [m3] of one ball
 double balls_mass(const std::vector<BallSet>& balls);  ///< [kg] of all
 std::int64_t balls_count(const std::vector<BallSet>& balls);
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter

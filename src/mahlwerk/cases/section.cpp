@@ -28,7 +28,8 @@ std::string in_words(const Range& range, std::string_view unit) {
   if (low && high)
     return fmt::format("{} {} and {} {}", range.without_least ? "above" : "at least",
                        end(range.least), range.without_most ? "below" : "at most", end(range.most));
-  if (low) return fmt::format("{} {}", range.without_least ? "above" : "at least", end(range.least));
+  if (low)
+    return fmt::format("{} {}", range.without_least ? "above" : "at least", end(range.least));
   return fmt::format("{} {}", range.without_most ? "below" : "at most", end(range.most));
 }
 
@@ -86,7 +87,8 @@ std::string_view Section::one_of(std::initializer_list<std::string_view> keys) {
     const Node* node = find(key);
     if (node == nullptr) continue;
     if (by != nullptr && node->rank == by->rank && node->rank != Rank::catalogue)
-      fault(*node, fmt::format("both `{}` and `{}` are given, but one follows from the other", best, key),
+      fault(*node,
+            fmt::format("both `{}` and `{}` are given, but one follows from the other", best, key),
             fmt::format("remove one of them"), "too-much");
     if (by == nullptr || node->rank > by->rank) {
       best = key;
@@ -179,13 +181,15 @@ std::string Section::choice(const Choice& choice) {
   const Node* node = find(choice.key);
   if (node == nullptr) {
     if (choice.standard.empty())
-      missing(choice.key, "", fmt::format("write {} = ..., one of {}", choice.key, listed(choice.words)));
+      missing(choice.key, "",
+              fmt::format("write {} = ..., one of {}", choice.key, listed(choice.words)));
     else
       note_default(choice.key, fmt::format("\"{}\"", choice.standard), choice.source);
     return choice.standard;
   }
   const auto word = text(choice.key);
-  if (!word || std::ranges::find(choice.words, *word) != choice.words.end()) return word.value_or("");
+  if (!word || std::ranges::find(choice.words, *word) != choice.words.end())
+    return word.value_or("");
   const std::string near = nearest_word(*word, choice.words);
   fault(*node, fmt::format("there is no {} = \"{}\"", choice.key, *word),
         (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) +

@@ -36,7 +36,11 @@ struct Wanted {
       : key(k), unit(u), range(r), about(a) {}
   template <class Model>
   explicit Wanted(const Field<Model>& f)
-      : key(f.key), unit(f.unit), range(f.range), about(f.about), standard(f.standard),
+      : key(f.key),
+        unit(f.unit),
+        range(f.range),
+        about(f.about),
+        standard(f.standard),
         source(f.source) {}
 };
 
@@ -54,7 +58,8 @@ constexpr double unread = std::numeric_limits<double>::quiet_NaN();  ///< a valu
 /// reading goes on with `unread` in place of what was wrong.
 class Section {
  public:
-  /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or empty.
+  /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or
+  /// empty.
   Section(const Node* table, std::string name, Findings& findings);
 
   /// Values to fall back on where the case is silent.
@@ -67,10 +72,10 @@ class Section {
   /// standing are a fault.
   std::string_view one_of(std::initializer_list<std::string_view> keys);
 
-  double value(const Wanted& wanted);                  ///< a fault if it is not given
-  std::optional<double> maybe(const Wanted& wanted);   ///< nothing if it is not given
+  double value(const Wanted& wanted);                 ///< a fault if it is not given
+  std::optional<double> maybe(const Wanted& wanted);  ///< nothing if it is not given
   std::optional<std::string> text(std::string_view key);
-  std::string choice(const Choice& choice);            ///< empty after a fault
+  std::string choice(const Choice& choice);  ///< empty after a fault
   std::optional<std::int64_t> whole(std::string_view key, std::int64_t most);  ///< 1 to `most`
   bool flag(std::string_view key, bool standard, std::string_view source);
 

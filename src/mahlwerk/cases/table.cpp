@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include "mahlwerk/base/units.hpp"
@@ -73,16 +74,31 @@ Node& member(Node& table, std::string_view key) {
   return table.members.back().value;
 }
 
-/// The ball set a key names by its number, counted from 1, cutting the number off; the first without.
-Node* ball_set(Node& sets, std::vector<std::string_view>& rest) {
-  std::size_t index = 1;
+/// Which ball set a key names, cutting its number, counted from 1, off; the first without one.
+std::optional<std::size_t> ball_set(std::size_t sets, std::vector<std::string_view>& rest) {
+  std::size_t number = 1;
   if (rest.size() > 1) {
-    const auto [end, error] =
-        std::from_chars(rest[0].data(), rest[0].data() + rest[0].size(), index);
-    if (error != std::errc{} || end != rest[0].data() + rest[0].size()) return nullptr;
+    const char* end = rest[0].data() + rest[0].size();
+    const auto [stop, error] = std::from_chars(rest[0].data(), end, number);
+    if (error != std::errc{} || stop != end) return std::nullopt;
     rest.erase(rest.begin());
   }
-  return index >= 1 && index <= sets.items.size() ? &sets.items[index - 1] : nullptr;
+  if (number < 1 || number > sets) return std::nullopt;
+  return number - 1;
+}
+
+/// The section a key of several parts names, made if it is not there.
+Node& section_for(Node& root, std::string_view name, const std::string& where) {
+  if (Node* found = root.find(name)) return *found;
+  Node& made = member(root, name);
+  made.kind = Node::Kind::table;
+  made.where = where;
+  if (name == ball_sets) {
+    const Node first = made;
+    made.kind = Node::Kind::list;
+    made.items.push_back(first);
+  }
+  return made;
 }
 
 }  // namespace
@@ -101,10 +117,9 @@ Node parse_tree(std::string_view text, const std::string& file) {
   try {
     fill(root, toml::parse(text, std::string_view(file)), file);
   } catch (const toml::parse_error& error) {
-    throw InputError(Fault{fmt::format("{}:{}", file, error.source().begin.line),
-                           std::string(error.description()),
-                           "mend the TOML there; texts stand in quotes: speed = \"400 rpm\"",
-                           "not-toml"});
+    throw InputError(Fault{
+        fmt::format("{}:{}", file, error.source().begin.line), std::string(error.description()),
+        "mend the TOML there; texts stand in quotes: speed = \"400 rpm\"", "not-toml"});
   }
   root.where = root.source = file;
   return root;
@@ -127,29 +142,36 @@ Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   return node;
 }
 
+bool holds(const Node& root, std::string_view key) {
+  std::vector<std::string_view> parts = parts_of(key);
+  const Node* table = &root;
+  if (parts.size() > 1) {
+    table = root.find(parts.front());
+    if (table == nullptr) return false;
+    parts.erase(parts.begin());
+    if (table->kind == Node::Kind::list) {
+      const auto set = ball_set(table->items.size(), parts);
+      if (!set) return false;
+      table = &table->items[*set];
+    }
+  }
+  return parts.size() == 1 && table->find(parts.front()) != nullptr;
+}
+
 std::string put(Node& root, std::string_view key, Node value) {
   std::vector<std::string_view> parts = parts_of(key);
   if (std::ranges::any_of(parts, &std::string_view::empty))
     return fmt::format("\"{}\" is not a key", key);
   Node* table = &root;
-  const std::string_view section = parts.front();
   if (parts.size() > 1) {
-    Node& found = member(root, section);
-    if (found.kind == Node::Kind::other && found.where.empty()) {
-      found.kind = section == ball_sets ? Node::Kind::list : Node::Kind::table;
-      found.where = value.where;
-      if (section == ball_sets) {
-        found.items.emplace_back().kind = Node::Kind::table;
-        found.items.back().where = value.where;
-      }
-    }
+    table = &section_for(root, parts.front(), value.where);
     parts.erase(parts.begin());
-    table = &found;
-    if (section == ball_sets && found.kind == Node::Kind::list) {
-      table = ball_set(found, parts);
-      if (table == nullptr)
-        return fmt::format("there is no ball set for \"{}\": the case has {}", key,
-                           found.items.size());
+    if (table->kind == Node::Kind::list) {
+      const auto set = ball_set(table->items.size(), parts);
+      if (!set)
+        return fmt::format("there is nothing that \"{}\" could name; ball sets in the case: {}",
+                           key, table->items.size());
+      table = &table->items[*set];
     }
   }
   if (parts.size() != 1 || table->kind != Node::Kind::table)

@@ -21,10 +21,10 @@ struct Member;
 struct Node {
   enum class Kind { text, number, boolean, list, table, other };
   Kind kind = Kind::other;
-  std::string text;      ///< of a text: itself; otherwise the value as one would write it
-  double number = 0;     ///< of a number
-  bool whole = false;    ///< the number was written as an integer
-  bool boolean = false;  ///< of a boolean
+  std::string text;             ///< of a text: itself; otherwise the value as one would write it
+  double number = 0;            ///< of a number
+  bool whole = false;           ///< the number was written as an integer
+  bool boolean = false;         ///< of a boolean
   std::vector<Node> items;      ///< of a list
   std::vector<Member> members;  ///< of a table
 
@@ -49,8 +49,11 @@ Node parse_tree(std::string_view text, const std::string& file);
 /// A value given as text outside a file: as TOML if it is a value there, otherwise as it stands.
 Node loose_value(std::string_view text, const std::string& where, Rank rank);
 
-/// Puts `value` under the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" is that
-/// of the first set). Returns what hinders it, or an empty text.
+/// Whether the tree has a value under the dotted `key`, see put().
+bool holds(const Node& root, std::string_view key);
+
+/// Puts `value` under the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" is
+/// that of the first set). Returns what hinders it, or an empty text.
 std::string put(Node& root, std::string_view key, Node value);
 
 }  // namespace mahlwerk::cases

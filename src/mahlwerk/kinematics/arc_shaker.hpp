@@ -33,12 +33,14 @@ struct ArcShaker {
     double angle, rate, gain;
   };
   Arc arc(double t) const {
-    const double w = omega(), s = std::sin(w * t), c = std::cos(w * t);
+    const double w = omega();
+    const auto [s, c] = sin_cos(w * t);
     return {swing * s, swing * w * c, -swing * w * w * s};
   }
   Ride ride(double t) const {
     const Arc a = arc(t);
-    const double c = arm * std::cos(a.angle), s = arm * std::sin(a.angle), r2 = a.rate * a.rate;
+    const SinCos at = sin_cos(a.angle);
+    const double c = arm * at.cos, s = arm * at.sin, r2 = a.rate * a.rate;
     return {{s, arm - c, 0},
             {c * a.rate, s * a.rate, 0},
             {c * a.gain - s * r2, s * a.gain + c * r2, 0}};

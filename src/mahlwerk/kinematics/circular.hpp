@@ -24,7 +24,8 @@ struct Circular : NeverTurns {
   }
 
   Ride ride(double t) const {
-    const double c = radius * std::cos(speed * t), s = radius * std::sin(speed * t), w = speed;
+    const SinCos at = sin_cos(speed * t);
+    const double c = radius * at.cos, s = radius * at.sin, w = speed;
     return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};
   }
   Bounds bounds() const {

@@ -52,18 +52,20 @@ struct FigureEight {
     double angle, rate, gain;
   };
   Rock rocking(double t) const {
-    const double w = omega(), s = std::sin(w * t + phase_rock), c = std::cos(w * t + phase_rock);
+    const double w = omega();
+    const auto [s, c] = sin_cos(w * t + phase_rock);
     return {rock * s, rock * w * c, -rock * w * w * s};
   }
   Ride ride(double t) const {
-    const double w = omega(), w2 = 2 * w, b = w2 * t + phase_across, u = w * t + phase_up;
-    const Vec3 s{stroke_along * std::sin(w * t), stroke_across * std::sin(b),
-                 stroke_up * std::sin(u)};
-    const Vec3 c{w * stroke_along * std::cos(w * t), w2 * stroke_across * std::cos(b),
-                 w * stroke_up * std::cos(u)};
+    const double w = omega(), w2 = 2 * w;
+    const SinCos along = sin_cos(w * t), across = sin_cos(w2 * t + phase_across),
+                 up = sin_cos(w * t + phase_up);
+    const Vec3 s{stroke_along * along.sin, stroke_across * across.sin, stroke_up * up.sin};
+    const Vec3 c{w * stroke_along * along.cos, w2 * stroke_across * across.cos,
+                 w * stroke_up * up.cos};
     const Rock r = rocking(t);
-    const double px = pivot * std::cos(r.angle), py = pivot * std::sin(r.angle),
-                 r2 = r.rate * r.rate;
+    const SinCos turned = sin_cos(r.angle);
+    const double px = pivot * turned.cos, py = pivot * turned.sin, r2 = r.rate * r.rate;
     return {s + Vec3{px - pivot, py, 0}, c + Vec3{-py * r.rate, px * r.rate, 0},
             Vec3{-w * w * s.x, -w2 * w2 * s.y, -w * w * s.z} +
                 Vec3{-py * r.gain - px * r2, px * r.gain - py * r2, 0}};

@@ -30,8 +30,8 @@ struct Planetary {
 
   double jar_spin() const { return speed * (1 + ratio); }
   Ride ride(double t) const {
-    const double c = orbit_radius * std::cos(speed * t), s = orbit_radius * std::sin(speed * t);
-    const double w = speed;
+    const SinCos at = sin_cos(speed * t);
+    const double c = orbit_radius * at.cos, s = orbit_radius * at.sin, w = speed;
     return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};
   }
   Rotation turn(double t) const { return turning({0, 0, 1}, jar_spin() * t); }

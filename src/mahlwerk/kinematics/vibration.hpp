@@ -35,7 +35,8 @@ struct Vibration : NeverTurns {
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
   }
   Ride ride(double t) const {
-    const double w = 2 * std::numbers::pi * frequency, s = std::sin(w * t), c = std::cos(w * t);
+    const double w = 2 * std::numbers::pi * frequency;
+    const auto [s, c] = sin_cos(w * t);
     const Vec3 stroke = amplitude * line();
     return {s * stroke, w * c * stroke, -w * w * s * stroke};
   }

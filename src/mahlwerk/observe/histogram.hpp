@@ -20,8 +20,8 @@ class LogHistogram {
 
   LogHistogram() : bins_(bins) {}
 
-  /// `value` >= 0; what lies beyond the ends goes into the first or last bin, and so does what rounding
-  /// made a little less than 0.
+  /// `value` >= 0; what lies beyond the ends goes into the first or last bin, and so does what
+  /// rounding made a little less than 0.
   void add(double value) {
     Bin& bin = bins_[static_cast<std::size_t>(bin_of(value))];
     ++bin.count;
@@ -29,10 +29,11 @@ class LogHistogram {
   }
   void merge(const LogHistogram& other);
 
-  /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter is
-  /// found by comparing its mantissa with the three edges inside an octave.
+  /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter
+  /// is found by comparing its mantissa with the three edges inside an octave.
   static int bin_of(double value) {
-    const auto bits = std::bit_cast<std::int64_t>(value);  // negative numbers: negative, so first bin
+    const auto bits =
+        std::bit_cast<std::int64_t>(value);  // negative numbers: negative, so first bin
     const auto octave = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
     const std::int64_t mantissa = bits & mantissa_mask;
     const int quarter = static_cast<int>(mantissa >= mantissa_of(edges[1])) +

@@ -9,8 +9,8 @@
 namespace mahlwerk::observe {
 namespace {
 
-/// Probability that |t| stays below sqrt(n) tan(theta), for n degrees of freedom: the finite series of
-/// Abramowitz & Stegun 26.7.3 and 26.7.4.
+/// Probability that |t| stays below sqrt(n) tan(theta), for n degrees of freedom: the finite series
+/// of Abramowitz & Stegun 26.7.3 and 26.7.4.
 double within(double theta, int n) {
   const double c = std::cos(theta), s = std::sin(theta);
   const bool odd = n % 2 == 1;
@@ -31,7 +31,8 @@ double by_bisection(int n) {
   return std::sqrt(n) * std::tan(0.5 * (low + high));
 }
 
-/// Expansion about the normal quantile, Abramowitz & Stegun 26.7.5; beyond n = 30 it is good to 1e-6.
+/// Expansion about the normal quantile, Abramowitz & Stegun 26.7.5; beyond n = 30 it is good to
+/// 1e-6.
 double by_expansion(int n) {
   constexpr double z = 1.959963984540054, z2 = z * z;
   constexpr double g1 = z * (z2 + 1) / 4;

@@ -8,8 +8,8 @@
 namespace mahlwerk::observe {
 namespace {
 
-/// atan of 0 <= x <= 1 within 2e-8 rad (Abramowitz & Stegun 4.4.49): half the time of std::atan2, and the
-/// same to the bit on every machine, which the C library's is not.
+/// atan of 0 <= x <= 1 within 2e-8 rad (Abramowitz & Stegun 4.4.49): half the time of std::atan2,
+/// and the same to the bit on every machine, which the C library's is not.
 double arc_tangent(double x) {
   const double s = x * x;
   double p = 0.0028662257;

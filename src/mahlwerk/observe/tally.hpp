@@ -10,7 +10,8 @@
 
 namespace mahlwerk::observe {
 
-/// Impact angle [rad] of `approach` u_n > 0 and `slip` |u_t|: 0 head-on, pi/2 grazing; within 2e-8 rad.
+/// Impact angle [rad] of `approach` u_n > 0 and `slip` |u_t|: 0 head-on, pi/2 grazing; within 2e-8
+/// rad.
 double impact_angle(double approach, double slip);
 
 /// Sums over collisions; divide by `count` for means.

@@ -10,6 +10,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -22,24 +24,29 @@ namespace fs = std::filesystem;
 
 /// Every file that a result or a campaign may hold: --force removes these and nothing else.
 constexpr std::array<std::string_view, 11> our_files{
-    "summary.json",   "case.resolved.toml", "spectrum.csv",  "speeds.csv",   "angles.csv", "timeseries.csv",
-    "replicates.csv", "collisions.h5",      "report.html",   "campaign.csv", "campaign.html"};
-
-std::string reason(int number) { return std::strerror(number); }
+    "summary.json", "case.resolved.toml", "spectrum.csv",   "speeds.csv",
+    "angles.csv",   "timeseries.csv",     "replicates.csv", "collisions.h5",
+    "report.html",  "campaign.csv",       "campaign.html"};
 
 InputError cannot_write(const fs::path& place, const std::string& why) {
-  return InputError(Fault{place.string(), "cannot be written: " + why,
-                          "free some space or mend the permissions, or choose another folder with --out",
-                          "cannot-write"});
+  return InputError(
+      Fault{place.string(), "cannot be written: " + why,
+            "free some space or mend the permissions, or choose another folder with --out",
+            "cannot-write"});
 }
 
-/// Ours is a folder with a summary or a campaign table that names its maker.
+std::string beginning(const fs::path& file) {
+  std::string text(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+/// Ours is a folder with a summary, or a campaign's table, that begins as we write it.
 bool is_result(const fs::path& folder) {
-  for (const char* mark : {"summary.json", "campaign.csv"}) {
-    std::error_code error;
-    if (fs::is_regular_file(folder / mark, error)) return true;
-  }
-  return false;
+  return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
+         beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos;
 }
 
 /// Names inside a folder that no result of ours has.
@@ -67,17 +74,20 @@ void check_replaceable(const fs::path& wanted, bool force) {
     throw InputError(Fault{wanted.string(), what, remedy, "result-exists"});
   };
   if (!fs::exists(fs::symlink_status(wanted))) return;
-  if (!fs::is_directory(wanted)) refuse("is a file, not a folder", "choose another folder with --out");
+  if (!fs::is_directory(wanted))
+    refuse("is a file, not a folder", "choose another folder with --out");
   if (fs::is_empty(wanted)) return;
   if (!is_result(wanted))
     refuse("is not empty, and what it holds is not a result of Mahlwerk, so it is left alone",
            "choose another folder with --out");
   if (!force)
-    refuse("holds a result already", "choose another folder with --out, or replace it with --force");
+    refuse("holds a result already",
+           "choose another folder with --out, or replace it with --force");
   const std::vector<std::string> others = foreign(wanted);
   if (!others.empty())
-    refuse(fmt::format("holds, besides a result, what Mahlwerk did not write ({}{}), so it is left alone",
-                       others.front(), others.size() > 1 ? " and more" : ""),
+    refuse(fmt::format(
+               "holds, besides a result, what Mahlwerk did not write ({}{}), so it is left alone",
+               others.front(), others.size() > 1 ? " and more" : ""),
            "move that away, or choose another folder with --out");
 }
 
@@ -96,9 +106,20 @@ fs::path beside(const fs::path& wanted, std::string_view what) {
          fmt::format(".{}.{}-{}", wanted.filename().string(), what, ::getpid());
 }
 
+/// 0, or the number of the error that kept a byte from being written.
+int written(const fs::path& file, std::string_view text) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) return errno;
+  int failed = 0;
+  if (std::fwrite(text.data(), 1, text.size(), out) != text.size()) failed = errno;
+  if (failed == 0 && std::fflush(out) != 0) failed = errno;
+  if (std::fclose(out) != 0 && failed == 0) failed = errno;
+  return failed;
+}
+
 }  // namespace
 
-Folder::Folder(const fs::path& wanted, bool force) {
+Folder::Folder(const fs::path& wanted, bool force) : force_(force) {
   try {
     wanted_ = resolved(wanted);
     check_replaceable(wanted_, force);
@@ -125,39 +146,39 @@ fs::path Folder::file(std::string_view name) const {
 }
 
 void Folder::write(std::string_view name, std::string_view text) const {
-  write_text(file(name), text);
+  if (const int failed = written(file(name), text); failed != 0)
+    throw cannot_write(wanted_ / name, std::strerror(failed));
 }
 
 void Folder::commit() {
+  done_ = true;  // from here on the result is kept, come what may: it may have taken hours
+  try {
+    put_in_place();
+  } catch (const std::exception& e) {
+    throw InputError(Fault{
+        wanted_.string(), std::string("the result cannot be put in place: ") + e.what(),
+        "it is complete in " + aside_.string() + "; move it where you want it", "cannot-write"});
+  }
+}
+
+void Folder::put_in_place() const {
+  check_replaceable(wanted_, force_);  // again: much may have happened during the run
+  if (!fs::exists(wanted_) || fs::is_empty(wanted_)) return fs::rename(aside_, wanted_);
   const fs::path old = beside(wanted_, "replaced");
-  std::error_code error;
-  bool moved = false;
-  if (fs::exists(wanted_, error) && !fs::is_empty(wanted_, error)) {
-    // Looked at again: hours may have passed, and what has come into the folder since must not go.
-    check_replaceable(wanted_, true);
-    fs::rename(wanted_, old, error);
-    moved = !error;
-  }
-  if (!error) fs::rename(aside_, wanted_, error);
-  done_ = true;
   std::error_code ignored;
-  if (error) {
-    if (moved) fs::rename(old, wanted_, ignored);
-    throw InputError(Fault{wanted_.string(), "cannot be put in place: " + error.message(),
-                           "the result is complete in " + aside_.string() + "; move it by hand",
-                           "cannot-write"});
+  fs::rename(wanted_, old);
+  try {
+    fs::rename(aside_, wanted_);
+  } catch (const fs::filesystem_error&) {
+    fs::rename(old, wanted_, ignored);
+    throw;
   }
-  if (moved) fs::remove_all(old, ignored);
+  fs::remove_all(old, ignored);
 }
 
 void write_text(const fs::path& file, std::string_view text) {
-  std::FILE* out = std::fopen(file.c_str(), "wb");
-  if (out == nullptr) throw cannot_write(file, reason(errno));
-  int failed = 0;
-  if (std::fwrite(text.data(), 1, text.size(), out) != text.size()) failed = errno;
-  if (failed == 0 && std::fflush(out) != 0) failed = errno;
-  if (std::fclose(out) != 0 && failed == 0) failed = errno;
-  if (failed != 0) throw cannot_write(file, reason(failed));
+  if (const int failed = written(file, text); failed != 0)
+    throw cannot_write(file, std::strerror(failed));
 }
 
 }  // namespace mahlwerk::results

@@ -8,14 +8,14 @@
 
 namespace mahlwerk::results {
 
-/// A result folder in the making. Files are written aside, into a hidden folder beside the wanted one, and
-/// appear all at once by `commit`. Until then nothing that exists is touched; without `commit` nothing
-/// stays behind.
+/// A result folder in the making. Files are written aside, into a hidden folder beside the wanted
+/// one, and appear all at once by `commit`. Until then nothing that exists is touched; without
+/// `commit` nothing stays behind.
 class Folder {
  public:
   /// Makes sure, before anything is computed, that the result can be written to `wanted`. Throws
-  /// InputError if it is a file, is not empty and `force` is off, holds what is not a result of ours, or
-  /// its place cannot be written to.
+  /// InputError if it is a file, is not empty and `force` is off, holds what is not a result of
+  /// ours, or its place cannot be written to.
   Folder(const std::filesystem::path& wanted, bool force);
   ~Folder();
   Folder(const Folder&) = delete;
@@ -26,13 +26,15 @@ class Folder {
   std::filesystem::path file(std::string_view name) const;
   void write(std::string_view name, std::string_view text) const;
 
-  /// Puts the folder in its place. What it replaces goes only once the new one is there. If that fails the
-  /// result is kept where it was written, and the InputError says where.
+  /// Puts the folder in its place. What it replaces goes only once the new one is there. If that
+  /// fails the result is kept where it was written, and the InputError says where.
   void commit();
 
  private:
+  void put_in_place() const;
+
   std::filesystem::path wanted_, aside_;
-  bool done_ = false;
+  bool force_, done_ = false;
 };
 
 /// Writes a whole file; throws InputError with the reason if any byte could not be written.

@@ -24,7 +24,9 @@ struct Measure {
   bool worst = false;  ///< over replicates: the largest instead of the mean
 };
 
-double share(double part, double whole) { return whole > 0 ? part / whole : nothing; }
+double share(double part, double whole) {
+  return whole > 0 ? part / whole : nothing;
+}
 
 double per_time(const Replicate& r, double Account::*what) {
   return share(r.account.*what - r.at_settled.*what, r.time());
@@ -59,14 +61,16 @@ std::vector<CollisionMean> collision_means() {
       {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
        &Sums::energy_normal},
       {"energy_contact_point_mean", "J",
-       "mean impact energy of the motion of the touching points, m (u_n^2 + u_t^2)/2, spin included",
+       "mean impact energy of the motion of the touching points, m (u_n^2 + u_t^2)/2, spin "
+       "included",
        &Sums::energy_contact_point},
       {"energy_centre_mean", "J", "mean impact energy of the motion of the centres, spin left out",
        &Sums::energy_centre},
       {"energy_lost_mean", "J", "mean energy dissipated in one collision", &Sums::lost},
       {"impact_speed_normal_mean", "m/s", "mean normal speed u_n at first touch", &Sums::approach},
       {"impact_speed_tangential_mean", "m/s",
-       "mean tangential speed |u_t| of the touching points at first touch, spin included", &Sums::slip},
+       "mean tangential speed |u_t| of the touching points at first touch, spin included",
+       &Sums::slip},
       {"impact_angle_mean", "deg", "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing",
        &Sums::angle, 180 / std::numbers::pi},
   };
@@ -141,7 +145,8 @@ const std::vector<Measure>& checks() {
        "largest relative residual of one collision's energy balance, of all replicates",
        [](const cases::Case&, const Replicate& r) { return r.account.worst_collision; }, true},
       {"energy_balance", "1",
-       "residual of a whole run's energy balance over wall work + losses + energy at the start, of the "
+       "residual of a whole run's energy balance over wall work + losses + energy at the start, of "
+       "the "
        "worst replicate",
        energy_balance, true},
       {"simulated_time", "s", "counted time of one replicate",
@@ -164,8 +169,8 @@ class Gathering {
   }
   void add(const CollisionMean& m) {
     found_.push_back({m.name, of_mean(m, replicate_.tally.all), nothing, m.unit, m.about});
-    found_.push_back({m.name + "_above_threshold", of_mean(m, replicate_.tally.above), nothing, m.unit,
-                      m.about + "; collisions above the threshold"});
+    found_.push_back({m.name + "_above_threshold", of_mean(m, replicate_.tally.above), nothing,
+                      m.unit, m.about + "; collisions above the threshold"});
   }
   std::vector<Quantity> found() { return std::move(found_); }
 
@@ -175,8 +180,11 @@ class Gathering {
   std::vector<Quantity> found_;
 };
 
-/// The TC rule's share is told where the case asks for the rule, so that names depend on the case alone.
-bool has_tc(const Outcome& o) { return o.what.contact.lasting == cases::Lasting::tc; }
+/// The TC rule's share is told where the case asks for the rule, so that names depend on the case
+/// alone.
+bool has_tc(const Outcome& o) {
+  return o.what.contact.lasting == cases::Lasting::tc;
+}
 
 /// The mean of one quantity; a replicate in which it does not exist (no collision) is left out.
 void combine(Quantity& q, const std::vector<double>& values) {
@@ -191,7 +199,8 @@ void combine(Quantity& q, const std::vector<double>& values) {
   q.ci95 = e.ci95;
 }
 
-/// The worst of all replicates, averaged or not; one that is not even a number is the worst there is.
+/// The worst of all replicates, averaged or not; one that is not even a number is the worst there
+/// is.
 double worst(const Outcome& outcome, const Measure& m) {
   double most = 0;
   for (const Replicate& r : outcome.replicates) {

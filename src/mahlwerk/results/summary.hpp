@@ -24,8 +24,8 @@ std::vector<Quantity> summarise(const Outcome& outcome);
 /// The same of one replicate alone, in the same order; ci95 is NaN.
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate);
 
-/// The replicates that means are taken over: those that ran to their end if there are at least two, else
-/// all that counted any time.
+/// The replicates that means are taken over: those that ran to their end if there are at least two,
+/// else all that counted any time.
 std::vector<const Replicate*> averaged(const Outcome& outcome);
 
 /// True if every replicate was run, and to its end.

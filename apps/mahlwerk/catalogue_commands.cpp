@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// list and describe: what the catalogue holds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<std::string> rooms_wanted(const std::string& target) {
+  const auto& all = cases::Catalogue::rooms;
+  if (target.empty()) return {std::begin(all), std::end(all)};
+  if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
+  throw InputError(Fault{"list", "there is no room '" + target + "' in the catalogue",
+                         "one of mills, jars, materials, media", "unknown-name"});
+}
+
+cases::CatalogueEntry entry_named(const std::string& name) {
+  const cases::Catalogue all = catalogue();
+  std::vector<std::string> known;
+  for (const std::string_view room : cases::Catalogue::rooms)
+    for (const std::string& one : all.names(room)) {
+      if (one == name) return all.find(room, name);
+      known.push_back(one);
+    }
+  const std::string near = cases::nearest(name, known);
+  throw InputError(Fault{"describe", "the catalogue has no '" + name + "'",
+                         near.empty() ? "see 'mahlwerk list'" : "did you mean '" + near + "'?",
+                         "unknown-name"});
+}
+
+ordered_json as_json(const cases::CatalogueEntry& entry) {
+  ordered_json values;
+  for (const auto& [key, value] : entry.values)
+    values[key] = {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}};
+  ordered_json made{{"room", entry.room}, {"name", entry.name}, {"title", entry.title}};
+  if (!entry.kind.empty()) made["kind"] = entry.kind;
+  made["about"] = entry.about;
+  made["values"] = values;
+  if (!entry.jars.empty()) made["jars"] = entry.jars;
+  return made;
+}
+
+}  // namespace
+
+int list(const Request& request) {
+  const cases::Catalogue all = catalogue();
+  ordered_json json = ordered_json::array();
+  for (const std::string& room : rooms_wanted(request.target)) {
+    if (!request.json) fmt::print("{}\n", room);
+    for (const std::string& name : all.names(room)) {
+      const cases::CatalogueEntry entry = all.find(room, name);
+      const bool weak = std::any_of(entry.values.begin(), entry.values.end(),
+                                    [](const auto& v) { return v.second.unverified; });
+      if (request.json)
+        json.push_back({{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}});
+      else
+        fmt::print("  {:<26} {}{}\n", name, entry.title, weak ? "  (holds unverified values)" : "");
+    }
+  }
+  if (request.json)
+    fmt::print("{}\n", json.dump(2));
+  else
+    fmt::print("\nmahlwerk describe NAME shows every value with its unit and source.\n");
+  return fine;
+}
+
+int describe(const Request& request) {
+  const cases::CatalogueEntry entry = entry_named(request.target);
+  if (request.json) {
+    fmt::print("{}\n", as_json(entry).dump(2));
+    return fine;
+  }
+  fmt::print("{}  ({}/{})\n", entry.title, entry.room, entry.name);
+  if (!entry.kind.empty()) fmt::print("kind: {}\n", entry.kind);
+  fmt::print("{}\n\n", entry.about);
+  for (const auto& [key, value] : entry.values)
+    fmt::print("  {:<20} {:<14} {}{}\n", key, value.text, value.unverified ? "UNVERIFIED: " : "",
+               value.source);
+  if (!entry.jars.empty()) fmt::print("\njars: {}\n", fmt::join(entry.jars, ", "));
+  for (const auto& check : entry.checks)
+    fmt::print("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n", check.quantity,
+               cases::derived(entry, check.quantity), check.expected, 100 * check.tolerance,
+               check.source);
+  return fine;
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/cases/read.hpp"
+
+// The commands of the program: a row each, a file each.
+namespace mahlwerk::app {
+
+/// What the command line said.
+struct Request {
+  std::string target;       ///< case, room or name
+  std::vector<cases::Override> set;
+  std::optional<std::filesystem::path> out;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;          ///< 0: all cores
+  bool quiet = false, json = false, force = false;
+};
+
+/// Exit codes (docs/cli.md).
+enum Exit : int { fine = 0, internal_error = 1, bad_input = 2, stopped_by_physics = 3, interrupted = 130 };
+
+int run(const Request& request);
+int check(const Request& request);
+int list(const Request& request);
+int describe(const Request& request);
+int completion(const Request& request);
+
+/// Which options a command takes.
+enum class Takes { case_file, run, room, name, shell };
+
+struct Command {
+  std::string_view name, about;
+  Takes takes;
+  int (*perform)(const Request&);
+};
+
+constexpr std::array commands{
+    Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
+    Command{"check", "read a case without running it: its faults, or what follows from it",
+            Takes::case_file, check},
+    Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room, list},
+    Command{"describe", "show one catalogue entry: all values with units and sources", Takes::name,
+            describe},
+    Command{"completion", "print a completion script for your shell: bash or zsh", Takes::shell,
+            completion},
+};
+
+/// The version of this build, and its catalogue: MAHLWERK_CATALOGUE, or the one it was built with.
+std::string_view version();
+cases::Catalogue catalogue();
+
+/// The case files a user means: the file itself, the folder's case.toml, or else every .toml in the folder.
+std::vector<std::filesystem::path> case_files(const std::string& target);
+
+/// --set and --seed together.
+std::vector<cases::Override> overrides(const Request& request);
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Where things are: the catalogue, the cases a user means.
+#include <algorithm>
+#include <cstdlib>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::app {
+
+namespace fs = std::filesystem;
+
+std::string_view version() { return MAHLWERK_VERSION; }
+
+cases::Catalogue catalogue() {
+  const char* said = std::getenv("MAHLWERK_CATALOGUE");
+  return cases::Catalogue(said != nullptr ? fs::path(said) : fs::path(MAHLWERK_HOME) / "catalogue");
+}
+
+std::vector<fs::path> case_files(const std::string& target) {
+  const fs::path place(target);
+  std::error_code failed;
+  if (!fs::exists(place, failed))
+    throw InputError(Fault{target, "there is no such file or folder",
+                           "give a case file, or a folder that holds one", "no-such-case"});
+  if (!fs::is_directory(place, failed)) return {place};
+  if (fs::exists(place / "case.toml", failed)) return {place / "case.toml"};
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(place, failed))
+    if (entry.path().extension() == ".toml" && entry.path().stem() != "expected")
+      found.push_back(entry.path());
+  if (failed)
+    throw InputError(Fault{target, "the folder cannot be read: " + failed.message(), "", "no-such-case"});
+  if (found.empty())
+    throw InputError(Fault{target, "the folder holds no case",
+                           "put a case.toml there, or name the case file", "no-such-case"});
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<cases::Override> overrides(const Request& request) {
+  std::vector<cases::Override> all = request.set;
+  if (request.seed) all.push_back({"seed", std::to_string(*request.seed)});
+  return all;
+}
+
+}  // namespace mahlwerk::app

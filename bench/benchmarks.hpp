@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The benchmarks: a row each, a file each. All times are CPU times of this process, medians of several runs.
+namespace mahlwerk::bench {
+
+struct Row {
+  std::string benchmark, what, code, metric;
+  double value = 0;
+};
+
+std::vector<Row> one_ball();
+
+struct Benchmark {
+  std::string_view name, about;
+  std::vector<Row> (*run)();
+};
+
+constexpr std::array benchmarks{
+    Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
+};
+
+double cpu_seconds();
+double median(std::vector<double> values);
+
+}  // namespace mahlwerk::bench

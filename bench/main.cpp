@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "benchmarks.hpp"
+
+namespace mahlwerk::bench {
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+namespace {
+
+int usage(const char* wrong) {
+  fmt::print(stderr, "{}\nusage: bench [NAME] [--json], NAME one of:\n", wrong);
+  for (const Benchmark& one : benchmarks) fmt::print(stderr, "  {:<12} {}\n", one.name, one.about);
+  return 2;
+}
+
+int perform(int argc, char** argv) {
+  std::string name;
+  bool json = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--json")
+      json = true;
+    else if (name.empty() && word[0] != '-')
+      name = word;
+    else
+      return usage(("bench: what is '" + word + "'?").c_str());
+  }
+  std::vector<Row> rows;
+  bool found = name.empty();
+  for (const Benchmark& one : benchmarks) {
+    if (!name.empty() && name != one.name) continue;
+    found = true;
+    const std::vector<Row> more = one.run();
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  if (!found) return usage(("bench: there is no '" + name + "'").c_str());
+  if (json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Row& r : rows)
+      list.push_back({{"benchmark", r.benchmark},
+                      {"case", r.what},
+                      {"code", r.code},
+                      {"metric", r.metric},
+                      {"value", r.value}});
+    fmt::print("{}\n", list.dump(2));
+    return 0;
+  }
+  fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric", "value");
+  for (const Row& r : rows)
+    fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10.4g}\n", r.benchmark, r.what, r.code, r.metric, r.value);
+  return 0;
+}
+
+}  // namespace
+}  // namespace mahlwerk::bench
+
+int main(int argc, char** argv) { return mahlwerk::bench::perform(argc, argv); }

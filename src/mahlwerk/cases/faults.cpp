@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Where the value under `key` was said; the key itself if that is no place in a file.
+std::string place_of(const Case& c, const std::string& key) {
+  const auto origin = std::ranges::find(c.origins, key, &Origin::key);
+  if (origin == c.origins.end() || origin->assumed) return key;
+  const std::string place = origin->source.substr(0, origin->source.find(": "));
+  const std::string name = std::filesystem::path(c.file).filename().string();
+  return !name.empty() && place.starts_with(name + ":") ? c.file + place.substr(name.size())
+                                                        : place;
+}
+
+/// Checks of single values, for a case that no reader has seen.
+class ValueCheck {
+ public:
+  explicit ValueCheck(const Case& c) : c_(c) {}
+
+  void number(const std::string& key, double value, const Range& range, std::string_view unit) {
+    if (std::isfinite(value) && range.holds(value)) return;
+    fault(key, fmt::format("{} = {} is out of range", key, show(value, unit)));
+  }
+  template <class Model, class Fields>
+  void fields(const std::string& section, const Model& model, const Fields& all) {
+    for (const auto& f : all) number(section + std::string(f.key), model.*f.value, f.range, f.unit);
+  }
+  void word(const std::string& key, const std::string& word,
+            const std::vector<std::string>& known) {
+    if (std::ranges::find(known, word) == known.end())
+      fault(key, fmt::format("there is no {} = \"{}\"", key, word));
+  }
+  void whole(const std::string& key, std::int64_t n, std::int64_t most) {
+    if (n < 1 || n > most) fault(key, fmt::format("{} = {} must be from 1 to {}", key, n, most));
+  }
+  void fault(const std::string& key, std::string what) {
+    found.push_back({place_of(c_, key), std::move(what), "see the manual's list of case values",
+                     "out-of-range"});
+  }
+
+  std::vector<Fault> found;
+
+ private:
+  const Case& c_;
+};
+
+void check_contact(ValueCheck& check, const Contact& contact) {
+  check.word("contact.law", contact.law, contact_laws());
+  check.number("contact.restitution", contact.rule.restitution, restitution_range, "");
+  check.number("contact.tangential_restitution", contact.rule.tangential_restitution,
+               tangential_range, "");
+  if (!(contact.rule.friction >= 0))  // infinite: no Coulomb limit
+    check.fault("contact.friction", "contact.friction must be at least 0");
+  check.fields("contact.", contact, contact_fields());
+}
+
+std::vector<Fault> bad_values(const Case& c) {
+  ValueCheck check(c);
+  check.fields("", c, case_fields());
+  std::visit([&](const auto& m) { check.fields("mill.", m, m.fields()); }, c.mill.motion);
+  if (axis_word(c.mill.jar_axis).empty())
+    check.fault("mill.jar_axis",
+                "mill.jar_axis must be vertical (0, 0, 1) or horizontal (1, 0, 0)");
+  std::visit([&](const auto& s) { check.fields("jar.", s, s.fields()); }, c.jar.shape);
+  if (c.balls.empty()) check.fault("balls", "there are no balls");
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    const std::string set = fmt::format("balls.{}.", i + 1);
+    check.fields(set, c.balls[i], ball_fields());
+    check.whole(set + "count", c.balls[i].count, most_balls);
+  }
+  if (c.powder) {
+    check.number("powder.mass", c.powder->mass, positive, "kg");
+    if (c.powder->size) check.number("powder.size", *c.powder->size, positive, "m");
+    if (c.powder->density) check.number("powder.density", *c.powder->density, positive, "kg/m3");
+  }
+  check_contact(check, c.contact);
+  check.word("run.engine", c.run.engine, engines());
+  check.fields("run.", c.run, run_fields());
+  check.whole("run.replicates", c.run.replicates, most_replicates);
+  check.fields("observe.", c.observe, observe_fields());
+  return std::move(check.found);
+}
+
+void balls_too_large(const Case& c, std::vector<Fault>& found) {
+  constexpr double room = 1e-6;  // of the jar: less would leave no place to start from
+  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    const double ball = c.balls[i].diameter;
+    if (!(ball >= jar * (1 - room))) continue;
+    found.push_back({place_of(c, fmt::format("balls.{}.diameter", i + 1)),
+                     fmt::format("the ball ({}) is larger than the jar ({}): it cannot move",
+                                 show(ball, "m"), show_rounded(jar, "m")),
+                     "give a smaller ball or a larger jar", "ball-too-large"});
+  }
+}
+
+void fillet_too_large(const Case& c, std::vector<Fault>& found) {
+  const auto* jar = std::get_if<geometry::RoundedCylinder>(&c.jar.shape);
+  if (jar == nullptr) return;
+  const double most = 0.5 * std::min(jar->diameter, jar->height);
+  if (!(jar->fillet > most)) return;
+  found.push_back(
+      {place_of(c, "jar.fillet"),
+       fmt::format("the fillet ({}) is larger than half the jar's diameter or height ({})",
+                   show(jar->fillet, "m"), show_rounded(most, "m")),
+       "give a smaller fillet; a jar that is all fillet is a capsule or a sphere",
+       "fillet-too-large"});
+}
+
+void too_many_balls(const Case& c, std::vector<Fault>& found) {
+  double volume = 0;
+  for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
+  const double jar = jar_volume(c.jar);
+  if (!(volume > densest * jar)) return;
+  found.push_back(
+      {place_of(c, "balls.1.count"),
+       fmt::format("the balls ({}) fill more than {} % of the jar ({}), the densest packing",
+                   show_rounded(volume, "m3"), 100 * densest, show_rounded(jar, "m3")),
+       "give fewer or smaller balls or a larger jar", "too-many-balls"});
+}
+
+}  // namespace
+
+std::vector<Fault> misfits(const Case& c) {
+  std::vector<Fault> found;
+  balls_too_large(c, found);
+  fillet_too_large(c, found);
+  if (found.empty()) too_many_balls(c, found);
+  return found;
+}
+
+std::vector<Fault> faults(const Case& c) {
+  std::vector<Fault> found = bad_values(c);
+  std::ranges::move(misfits(c), std::back_inserter(found));
+  return found;
+}
+
+std::vector<Fault> engine_faults(const Case& c) {
+  if (c.run.engine == "soft")
+    return {{place_of(c, "run.engine"), "the soft engine is not part of this version",
+             "write engine = \"event\"", "engine-missing"}};
+  const std::int64_t count = balls_count(c.balls);
+  if (count <= 1) return {};
+  return {{place_of(c, c.balls.size() > 1 ? "balls.2.count" : "balls.1.count"),
+           fmt::format("the event engine of this version carries one ball, the case has {}", count),
+           "write count = 1 in a single [[balls]]", "one-ball-only"}};
+}
+
+}  // namespace mahlwerk::cases

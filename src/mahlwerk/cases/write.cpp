@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// A TOML string; control characters are escaped, so a text cannot leave its line.
+std::string in_quotes(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\u{:04X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+/// A comment's text on one line.
+std::string one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+/// Lines of a case file, with the origin of each value behind it.
+class Writer {
+ public:
+  explicit Writer(const Case& c) : c_(c) {}
+
+  void section(std::string_view heading, std::string prefix) {
+    text_ += fmt::format("\n{}\n", heading);
+    prefix_ = std::move(prefix);
+  }
+  void line(std::string_view key, std::string_view value) {
+    const auto origin = std::ranges::find(c_.origins, prefix_ + std::string(key), &Origin::key);
+    const std::string said = fmt::format("{} = {}", key, value);
+    if (origin == c_.origins.end() || origin->source.empty()) {
+      text_ += said + "\n";
+      return;
+    }
+    text_ += fmt::format("{:<36} # {}{}\n", said, one_line(origin->source),
+                         origin->unverified ? " (unverified)" : "");
+  }
+  void word(std::string_view key, std::string_view value) { line(key, in_quotes(value)); }
+  void name(std::string_view key, std::string_view value) {
+    if (!value.empty()) word(key, value);
+  }
+  void number(std::string_view key, double value, std::string_view unit) {
+    line(key, unit.empty() ? shortest(value) : in_quotes(show(value, unit)));
+  }
+  template <class Model, class Fields>
+  void fields(const Model& model, const Fields& all) {
+    for (const auto& f : all) number(f.key, model.*f.value, f.unit);
+  }
+  void plain(std::string_view text) { text_ += text; }
+  std::string text() { return std::move(text_); }
+
+ private:
+  const Case& c_;
+  std::string text_, prefix_;
+};
+
+void write_mill(Writer& out, const Mill& mill) {
+  out.section("[mill]", "mill.");
+  const auto kind = std::visit([](const auto& m) { return std::string(m.name); }, mill.motion);
+  out.word("kind", kind);
+  out.name("model", mill.model);
+  out.name("file", mill.motion_file);
+  std::visit([&](const auto& m) { out.fields(m, m.fields()); }, mill.motion);
+  if (std::holds_alternative<kinematics::Planetary>(mill.motion))
+    out.word("ratio_convention", "relative");
+  out.name("jar_axis", axis_word(mill.jar_axis));
+}
+
+void write_jar(Writer& out, const Jar& jar) {
+  out.section("[jar]", "jar.");
+  out.word("kind", std::visit([](const auto& s) { return std::string(s.name); }, jar.shape));
+  out.name("model", jar.model);
+  std::visit([&](const auto& s) { out.fields(s, s.fields()); }, jar.shape);
+  out.name("material", jar.material);
+}
+
+void write_balls(Writer& out, const std::vector<BallSet>& balls) {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    out.section("[[balls]]", fmt::format("balls.{}.", i + 1));
+    out.line("count", std::to_string(balls[i].count));
+    out.fields(balls[i], ball_fields());
+    out.name("material", balls[i].material);
+  }
+}
+
+void write_powder(Writer& out, const Powder& powder) {
+  out.section("[powder]", "powder.");
+  out.name("material", powder.material);
+  out.number("mass", powder.mass, "kg");
+  if (powder.size) out.number("size", *powder.size, "m");
+  if (powder.density) out.number("density", *powder.density, "kg/m3");
+}
+
+void write_contact(Writer& out, const Contact& contact) {
+  const bool coulomb = std::isfinite(contact.rule.friction);
+  out.section("[contact]", "contact.");
+  out.word("law", contact.law);
+  out.number("restitution", contact.rule.restitution, "");
+  out.word("bounce", coulomb ? "walton" : "constant");
+  out.number("tangential_restitution", contact.rule.tangential_restitution, "");
+  if (coulomb) out.number("friction", contact.rule.friction, "");
+  out.fields(contact, contact_fields());
+  out.word("lasting", lasting_words()[static_cast<std::size_t>(contact.lasting)]);
+}
+
+void write_sweep(Writer& out, const std::map<std::string, std::vector<std::string>>& sweep) {
+  if (sweep.empty()) return;
+  out.section("[sweep]", "sweep.");
+  for (const auto& [key, values] : sweep) {
+    std::string list;
+    for (const std::string& value : values) list += (list.empty() ? "" : ", ") + in_quotes(value);
+    out.plain(fmt::format("{} = [{}]\n", in_quotes(key), list));
+  }
+}
+
+}  // namespace
+
+std::string write(const Case& c) {
+  Writer out(c);
+  out.word("title", c.title);
+  const bool fits = c.seed <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  out.line("seed", fits ? std::to_string(c.seed) : in_quotes(std::to_string(c.seed)));
+  out.fields(c, case_fields());
+  write_mill(out, c.mill);
+  write_jar(out, c.jar);
+  write_balls(out, c.balls);
+  if (c.powder) write_powder(out, *c.powder);
+  write_contact(out, c.contact);
+  out.section("[run]", "run.");
+  out.word("engine", c.run.engine);
+  out.fields(c.run, run_fields());
+  out.line("replicates", std::to_string(c.run.replicates));
+  out.section("[observe]", "observe.");
+  out.fields(c.observe, observe_fields());
+  out.line("collisions", c.observe.collisions ? "true" : "false");
+  write_sweep(out, c.sweep);
+  return out.text();
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/readable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace mahlwerk::report {
+namespace {
+
+using Words = std::pair<std::string_view, std::string_view>;
+constexpr std::array labels{
+    Words{"energy_normal_mean", "mean normal energy"},
+    Words{"energy_contact_point_mean", "mean contact-point energy"},
+    Words{"energy_centre_mean", "mean centre energy"},
+    Words{"energy_lost_mean", "mean energy lost"},
+    Words{"impact_speed_normal_mean", "mean normal speed"},
+    Words{"impact_speed_tangential_mean", "mean tangential speed"},
+    Words{"impact_angle_mean", "mean impact angle"},
+    Words{"contact_time_share", "share of time in contact"},
+    Words{"lasting_contacts_rate", "lasting contacts"},
+    Words{"tc_collision_share", "share of TC collisions"},
+    Words{"energy_residual", "worst collision residual"},
+    Words{"energy_balance", "energy balance residual"},
+};
+
+/// Units that take a prefix; kg and what is counted do not.
+bool takes_prefix(std::string_view unit) {
+  constexpr std::array<std::string_view, 9> list{"J", "W", "m", "s", "m/s", "N", "Pa", "W/g", "J/g"};
+  return std::find(list.begin(), list.end(), unit) != list.end();
+}
+
+std::string power_of_ten(int exponent) {
+  constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(exponent)))
+    text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+int decade(double size) { return static_cast<int>(std::floor(std::log10(size))); }
+
+/// Digits behind the point so that the half-width keeps two, or else the value four.
+int places(double value, double ci95) {
+  const bool told = std::isfinite(ci95) && ci95 > 0;
+  const double size = told ? ci95 : std::abs(value);
+  if (size == 0) return 0;
+  return std::max((told ? 1 : 3) - decade(size), 0);
+}
+
+std::string fixed(double value, double ci95) {
+  const int digits = places(value, ci95);
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (std::isfinite(ci95)) text += fmt::format(" ± {:.{}f}", ci95, ci95 > 0 ? digits : 0);
+  return text;
+}
+
+/// Of a value too large or too small to be written out.
+std::string scientific(double value, double ci95) {
+  const int exponent = decade(std::abs(value));
+  const double scale = std::pow(10, exponent);
+  const bool told = std::isfinite(ci95) && ci95 > 0;
+  const int digits = told ? std::clamp(places(value / scale, ci95 / scale), 0, 3) : 1;
+  if (!told) return fmt::format("{:.{}f} × {}", value / scale, digits, power_of_ten(exponent));
+  return fmt::format("({:.{}f} ± {:.{}f}) × {}", value / scale, digits, ci95 / scale, digits,
+                     power_of_ten(exponent));
+}
+
+}  // namespace
+
+Multiple multiple(double size, std::string_view unit) {
+  using Prefix = std::pair<double, std::string_view>;
+  constexpr std::array prefixes{Prefix{1e9, "G"},  Prefix{1e6, "M"},  Prefix{1e3, "k"},
+                                Prefix{1, ""},     Prefix{1e-3, "m"}, Prefix{1e-6, "µ"},
+                                Prefix{1e-9, "n"}, Prefix{1e-12, "p"}};
+  if (!takes_prefix(unit) || !(size > 0) || !std::isfinite(size)) return {1, std::string(unit)};
+  for (const auto& [factor, prefix] : prefixes) {
+    const bool big = factor > 1 && (unit.starts_with("s") || unit.starts_with("m"));  // no ks, no km/s
+    if (!big && size >= 0.9995 * factor) return {factor, std::string(prefix) + std::string(unit)};
+  }
+  return {1e-12, "p" + std::string(unit)};
+}
+
+Readable readable(double value, double ci95, std::string_view unit) {
+  if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
+  const Multiple m = multiple(std::abs(value), unit);
+  const double v = value / m.factor, ci = ci95 / m.factor;
+  std::string shown = m.unit == "1" ? "" : m.unit == "1/s" ? "/s" : m.unit == "deg" ? "°" : m.unit;
+  const double size = std::abs(v);
+  const bool plain = size == 0 || (size >= 1e-3 && size < 1e7) || ci >= size;
+  return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};
+}
+
+std::string label(std::string_view name) {
+  constexpr std::string_view above = "_above_threshold";
+  if (name.ends_with(above)) {
+    name.remove_suffix(above.size());
+    return label(name) + " above threshold";
+  }
+  for (const auto& [key, text] : labels) {
+    if (key == name) return std::string(text);
+  }
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string tick_text(double value, bool as_power) {
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  if (as_power && (size < 0.0099 || size > 1001))
+    return power_of_ten(static_cast<int>(std::lround(std::log10(size))));
+  if (!as_power && (size < 1e-4 || size >= 1e6)) return fmt::format("{:.3g}", value);
+  return fmt::format("{:.7g}", value);
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/table.hpp"
+
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr std::string_view above_threshold = "_above_threshold";
+using Line = std::array<std::string, 3>;
+
+std::string padded(const std::string& text, std::size_t wanted) {
+  return text + std::string(wanted - std::min(wanted, width(text)), ' ');
+}
+
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
+  std::vector<Row> list;
+  for (const results::Quantity& q : quantities) {
+    const bool twin = q.name.ends_with(above_threshold) && !list.empty() &&
+                      list.back().all->name + std::string(above_threshold) == q.name;
+    if (twin)
+      list.back().above = &q;
+    else
+      list.push_back({&q, nullptr});
+  }
+  return list;
+}
+
+std::string table(const std::vector<results::Quantity>& quantities, double threshold) {
+  std::vector<Line> lines{
+      {"", "all collisions", "u_n >= " + readable(threshold, NAN, "m/s").text()}};
+  for (const Row& row : rows(quantities))
+    lines.push_back({label(row.all->name), readable(*row.all).text(),
+                     row.above != nullptr ? readable(*row.above).text() : ""});
+  std::array<std::size_t, 3> widths{};
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const Line& line : lines)
+    text += trimmed(padded(line[0], widths[0] + 2) + padded(line[1], widths[1] + 2) +
+                    padded(line[2], widths[2])) +
+            '\n';
+  return text;
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::report {
+
+/// A line of the table people read: a quantity over all collisions and, where there is one, its twin over
+/// those above the threshold.
+struct Row {
+  const results::Quantity* all = nullptr;
+  const results::Quantity* above = nullptr;
+};
+std::vector<Row> rows(const std::vector<results::Quantity>& quantities);
+
+/// The table for the terminal, with half-widths and readable units. `threshold` [m/s] heads its column.
+std::string table(const std::vector<results::Quantity>& quantities, double threshold);
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/hdf5.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using scene::Collision;
+constexpr hsize_t chunk = 4096;       // records; 0.5 MB
+constexpr unsigned deflation = 4;     // of 9: most of the gain at little time
+constexpr std::size_t piece = 16384;  // records handed over at once
+
+/// The library is not safe to call from two threads, whichever file they write.
+std::mutex library;
+
+/// An identifier of the library and the function that gives it back.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(hid_t id, herr_t (*give_back)(hid_t)) : id_(id), close_(give_back) {}
+  Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, -1)), close_(o.close_) {}
+  Handle& operator=(Handle&& o) noexcept {
+    std::swap(id_, o.id_);
+    std::swap(close_, o.close_);
+    return *this;
+  }
+  ~Handle() { close(); }
+  operator hid_t() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+  bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
+
+ private:
+  hid_t id_ = -1;
+  herr_t (*close_)(hid_t) = nullptr;
+};
+
+/// One number of a record: its name in the file, its unit, and where it lies in a Collision.
+struct Part {
+  const char *name, *unit;
+  std::size_t offset;
+  bool whole = false;  ///< a 32-bit integer instead of a double
+};
+
+const Part parts[] = {
+    {"time", "s", offsetof(Collision, time)},
+    {"duration", "s", offsetof(Collision, duration)},
+    {"ball", "1", offsetof(Collision, ball), true},
+    {"other", "1", offsetof(Collision, other), true},
+    {"where_x", "m", offsetof(Collision, where) + offsetof(Vec3, x)},
+    {"where_y", "m", offsetof(Collision, where) + offsetof(Vec3, y)},
+    {"where_z", "m", offsetof(Collision, where) + offsetof(Vec3, z)},
+    {"normal_x", "1", offsetof(Collision, normal) + offsetof(Vec3, x)},
+    {"normal_y", "1", offsetof(Collision, normal) + offsetof(Vec3, y)},
+    {"normal_z", "1", offsetof(Collision, normal) + offsetof(Vec3, z)},
+    {"mass", "kg", offsetof(Collision, mass)},
+    {"approach", "m/s", offsetof(Collision, approach)},
+    {"slip", "m/s", offsetof(Collision, slip)},
+    {"glide", "m/s", offsetof(Collision, glide)},
+    {"impulse", "N s", offsetof(Collision, impulse)},
+    {"lost_normal", "J", offsetof(Collision, lost_normal)},
+    {"lost_tangential", "J", offsetof(Collision, lost_tangential)},
+};
+
+/// The library's own trace would go to the terminal, and its clean-up at exit tries again and again
+/// to write what a full disk did not take.
+void quieten() {
+  static const bool once = [] {
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+InputError failure(const std::filesystem::path& file, const char* doing) {
+  const std::string why = errno != 0 ? fmt::format(" ({})", std::strerror(errno)) : "";
+  return InputError(
+      Fault{file.string(), fmt::format("cannot {}{}", doing, why),
+            "free some space or mend the permissions, choose another folder with --out, or "
+            "leave out observe.collisions",
+            "cannot-write"});
+}
+
+/// The record as it lies in memory.
+Handle record_type() {
+  Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Collision)), H5Tclose);
+  for (const Part& p : parts)
+    H5Tinsert(type, p.name, p.offset, p.whole ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE);
+  return type;
+}
+
+bool write_text(hid_t object, const std::string& name, std::string_view text) {
+  const std::string copy(text);
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  const char* pointer = copy.c_str();
+  return attribute.valid() && H5Awrite(attribute, type, static_cast<const void*>(&pointer)) >= 0;
+}
+
+std::string group_name(int replicate) {
+  return fmt::format("replicate_{}", replicate + 1);
+}
+
+}  // namespace
+
+struct CollisionFile::Inside {
+  std::filesystem::path path;
+  Handle file, in_memory;
+  std::map<int, Handle> sets;
+  std::exception_ptr trouble;  ///< of a log's last piece, kept until close()
+
+  Handle& set(int replicate);
+};
+
+Handle& CollisionFile::Inside::set(int replicate) {
+  Handle& found = sets[replicate];
+  if (found.valid()) return found;
+  const Handle group(
+      H5Gcreate2(file, group_name(replicate).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Gclose);
+  const hsize_t none = 0, unlimited = H5S_UNLIMITED;
+  const Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+  const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(how, 1, &chunk);
+  H5Pset_shuffle(how);
+  H5Pset_deflate(how, deflation);
+  const Handle packed(H5Tcopy(in_memory), H5Tclose);
+  H5Tpack(packed);
+  found = Handle(H5Dcreate2(group, "collisions", packed, space, H5P_DEFAULT, how, H5P_DEFAULT),
+                 H5Dclose);
+  if (!found.valid()) throw failure(path, "make a data set in the file");
+  for (const Part& p : parts) {
+    if (!write_text(found, std::string("unit_") + p.name, p.unit))
+      throw failure(path, "write the units into the file");
+  }
+  return found;
+}
+
+CollisionFile::CollisionFile(const std::filesystem::path& file, std::string_view case_text,
+                             std::string_view version)
+    : inside_(std::make_unique<Inside>()) {
+  const std::lock_guard lock(library);
+  quieten();
+  errno = 0;
+  inside_->path = file;
+  inside_->in_memory = record_type();
+  inside_->file =
+      Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  if (!inside_->file.valid()) throw failure(file, "create the file");
+  if (!write_text(inside_->file, "mahlwerk", version) ||
+      !write_text(inside_->file, "case", case_text))
+    throw failure(file, "write the case into the file");
+}
+
+CollisionFile::~CollisionFile() {
+  const std::lock_guard lock(library);
+  inside_.reset();
+}
+
+void CollisionFile::append(int replicate, std::span<const Collision> records) {
+  const std::lock_guard lock(library);
+  errno = 0;
+  Handle& set = inside_->set(replicate);
+  hsize_t before = 0;
+  {
+    const Handle space(H5Dget_space(set), H5Sclose);
+    H5Sget_simple_extent_dims(space, &before, nullptr);
+  }
+  const hsize_t more = records.size(), after = before + more;
+  bool good = H5Dset_extent(set, &after) >= 0;
+  const Handle target(H5Dget_space(set), H5Sclose);
+  good = good && H5Sselect_hyperslab(target, H5S_SELECT_SET, &before, nullptr, &more, nullptr) >= 0;
+  const Handle source(H5Screate_simple(1, &more, nullptr), H5Sclose);
+  good =
+      good && H5Dwrite(set, inside_->in_memory, source, target, H5P_DEFAULT, records.data()) >= 0;
+  if (!good) throw failure(inside_->path, "write collisions into the file");
+}
+
+void CollisionFile::close() {
+  const std::lock_guard lock(library);
+  if (!inside_->file.valid()) return;
+  errno = 0;
+  bool good = H5Fflush(inside_->file, H5F_SCOPE_GLOBAL) >= 0;
+  for (auto& [replicate, set] : inside_->sets) good = set.close() && good;
+  good = inside_->file.close() && good;
+  if (inside_->trouble) std::rethrow_exception(inside_->trouble);
+  if (!good) throw failure(inside_->path, "finish the file");
+}
+
+CollisionLog::CollisionLog(CollisionFile& file, int replicate)
+    : file_(file), replicate_(replicate) {
+  file_.append(replicate_, {});  // a replicate without a collision has an empty data set
+}
+
+CollisionLog::~CollisionLog() {
+  try {
+    flush();
+  } catch (...) {
+    const std::lock_guard lock(library);
+    if (!file_.inside_->trouble) file_.inside_->trouble = std::current_exception();
+  }
+}
+
+void CollisionLog::collisions(std::span<const Collision> finished) {
+  waiting_.insert(waiting_.end(), finished.begin(), finished.end());
+  if (waiting_.size() >= piece) flush();
+}
+
+void CollisionLog::flush() {
+  const std::vector<Collision> now = std::exchange(waiting_, {});
+  if (!now.empty()) file_.append(replicate_, now);
+}
+
+std::vector<Collision> read_collisions(const std::filesystem::path& file, int replicate) {
+  const std::lock_guard lock(library);
+  quieten();
+  const auto missing = [&](const std::string& what) {
+    return InputError(Fault{file.string(), what, "check the name of the file", "cannot-read"});
+  };
+  const Handle open(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!open.valid()) throw missing("cannot be read as HDF5");
+  const std::string name = group_name(replicate) + "/collisions";
+  const Handle set(H5Dopen2(open, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!set.valid()) throw missing("has no /" + name);
+  const Handle space(H5Dget_space(set), H5Sclose);
+  hsize_t count = 0;
+  H5Sget_simple_extent_dims(space, &count, nullptr);
+  std::vector<Collision> records(count);
+  if (H5Dread(set, record_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, records.data()) < 0)
+    throw missing("cannot be read to its end");
+  return records;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace mahlwerk::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
+
+Json origins(const cases::Case& what, bool cases::Origin::*chosen) {
+  Json list = Json::array();
+  for (const cases::Origin& o : what.origins) {
+    if (o.*chosen) list.push_back({{"key", o.key}, {"value", o.value}, {"source", o.source}});
+  }
+  return list;
+}
+
+Json about(const Outcome& outcome, std::string_view version) {
+  Json runs = Json::array();
+  for (const Replicate& r : outcome.replicates) {
+    Json run{{"complete", r.complete && r.time() > 0}, {"time", r.time()}};
+    if (!r.stopped.empty()) run["stopped"] = r.stopped;
+    runs.push_back(std::move(run));
+  }
+  const bool whole = complete(outcome);
+  return {{"mahlwerk", version},
+          {"schema", schema},
+          {"title", outcome.what.title},
+          {"seed", outcome.what.seed},
+          {"engine", outcome.what.run.engine},
+          {"threshold", outcome.what.observe.threshold},
+          {"complete", whole},
+          {"interrupted", outcome.interrupted && !whole},
+          {"replicates", std::move(runs)},
+          {"assumed", origins(outcome.what, &cases::Origin::assumed)},
+          {"unverified", origins(outcome.what, &cases::Origin::unverified)},
+          {"wall_seconds", outcome.wall_seconds},
+          {"cpu_seconds", outcome.cpu_seconds}};
+}
+
+}  // namespace
+
+std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
+                         std::string_view version) {
+  Json all;
+  all["_about"] = about(outcome, version);
+  for (const Quantity& q : quantities)
+    all[q.name] = {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}, {"about", q.about}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/base/trig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/random.hpp"
+
+namespace mahlwerk {
+namespace {
+
+TEST(SinCos, is_within_a_rounding_of_one_of_the_true_values) {
+  Random random(1, 1);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const double x = std::copysign(std::pow(10, random.uniform(-8, 4)), random.uniform(-1, 1));
+    const SinCos found = sin_cos(x);
+    const auto exact = static_cast<long double>(x);
+    worst = std::max({worst, static_cast<double>(std::abs(found.sin - std::sin(exact))),
+                      static_cast<double>(std::abs(found.cos - std::cos(exact)))});
+  }
+  EXPECT_LT(worst, 2.3e-16) << "80-bit functions as reference";
+}
+
+TEST(SinCos, keeps_the_corners_and_what_is_no_number) {
+  EXPECT_EQ(sin_cos(0).sin, 0);
+  EXPECT_EQ(sin_cos(0).cos, 1);
+  EXPECT_EQ(sin_cos(1e8).sin, std::sin(1e8));
+  EXPECT_TRUE(std::isnan(sin_cos(NAN).sin));
+  EXPECT_TRUE(std::isnan(sin_cos(INFINITY).cos));
+}
+
+}  // namespace
+}  // namespace mahlwerk

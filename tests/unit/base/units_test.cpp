@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/base/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/base/spelling.hpp"
+
+namespace mahlwerk {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::string fault_of(std::string_view text, std::string_view unit) {
+  try {
+    parse_in(text, unit);
+  } catch (const UnitError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Units, decimal_multiples_are_the_nearest_double) {
+  EXPECT_EQ(parse_in("12 mm", "m"), 0.012);
+  EXPECT_EQ(parse_in("12mm", "m"), 0.012);
+  EXPECT_EQ(parse_in("  1.2 cm ", "m"), 0.012);
+  EXPECT_EQ(parse_in("40 um", "m"), 40e-6);
+  EXPECT_EQ(parse_in("40 \u00b5m", "m"), 40e-6);
+  EXPECT_EQ(parse_in("40 \u03bcm", "m"), 40e-6);
+  EXPECT_EQ(parse_in("3 nm", "m"), 3e-9);
+  EXPECT_EQ(parse_in("2 km", "m"), 2000);
+  EXPECT_EQ(parse_in("1 in", "m"), 0.0254);
+  EXPECT_EQ(parse_in("5 ml", "m3"), 5e-6);
+  EXPECT_EQ(parse_in("5 cm3", "m3"), 5e-6);
+  EXPECT_EQ(parse_in("5 cm^3", "m3"), 5e-6);
+  EXPECT_EQ(parse_in("5 cm\u00b3", "m3"), 5e-6);
+  EXPECT_EQ(parse_in("7 mm3", "m3"), 7e-9);
+  EXPECT_EQ(parse_in("7 ul", "m3"), 7e-9);
+  EXPECT_EQ(parse_in("0.5 l", "m3"), 0.0005);
+  EXPECT_EQ(parse_in("7.85 g/cm3", "kg/m3"), 7850);
+  EXPECT_EQ(parse_in("7850 kg/m3", "kg/m3"), 7850);
+  EXPECT_EQ(parse_in("70 g", "kg"), 0.07);
+  EXPECT_EQ(parse_in("3 mg", "kg"), 3e-6);
+  EXPECT_EQ(parse_in("3 ug", "kg"), 3e-9);
+  EXPECT_EQ(parse_in("2 t", "kg"), 2000);
+}
+
+TEST(Units, times_speeds_and_energies) {
+  EXPECT_EQ(parse_in("2 min", "s"), 120);
+  EXPECT_EQ(parse_in("2 h", "s"), 7200);
+  EXPECT_EQ(parse_in("1 d", "s"), 86400);
+  EXPECT_EQ(parse_in("5 ms", "s"), 0.005);
+  EXPECT_EQ(parse_in("5 us", "s"), 5e-6);
+  EXPECT_EQ(parse_in("36 km/h", "m/s"), 10);
+  EXPECT_EQ(parse_in("5 mm/s", "m/s"), 0.005);
+  EXPECT_EQ(parse_in("5 cm/s", "m/s"), 0.05);
+  EXPECT_EQ(parse_in("9.81 m/s2", "m/s2"), 9.81);
+  EXPECT_EQ(parse_in("9.81 m/s^2", "m/s2"), 9.81);
+  EXPECT_EQ(parse_in("9.81 m*s^-2", "m/s2"), 9.81);
+  EXPECT_EQ(parse_in("9.81 m/s/s", "m/s2"), 9.81);
+  EXPECT_EQ(parse_in("200 GPa", "Pa"), 200e9);
+  EXPECT_EQ(parse_in("3 N*m", "J"), 3);
+  EXPECT_EQ(parse_in("3 N*m/s", "W"), 3);
+  EXPECT_EQ(parse_in("2.6 mJ", "J"), 0.0026);
+  EXPECT_EQ(parse_in("2 uJ", "J"), 2e-6);
+  EXPECT_EQ(parse_in("0.37 kW", "W"), 370);
+  EXPECT_EQ(parse_in("3 J/g", "J/kg"), 3000);
+  EXPECT_EQ(parse_in("3 W/g", "W/kg"), 3000);
+}
+
+TEST(Units, numbers_and_per_cent) {
+  EXPECT_EQ(parse_in("0.35", ""), 0.35);
+  EXPECT_EQ(parse_in("+0.35", ""), 0.35);
+  EXPECT_EQ(parse_in("-2", ""), -2);
+  EXPECT_EQ(parse_in(".5", ""), 0.5);
+  EXPECT_EQ(parse_in("1e-4 s", "s"), 1e-4);
+  EXPECT_EQ(parse_in("30 %", ""), 0.3);
+  EXPECT_EQ(parse_in("30%", ""), 0.3);
+  EXPECT_EQ(parse_in("0.2", "%"), 20);
+}
+
+TEST(Units, temperatures) {
+  EXPECT_EQ(parse_in("20 degC", "K"), 293.15);
+  EXPECT_EQ(parse_in("20 \u00b0C", "K"), 293.15);
+  EXPECT_EQ(parse_in("300 K", "K"), 300);
+  EXPECT_EQ(parse_quantity("0 degC").value, 273.15);
+  EXPECT_TRUE(contains(fault_of("3 J/degC", "J/K"), "degC"));
+}
+
+TEST(Units, an_angle_is_a_dimension) {
+  EXPECT_EQ(parse_in("600 rpm", "Hz"), 10);
+  EXPECT_EQ(parse_in("600 1/min", "Hz"), 10);
+  EXPECT_EQ(parse_in("10 Hz", "rpm"), 600);
+  EXPECT_EQ(parse_in("7 rpm", "Hz"), 7.0 / 60.0);
+  EXPECT_EQ(parse_in("360 deg/s", "Hz"), 1);
+  EXPECT_EQ(parse_in("1 turn", "deg"), 360);
+  EXPECT_DOUBLE_EQ(parse_in("10 Hz", "rad/s"), 20 * pi);
+  EXPECT_DOUBLE_EQ(parse_in("400 rpm", "rad/s"), 41.887902047863905);
+  EXPECT_DOUBLE_EQ(parse_in("6.283185307179586 rad/s", "Hz"), 1);
+  EXPECT_DOUBLE_EQ(parse_in("180 deg", "rad"), pi);
+  EXPECT_EQ(parse_in("2 kHz", "Hz"), 2000);
+  EXPECT_EQ(parse_in("2 mHz", "Hz"), 0.002);
+  EXPECT_EQ(parse_quantity("400 rpm").dimension, (Dimension{.time = -1, .angle = 1}));
+  EXPECT_DOUBLE_EQ(parse_quantity("400 rpm").value, 41.887902047863905);
+  EXPECT_TRUE(contains(fault_of("10 1/s", "Hz"), "not a frequency"));  // no angle, so no cycles
+}
+
+TEST(Units, a_missing_unit_comes_with_the_users_own_number) {
+  EXPECT_EQ(fault_of("12", "m"), "the unit is missing; write for instance \"12 mm\"");
+  EXPECT_EQ(fault_of("-400", "rad/s"), "the unit is missing; write for instance \"-400 rpm\"");
+  EXPECT_EQ(fault_of("10", "Hz"), "the unit is missing; write for instance \"10 Hz\"");
+}
+
+TEST(Units, a_wrong_dimension_comes_with_an_example) {
+  EXPECT_EQ(fault_of("12 kg", "m"), "\"12 kg\" is not a length; write for instance \"12 mm\"");
+  EXPECT_EQ(fault_of("12 mm", ""),
+            "\"12 mm\" is not a number without a unit; write for instance \"0.5\"");
+  EXPECT_TRUE(contains(fault_of("20 degC", "m"), "not a length"));
+}
+
+TEST(Units, an_unknown_unit_comes_with_the_nearest) {
+  EXPECT_EQ(fault_of("12 mmm", "m"), "there is no unit \"mmm\"; did you mean \"mm\"?");
+  EXPECT_EQ(fault_of("12 rmp", "Hz"), "there is no unit \"rmp\"; did you mean \"rpm\"?");
+  EXPECT_EQ(fault_of("12 furlongs", "m"), "there is no unit \"furlongs\"");
+  EXPECT_TRUE(contains(fault_of("12 GPA", "Pa"), "GPa"));
+}
+
+TEST(Units, nonsense_is_refused) {
+  for (const char* text : {"",        " ",      "nan",    "NaN",    "inf",    "-inf",   "nan m",
+                           "inf m",   "mm",     "abc mm", "--5 mm", "+-5 mm", "- 5 mm", "0x10 m",
+                           "1e999 m", "1e400",  "5 m/",   "5 /m",   "5 m//s", "5 m^",   "5 m^0",
+                           "5 m^99",  "5 m3.5", "5 ^2",   "5 1/",   "1 2 m",  "5 m s",  "12,5 mm"})
+    EXPECT_THROW(parse_in(text, "m"), UnitError) << text;
+  EXPECT_TRUE(contains(fault_of("12,5 mm", "m"), "decimal point"));
+  EXPECT_THROW(parse_in(std::string(5000, '9'), ""), UnitError);
+  EXPECT_THROW(parse_in("5 " + std::string(300, 'm'), "m"), UnitError);
+  std::string tower = "5 km^9";
+  for (int i = 0; i < 15; ++i) tower += "*km^9";
+  EXPECT_THROW(parse_in(tower, "m"), UnitError);
+  EXPECT_THROW(parse_in("1e305 km", "m"), UnitError);
+}
+
+TEST(Units, shortest_reads_back) {
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(100000), "100000");
+  EXPECT_EQ(shortest(7850), "7850");
+  EXPECT_EQ(shortest(0.0001), "0.0001");
+  EXPECT_EQ(shortest(-2), "-2");
+  EXPECT_EQ(parse_in(shortest(1e300), ""), 1e300);
+}
+
+TEST(Units, show_prefers_what_people_read) {
+  EXPECT_EQ(show(0.012, "m"), "12 mm");
+  EXPECT_EQ(show(40e-6, "m"), "40 um");
+  EXPECT_EQ(show(1.5, "m"), "1.5 m");
+  EXPECT_EQ(show(0, "m"), "0 mm");
+  EXPECT_EQ(show(5e-6, "m3"), "5 ml");
+  EXPECT_EQ(show(60, "s"), "60 s");
+  EXPECT_EQ(show(1e-4, "s"), "0.1 ms");
+  EXPECT_EQ(show(0.1, "m/s"), "0.1 m/s");
+  EXPECT_EQ(show(1e-4, "m/s"), "0.1 mm/s");
+  EXPECT_EQ(show(0.1, "rad/s"), "0.1 rad/s");
+  EXPECT_EQ(show(parse_in("400 rpm", "rad/s"), "rad/s"), "400 rpm");
+  EXPECT_EQ(show(10, "Hz"), "10 Hz");
+  EXPECT_EQ(show(7850, "kg/m3"), "7850 kg/m3");
+  EXPECT_EQ(show(0.07, "kg"), "70 g");
+  EXPECT_EQ(show(0.9, ""), "0.9");
+  EXPECT_EQ(show(3, "kg/m2"), "3 kg/m2");
+  EXPECT_EQ(show_rounded(5.0 / 3 * 1e-3, "J"), "1.667 mJ");
+  EXPECT_EQ(show_rounded(41.887902047863905, "rad/s"), "41.89 rad/s");
+  EXPECT_EQ(show_rounded(123456.7, ""), "123500");
+  EXPECT_EQ(show_rounded(0, "m"), "0 mm");
+}
+
+void expect_round_trip(double value, std::string_view unit) {
+  const std::string text = show(value, unit);
+  const double back = parse_in(text, unit);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value))
+      << text << " of " << shortest(value) << ' ' << unit;
+}
+
+TEST(Units, show_reads_back_to_the_last_bit) {
+  Random random(7, 1);
+  for (const std::string_view unit : {"m", "kg", "s", "Hz", "rad/s", "rad", "m/s", "m3", "N", "Pa",
+                                      "J", "W", "J/kg", "kg/m3", "K", "m/s2", "%", ""}) {
+    for (int i = 0; i < 2000; ++i) {
+      const double any = std::pow(10, random.uniform(-12, 12)) * (random.uniform() < 0.2 ? -1 : 1);
+      expect_round_trip(any, unit);
+      expect_round_trip(std::round(random.uniform(1, 5000)) / 1e4, unit);
+    }
+    for (const double odd : {0.0, 1.0, 1.0 / 3, 1e-300, 1e300, 5e-324,
+                             std::numeric_limits<double>::max(), std::nextafter(0.012, 1.0)})
+      expect_round_trip(odd, unit);
+  }
+}
+
+TEST(Spelling, finds_the_word_that_was_meant) {
+  const std::vector<std::string> words{"frequency", "amplitude", "tilt", "kind"};
+  EXPECT_EQ(nearest_word("frequancy", words), "frequency");
+  EXPECT_EQ(nearest_word("Amplitude", words), "amplitude");
+  EXPECT_EQ(nearest_word("tlit", words), "tilt");
+  EXPECT_EQ(nearest_word("colour", words), "");
+  EXPECT_EQ(nearest_word("", words), "");
+}
+
+}  // namespace
+}  // namespace mahlwerk
