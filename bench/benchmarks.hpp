@@ -22,7 +22,7 @@ struct Benchmark {
   std::vector<Row> (*run)();
 };
 
-constexpr std::array benchmarks{
+inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
 };
 

@@ -43,7 +43,7 @@ struct Command {
   int (*perform)(const Request&);
 };
 
-constexpr std::array commands{
+inline constexpr std::array commands{
     Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},

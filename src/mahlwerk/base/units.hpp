@@ -28,24 +28,25 @@ class UnitError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads "400 rpm", "15 mm", "7850 kg/m3", "0.35", "30 %". Throws UnitError naming the text, what is
-/// wrong, and the nearest known unit.
+/// Reads "400 rpm", "15 mm", "7850 kg/m3", "0.35", "30 %". Throws UnitError naming the text, what
+/// is wrong, and the nearest known unit.
 Quantity parse_quantity(std::string_view text);
 
-/// Reads `text` and returns its value measured in `unit` ("m", "Hz", "rad/s", "kg/m3", "" for a pure
-/// number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError when the unit is missing or of
-/// another dimension, with an example of what is expected.
+/// Reads `text` and returns its value measured in `unit` ("m", "Hz", "rad/s", "kg/m3", "" for a
+/// pure number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError when the unit is
+/// missing or of another dimension, with an example of what is expected.
 double parse_in(std::string_view text, std::string_view unit);
 
-/// Writes `value`, measured in `unit`, so that parse_in(show(value, unit), unit) == value to the last
-/// bit, in the most readable multiple that allows it ("12 mm" rather than "0.012 m").
+/// Writes `value`, measured in `unit`, so that parse_in(show(value, unit), unit) == value to the
+/// last bit, in the most readable multiple that allows it ("12 mm" rather than "0.012 m").
 std::string show(double value, std::string_view unit);
 
 /// Writes `value`, measured in `unit`, to `digits` significant digits in a readable multiple; for
 /// people, not for reading back.
 std::string show_rounded(double value, std::string_view unit, int digits = 4);
 
-/// A quantity as one would write it where `unit` is expected: "12 mm" for "m", "400 rpm" for "rad/s".
+/// A quantity as one would write it where `unit` is expected: "12 mm" for "m", "400 rpm" for
+/// "rad/s".
 std::string example_of(std::string_view unit);
 
 /// The shortest decimal text that reads back as the same double, whatever the locale.

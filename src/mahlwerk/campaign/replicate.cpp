@@ -34,7 +34,7 @@ event::Rules rules(const cases::Contact& c) {
                        : c.lasting == cases::Lasting::tc ? event::Lasting::tc
                                                          : event::Lasting::none;
   return {.bounce = c.rule,
-          .lasting_friction = c.lasting_friction,
+          .lasting_friction = c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
           .rolling_friction = c.rolling_friction,
           .lasting = lasting,
           .lasting_speed = c.lasting_speed,

@@ -14,19 +14,21 @@ namespace mahlwerk::cases {
 /// The jar of a case on its mill.
 scene::Chamber chamber(const Case& c);
 
-/// Balls at random places where they touch nothing, with random velocities and spins as the case's [run]
-/// says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Depends on the seed and the replicate alone.
+/// Balls at random places where they touch nothing, with random velocities and spins as the case's
+/// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Depends on the seed and
+/// the replicate alone.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
 
 /// One thing that follows from a case before it is run.
 struct Consequence {
-  std::string name;   ///< "peak_wall_speed"
-  double value = 0;   ///< in `unit`
+  std::string name;  ///< "peak_wall_speed"
+  double value = 0;  ///< in `unit`
   std::string unit;
   std::string about;  ///< a sentence with the formula's label
 };
 
-/// Peak wall speed, acceleration number, critical speed or speed ratio, expected impact energy, charge.
+/// Peak wall speed, acceleration number, critical speed or speed ratio, expected impact energy,
+/// charge.
 std::vector<Consequence> consequences(const Case& c);
 
 }  // namespace mahlwerk::cases

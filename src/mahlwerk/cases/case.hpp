@@ -18,7 +18,7 @@ namespace mahlwerk::cases {
 struct Mill {
   std::string model;  ///< name in the catalogue; empty if the case gives its own numbers
   kinematics::AnyMotion motion;
-  Vec3 jar_axis{0, 0, 1};  ///< unit vector the mounted jar's own z axis points along
+  Vec3 jar_axis{0, 0, 1};   ///< unit vector the mounted jar's own z axis points along
   std::string motion_file;  ///< of a tabulated motion, as written; relative to the case file
   bool operator==(const Mill&) const = default;
 };
@@ -61,8 +61,9 @@ struct Contact {
   double lasting_friction = 0;        ///< mu of lasting contacts of the event engine
   double rolling_friction = 0;        ///< mu_r
   Lasting lasting = Lasting::roll;
-  double lasting_speed = 0;  ///< [m/s] a rebound slower than this, pressed to the wall, has come to stay
-  double contact_time = 0;   ///< [s] t_c of the TC rule
+  double lasting_speed =
+      0;  ///< [m/s] a rebound slower than this, pressed to the wall, has come to stay
+  double contact_time = 0;  ///< [s] t_c of the TC rule
   bool operator==(const Contact&) const = default;
 };
 
@@ -84,9 +85,10 @@ struct Observe {
 
 /// Where one value of a resolved case came from.
 struct Origin {
-  std::string key;     ///< "mill.amplitude", "balls.1.density"
-  std::string value;   ///< as a user would write it
-  std::string source;  ///< "case.toml:9", "--set", "catalogue mills/fritsch-p7-classic: ...", "default: ..."
+  std::string key;          ///< "mill.amplitude", "balls.1.density"
+  std::string value;        ///< as a user would write it
+  std::string source;       ///< "case.toml:9", "--set", "catalogue mills/fritsch-p7-classic: ...",
+                            ///< "default: ..."
   bool assumed = false;     ///< a default the user did not choose
   bool unverified = false;  ///< its source is weak
 };

@@ -51,7 +51,12 @@ Contact read_contact(const Node* table, Findings& findings) {
   Section in(table, "contact", findings);
   contact.law = in.choice({"law", contact_laws(), "hertz-mindlin", "of the soft engine"});
   contact.rule = read_rule(in);
-  for (const auto& field : contact_fields()) contact.*field.value = in.value(Wanted(field));
+  for (const auto& field : contact_fields()) {
+    Wanted wanted(field);
+    if (field.value == &Contact::lasting_friction && std::isfinite(contact.rule.friction))
+      wanted = with_default(wanted, contact.rule.friction, "the friction of bounces");
+    contact.*field.value = in.value(wanted);
+  }
   const std::string lasting =
       in.choice({"lasting", lasting_words(), "roll", "a ball may come to stay, and roll or slide"});
   const auto at = std::ranges::find(lasting_words(), lasting);

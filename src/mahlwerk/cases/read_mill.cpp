@@ -41,11 +41,11 @@ double read_ratio(Section& in, const Wanted& wanted) {
                                             {"relative", "absolute"},
                                             "relative",
                                             "the makers' convention, jar relative to disc"});
-  if (at == nullptr || (said && at->rank == Rank::catalogue)) {
-    if (at != nullptr)
-      in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
-               "give `ratio` too, or remove it", "missing-value");
-    return in.value(wanted);
+  if (at == nullptr) return in.value(wanted);
+  if (said && at->rank == Rank::catalogue) {
+    in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
+             "give `ratio` too, or remove it", "missing-value");
+    return unread;
   }
   const double given = ratio_of(in, *at, wanted);
   if (std::isnan(given)) return unread;

@@ -53,8 +53,9 @@ class LastingContact {
   LastingContact(const J& jar, const BallBody& ball, const Rules& rules)
       : jar_(&jar), ball_(ball), rules_(rules) {}
 
-  /// Derivative of the state at `t`, and the forces that make it.
-  Rest rate(const Seat& seat, double t, const Rest& y, Reaction& forces) const {
+  /// Derivative of the state at `t`, and the forces that make it. Flat inside, for it is most of the work
+  /// of a contact, but not copied into every stage that asks for it.
+  [[gnu::flatten, gnu::noinline]] Rest rate(const Seat& seat, double t, const Rest& y, Reaction& forces) const {
     const kinematics::Ride ride = jar_->motion().ride(t);
     const Vec3 field = jar_->gravity() - ride.acceleration;  // (evt.1)
     return seat.count == 1 ? on_face(seat, t, y, ride.velocity, field, forces)
@@ -100,7 +101,7 @@ class LastingContact {
   /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball hardly
   /// turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double press) const {
-    constexpr double hardly = 0.01;  // [rad/s]
+    constexpr double hardly = 0.1;  // [rad/s]
     const Vec3 w = across(turning, inward);
     const double most = rules_.rolling_friction * ball_.radius * std::max(press, 0.0);
     return -(most / std::sqrt(squared(w) + hardly * hardly)) * w;

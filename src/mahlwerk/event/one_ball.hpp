@@ -176,7 +176,7 @@ class OneBall final : public scene::Engine {
   }
 
   /// Whether the bounces that follow would all be over before the wall's hold on the ball has changed: then
-  /// they are countless and the ball has come to stay (evt.11a).
+  /// they are countless and the ball has come to stay (evt.19).
   bool collapses(int face) const {
     if (rules_.lasting != Lasting::roll || rebound_ >= rules_.lasting_speed) return false;
     const Passing& p = now_.ball;

@@ -12,7 +12,7 @@ enum class Lasting { roll, tc, none };
 /// How one ball and its jar meet, and how the engine treats collapse.
 struct Rules {
   contact::BounceRule bounce;
-  double lasting_friction = 0.3;  ///< mu of lasting contacts; they need a limit even where bounces have none
+  double lasting_friction = 0.3;  ///< mu of lasting contacts; they need a limit (evt.15)
   double rolling_friction = 0;    ///< mu_r of lasting contacts
   Lasting lasting = Lasting::roll;
   double lasting_speed = 1e-4;  ///< [m/s] a slower rebound, pressed to the wall, has come to stay

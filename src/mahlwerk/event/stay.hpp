@@ -19,7 +19,7 @@ struct Stride {
 
 /// `rate(t, y, forces)` is the derivative; `first` its value at the start.
 template <class Rate>
-[[gnu::flatten]] Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h, double radius) {
+Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h, double radius) {
   const Rest& a = first;
   Reaction forces;
   const Rest b = rate(t + h / 5, y + h / 5 * a, forces);

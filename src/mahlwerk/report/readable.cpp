@@ -28,9 +28,10 @@ constexpr std::array labels{
     Words{"energy_balance", "energy balance residual"},
 };
 
-/// Units that take a prefix; kg and what is counted do not.
+/// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
-  constexpr std::array<std::string_view, 9> list{"J", "W", "m", "s", "m/s", "N", "Pa", "W/g", "J/g"};
+  constexpr std::array<std::string_view, 9> list{"J", "W",  "m",   "s",  "m/s",
+                                                 "N", "Pa", "W/g", "J/g"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 
@@ -43,7 +44,9 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-int decade(double size) { return static_cast<int>(std::floor(std::log10(size))); }
+int decade(double size) {
+  return static_cast<int>(std::floor(std::log10(size)));
+}
 
 /// Digits behind the point so that the half-width keeps two, or else the value four.
 int places(double value, double ci95) {
@@ -80,20 +83,32 @@ Multiple multiple(double size, std::string_view unit) {
                                 Prefix{1e-9, "n"}, Prefix{1e-12, "p"}};
   if (!takes_prefix(unit) || !(size > 0) || !std::isfinite(size)) return {1, std::string(unit)};
   for (const auto& [factor, prefix] : prefixes) {
-    const bool big = factor > 1 && (unit.starts_with("s") || unit.starts_with("m"));  // no ks, no km/s
-    if (!big && size >= 0.9995 * factor) return {factor, std::string(prefix) + std::string(unit)};
+    const bool big =
+        factor > 1 && (unit.starts_with("s") || unit.starts_with("m"));  // no ks, no km/s
+    if (!big && size >= 0.9995 * factor) return {factor, fmt::format("{}{}", prefix, unit)};
   }
-  return {1e-12, "p" + std::string(unit)};
+  return {1e-12, fmt::format("p{}", unit)};
 }
 
-Readable readable(double value, double ci95, std::string_view unit) {
+std::string Readable::text() const {
+  const bool close = unit.empty() || unit == "°";
+  return number + (close ? "" : " ") + unit;
+}
+
+Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
-  const Multiple m = multiple(std::abs(value), unit);
-  const double v = value / m.factor, ci = ci95 / m.factor;
+  const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
+  const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
   std::string shown = m.unit == "1" ? "" : m.unit == "1/s" ? "/s" : m.unit == "deg" ? "°" : m.unit;
-  const double size = std::abs(v);
-  const bool plain = size == 0 || (size >= 1e-3 && size < 1e7) || ci >= size;
+  if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
+    return {fmt::format("{:.0f}", v), ""};  // a number of things
+  const bool plain =
+      shown_size == 0 || (shown_size >= 1e-3 && shown_size < 1e7) || ci >= shown_size;
   return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};
+}
+
+std::string threshold_text(double threshold) {
+  return fmt::format("{:.6g} m/s", threshold);
 }
 
 std::string label(std::string_view name) {
@@ -111,21 +126,42 @@ std::string label(std::string_view name) {
 }
 
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
 }
 
 std::string escaped(std::string_view text) {
   std::string safe;
   for (const char c : text) {
     switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
     }
   }
+  return safe;
+}
+
+std::string with_symbols(std::string_view text) {
+  constexpr std::array symbols{Words{"u_n", "u<sub>n</sub>"}, Words{"u_t", "u<sub>t</sub>"},
+                               Words{"^2", "²"}};
+  std::string safe = escaped(text);
+  for (const auto& [plain, symbol] : symbols)
+    for (std::size_t at = safe.find(plain); at != std::string::npos;
+         at = safe.find(plain, at + symbol.size()))
+      safe.replace(at, plain.size(), symbol);
   return safe;
 }
 

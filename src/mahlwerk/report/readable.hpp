@@ -10,14 +10,21 @@
 // Numbers as people read them.
 namespace mahlwerk::report {
 
-/// "2.42 ± 0.03" with "mJ": value and half-width in one multiple of the unit, rounded where the half-width
-/// says so (to its second digit), else to four digits. What is not a number is a dash.
+/// "2.42 ± 0.03" with "mJ": value and half-width in one multiple of the unit, rounded where the
+/// half-width says so (to its second digit), else to four digits. What is not a number is a dash.
 struct Readable {
   std::string number, unit;
-  std::string text() const { return unit.empty() ? number : number + " " + unit; }
+  std::string text() const;
 };
-Readable readable(double value, double ci95, std::string_view unit);
-inline Readable readable(const results::Quantity& q) { return readable(q.value, q.ci95, q.unit); }
+/// The multiple is the one that suits `size`, for numbers shown beside each other; by default the
+/// value.
+Readable readable(double value, double ci95, std::string_view unit, double size = 0);
+inline Readable readable(const results::Quantity& q) {
+  return readable(q.value, q.ci95, q.unit);
+}
+
+/// "0.1 m/s", as the case says it rather than in a multiple.
+std::string threshold_text(double threshold);
 
 /// The largest power of 1000 not above `size` that `unit` can take: 1e-3 and "mJ" for 0.0024 J.
 struct Multiple {
@@ -34,6 +41,9 @@ std::size_t width(std::string_view text);
 
 /// Text made safe inside HTML and SVG.
 std::string escaped(std::string_view text);
+
+/// The same for a sentence with symbols: u_n^2 gets its index and its power.
+std::string with_symbols(std::string_view text);
 
 /// "10⁻³", "0.1", "250": a tick, shown as a power of ten where the number would be long.
 std::string tick_text(double value, bool as_power);

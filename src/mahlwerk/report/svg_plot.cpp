@@ -19,7 +19,9 @@ constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
 constexpr double letter = 6.6;  // average width of one at 12 px
 
-bool shown_on(double v, bool logarithmic) { return std::isfinite(v) && (!logarithmic || v > 0); }
+bool shown_on(double v, bool logarithmic) {
+  return std::isfinite(v) && (!logarithmic || v > 0);
+}
 
 /// Least and most of an axis, from what it is told or what the data hold, with a little air.
 struct Span {
@@ -88,12 +90,14 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
   measure();
   text_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" "
-      "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe UI,Helvetica,Arial,sans-serif\" "
+      "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
+      "UI,Helvetica,Arial,sans-serif\" "
       "font-size=\"12\" style=\"fill:var(--ink,#222)\">\n",
       plot.width, plot.height, escaped(plot.title));
   grid();
   legend();
-  // A clip path needs a name of its own on a page with several plots: an inner <svg> clips without one.
+  // A clip path needs a name of its own on a page with several plots: an inner <svg> clips without
+  // one.
   text_ += fmt::format(
       "<svg x=\"{0:g}\" y=\"{1:g}\" width=\"{2:g}\" height=\"{3:g}\" viewBox=\"{0:g} {1:g} {2:g} "
       "{3:g}\" overflow=\"hidden\">\n",
@@ -127,7 +131,7 @@ void Canvas::measure() {
   std::size_t widest = 0;
   for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5))
     widest = std::max(widest, width(tick_text(v, y_.logarithmic)));
-  left_ = 34 + letter * static_cast<double>(widest);
+  left_ = std::max(62.0, 34 + letter * static_cast<double>(widest));
   right_ = plot_.width - 16;
   top_ = plot_.title.empty() ? 12 : 34;
   const bool named = std::any_of(plot_.series.begin(), plot_.series.end(),
@@ -138,8 +142,8 @@ void Canvas::measure() {
 
 void Canvas::words(double x, double y, std::string_view anchor, std::string_view what,
                    std::string_view extra) {
-  text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor,
-                       extra, escaped(what));
+  text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+                       anchor, extra, escaped(what));
 }
 
 void Canvas::grid() {
@@ -160,10 +164,12 @@ void Canvas::grid() {
       "<path d=\"M{0:.1f} {1:.1f}L{0:.1f} {2:.1f}L{3:.1f} {2:.1f}\" fill=\"none\" "
       "style=\"stroke:var(--soft,#555)\"/>\n",
       left_, top_, bottom_, right_);
-  if (!plot_.title.empty()) words(left_, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
+  if (!plot_.title.empty())
+    words(left_, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
   words(0.5 * (left_ + right_), plot_.height - 8, "middle", plot_.x.label);
   const double middle = 0.5 * (top_ + bottom_);
-  words(14, middle, "middle", plot_.y.label, fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
+  words(14, middle, "middle", plot_.y.label,
+        fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
 }
 
 void Canvas::legend() {
@@ -173,8 +179,9 @@ void Canvas::legend() {
     const Series& s = plot_.series[i];
     if (s.name.empty()) continue;
     text_ += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\n", x,
-        y - 4, colours[i % colours.size()], s.mark == Mark::steps ? 3 : 2,
+        "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-dasharray=\"{}\"/>\n",
+        x, y - 4, colours[i % colours.size()], s.mark == Mark::steps ? 3 : 2,
         s.mark == Mark::line ? dashes[i / colours.size() % dashes.size()] : "");
     words(x + 24, y, "start", s.name);
     x += 44 + letter * static_cast<double>(width(s.name));
@@ -205,7 +212,8 @@ void Canvas::points(const Series& s, std::string_view colour) {
           "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {1:.1f}h6M{3:.1f} {2:.1f}h6\" stroke=\"{4}\" "
           "fill=\"none\"/>\n",
           x, cut_down(s.y[i] + s.error[i]), cut_down(s.y[i] - s.error[i]), x - 3, colour);
-    text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, colour);
+    text_ +=
+        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, colour);
   }
 }
 
@@ -215,12 +223,13 @@ void Canvas::steps(const Series& s, std::string_view colour, bool filled) {
   for (std::size_t i = 0; i < bins; ++i) {
     const double low = inside(s.x[i], x_) ? across(s.x[i]) : left_ - 10;
     if (path.empty()) path = fmt::format("M{:.1f} {:.1f}", low, bottom_ + 5);
-    path += fmt::format("V{:.1f}H{:.1f}", std::min(cut_down(s.y[i]), bottom_ + 5), across(s.x[i + 1]));
+    path +=
+        fmt::format("V{:.1f}H{:.1f}", std::min(cut_down(s.y[i]), bottom_ + 5), across(s.x[i + 1]));
   }
   if (bins > 0) path += fmt::format("V{:.1f}", bottom_ + 5);
   text_ += fmt::format(
-      "<path d=\"{0}\" fill=\"{1}\" fill-opacity=\"{2}\" stroke=\"{1}\" stroke-width=\"1.6\"/>\n", path,
-      colour, filled ? 0.15 : 0);
+      "<path d=\"{0}\" fill=\"{1}\" fill-opacity=\"{2}\" stroke=\"{1}\" stroke-width=\"1.6\"/>\n",
+      path, colour, filled ? 0.15 : 0);
 }
 
 std::vector<double> powers(double least, double most, int wanted) {
@@ -257,6 +266,8 @@ std::vector<double> ticks(double least, double most, bool logarithmic, int wante
   return list;
 }
 
-std::string svg(const Plot& plot) { return Canvas(plot).drawn(); }
+std::string svg(const Plot& plot) {
+  return Canvas(plot).drawn();
+}
 
 }  // namespace mahlwerk::report

@@ -36,12 +36,13 @@ struct Plot {
   double width = 720, height = 360;  ///< of the view box; it scales to the page
 };
 
-/// The plot as one <svg> element. Colours are those of Okabe and Ito, told apart by most colour-blind
-/// readers; text and grid follow the page's --ink, --soft and --grid where it sets them.
+/// The plot as one <svg> element. Colours are those of Okabe and Ito, told apart by most
+/// colour-blind readers; text and grid follow the page's --ink, --soft and --grid where it sets
+/// them.
 std::string svg(const Plot& plot);
 
-/// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are few,
-/// what lies between, on a logarithmic axis.
+/// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are
+/// few, what lies between, on a logarithmic axis.
 std::vector<double> ticks(double least, double most, bool logarithmic, int wanted);
 
 }  // namespace mahlwerk::report

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/report/table.hpp"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,12 +18,27 @@ std::string padded(const std::string& text, std::size_t wanted) {
   return text + std::string(wanted - std::min(wanted, width(text)), ' ');
 }
 
+/// The larger of the two sizes of a row.
+double size_of(const Row& row) {
+  const double all = std::abs(row.all->value);
+  return row.above == nullptr ? all : std::fmax(all, std::abs(row.above->value));
+}
+
 std::string trimmed(std::string text) {
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
 }
 
 }  // namespace
+
+std::string Row::all_text() const {
+  return readable(all->value, all->ci95, all->unit, size_of(*this)).text();
+}
+
+std::string Row::above_text() const {
+  if (above == nullptr) return "";
+  return readable(above->value, above->ci95, above->unit, size_of(*this)).text();
+}
 
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
   std::vector<Row> list;
@@ -40,11 +54,9 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
 }
 
 std::string table(const std::vector<results::Quantity>& quantities, double threshold) {
-  std::vector<Line> lines{
-      {"", "all collisions", "u_n >= " + readable(threshold, NAN, "m/s").text()}};
+  std::vector<Line> lines{{"", "all collisions", "u_n >= " + threshold_text(threshold)}};
   for (const Row& row : rows(quantities))
-    lines.push_back({label(row.all->name), readable(*row.all).text(),
-                     row.above != nullptr ? readable(*row.above).text() : ""});
+    lines.push_back({label(row.all->name), row.all_text(), row.above_text()});
   std::array<std::size_t, 3> widths{};
   for (const Line& line : lines)
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));

@@ -9,15 +9,19 @@
 
 namespace mahlwerk::report {
 
-/// A line of the table people read: a quantity over all collisions and, where there is one, its twin over
-/// those above the threshold.
+/// A line of the table that people read: a quantity over all collisions and, where there is one,
+/// its twin over those above the threshold.
 struct Row {
   const results::Quantity* all = nullptr;
   const results::Quantity* above = nullptr;
+
+  std::string all_text() const;    ///< both in the same multiple of their unit
+  std::string above_text() const;  ///< empty without a twin
 };
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities);
 
-/// The table for the terminal, with half-widths and readable units. `threshold` [m/s] heads its column.
+/// The table for the terminal, with half-widths and readable units. `threshold` [m/s] heads its
+/// column.
 std::string table(const std::vector<results::Quantity>& quantities, double threshold);
 
 }  // namespace mahlwerk::report

@@ -22,20 +22,24 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-std::string csv(const Table& table) {
-  std::string text;
-  const auto end_cell = [&](std::size_t i, std::size_t count) {
-    text += i + 1 < count ? ',' : '\n';
-  };
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    text += csv_cell(table.columns[i]);
-    end_cell(i, table.columns.size());
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += cell;
+    line += ',';
   }
-  for (const std::vector<double>& row : table.rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      text += csv_cell(row[i]);
-      end_cell(i, row.size());
-    }
+  if (line.empty()) return "\n";
+  line.back() = '\n';
+  return line;
+}
+
+std::string csv(const Table& table) {
+  std::string text = csv_line(table.columns);
+  for (const std::vector<double>& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const double value : row) cells.push_back(csv_cell(value));
+    text += csv_line(cells);
+  }
   return text;
 }
 

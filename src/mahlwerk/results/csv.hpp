@@ -23,6 +23,9 @@ std::string csv_cell(double value);
 /// A cell of text, quoted where it must be.
 std::string csv_cell(std::string_view text);
 
+/// Cells with commas between them and the end of the line.
+std::string csv_line(const std::vector<std::string>& cells);
+
 /// "energy_normal_mean" in "J" is "energy_normal_mean_J"; a rate in "1/s" ends in "_per_s".
 std::string column_name(std::string_view name, std::string_view unit);
 

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// check: what is wrong with a case, or what follows from it before it is run.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/cases/build.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+/// CPU seconds one simulated second takes, from a short pilot run.
+double cost(const cases::Case& what) {
+  cases::Case pilot = what;
+  pilot.run.time = 1;
+  pilot.run.settle = 0;
+  pilot.run.replicates = 1;
+  pilot.observe.collisions = false;
+  const results::Outcome outcome = campaign::run(pilot);
+  const double simulated = outcome.replicates.front().account.time;
+  return simulated > 0 ? outcome.cpu_seconds / simulated : 0;
+}
+
+struct Checked {
+  cases::Case what;
+  std::vector<cases::Consequence> follows;
+  std::vector<Fault> engine;
+};
+
+Checked look_at(const Request& request, const std::filesystem::path& file,
+                const cases::Catalogue& known) {
+  const std::vector<cases::Override> set = overrides(request);
+  Checked c;
+  c.what = cases::read(file, known, set);
+  const std::vector<cases::Case> points = campaign::points(c.what, known, set);
+  const cases::Case& first = points.front();
+  c.follows = cases::consequences(first);
+  c.engine = cases::engine_faults(first);
+  if (!c.engine.empty()) return c;
+  const double seconds = static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
+                         (first.run.time + first.run.settle);
+  const double cores = std::max(1U, std::thread::hardware_concurrency());
+  c.follows.push_back({"run_time", cost(first) * seconds / cores, "s",
+                       "estimate on this machine, all cores, from a pilot of one simulated second"});
+  return c;
+}
+
+void print(const Checked& c, const std::filesystem::path& file) {
+  fmt::print("{}: fine\n\n", file.string());
+  for (const cases::Consequence& one : c.follows)
+    fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
+  std::string assumed;
+  for (const cases::Origin& origin : c.what.origins)
+    if (origin.assumed) assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
+  if (!assumed.empty()) fmt::print("\nassumed, because the case does not say it:\n{}", assumed);
+  if (!c.engine.empty())
+    fmt::print("\nThis version cannot run it:\n{}\n", mahlwerk::describe(c.engine));
+}
+
+}  // namespace
+
+int check(const Request& request) {
+  const cases::Catalogue known = catalogue();
+  auto json = nlohmann::ordered_json::array();
+  std::vector<Fault> wrong;
+  bool runs = true;
+  for (const std::filesystem::path& file : case_files(request.target)) try {
+      const Checked c = look_at(request, file, known);
+      runs = runs && c.engine.empty();
+      if (!request.json) {
+        print(c, file);
+        continue;
+      }
+      auto follows = nlohmann::ordered_json::object();
+      for (const cases::Consequence& one : c.follows)
+        follows[one.name] = {{"value", one.value}, {"unit", one.unit}, {"about", one.about}};
+      json.push_back({{"file", file.string()}, {"title", c.what.title}, {"follows", follows},
+                      {"runs", c.engine.empty()}});
+    } catch (const InputError& e) {
+      wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
+    }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  if (request.json) fmt::print("{}\n", json.dump(2));
+  return runs ? fine : bad_input;
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/csv.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+namespace fs = std::filesystem;
+using results::Quantity;
+
+/// What a campaign's page shows; campaign.csv has everything.
+constexpr std::array<std::string_view, 4> chosen{
+    "collision_rate_above_threshold", "energy_normal_mean_above_threshold",
+    "energy_contact_point_mean_above_threshold", "dissipated_power"};
+
+/// "400 rpm" is 400 and "rpm"; a word is NaN and all of it.
+struct Split {
+  double number = NAN;
+  std::string_view rest;
+};
+Split split(std::string_view text) {
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc{}) return {NAN, text};
+  std::string_view rest = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  return {number, rest};
+}
+
+/// A key whose values are all numbers of one unit can be an axis and a column of numbers.
+bool is_number(const Campaign& c, std::size_t key) {
+  return std::all_of(c.points.begin(), c.points.end(), [&](const Point& p) {
+    const Split s = split(p.values[key]);
+    return std::isfinite(s.number) && s.rest == c.swept[key].unit;
+  });
+}
+
+std::string csv_value(const Campaign& c, const Point& p, std::size_t key) {
+  return is_number(c, key) ? results::csv_cell(split(p.values[key]).number)
+                           : results::csv_cell(p.values[key]);
+}
+
+/// "%" is no name for a column.
+std::string column_of(const Swept& s) {
+  return results::column_name(s.key, s.unit == "%" ? "percent" : s.unit);
+}
+
+const Quantity* named(const Point& p, std::string_view name) {
+  const auto found = std::find_if(p.quantities.begin(), p.quantities.end(),
+                                  [&](const Quantity& q) { return q.name == name; });
+  return found == p.quantities.end() ? nullptr : &*found;
+}
+
+std::string point_table(const Campaign& c) {
+  std::string head, body;
+  for (const Swept& s : c.swept) head += fmt::format("<th>{}</th>", escaped(s.key));
+  for (const std::string_view name : chosen)
+    head += fmt::format("<th class=\"n\">{}</th>", escaped(label(name)));
+  for (const Point& p : c.points) {
+    body += "<tr>";
+    for (std::size_t i = 0; i < p.values.size(); ++i) {
+      const std::string text = escaped(p.values[i]);
+      const bool link = i == 0 && !p.folder.empty();
+      body +=
+          link ? fmt::format("<td><a href=\"{}\">{}</a></td>",
+                             escaped((fs::path(p.folder) / "report.html").generic_string()), text)
+               : fmt::format("<td>{}</td>", text);
+    }
+    for (const std::string_view name : chosen) {
+      const Quantity* q = named(p, name);
+      body +=
+          fmt::format("<td class=\"n\">{}</td>", q != nullptr ? escaped(readable(*q).text()) : "");
+    }
+    body += "</tr>\n";
+  }
+  return fmt::format(
+      "<h2>Points</h2>\n<div "
+      "class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
+      "\n</table></div>\n<p><small>± is the 95 % confidence half-width over independent replicates "
+      "(Student's t).</small></p>\n",
+      head, body);
+}
+
+/// The points of one line of a plot: what the keys other than the axis say, and their place in the
+/// list.
+std::map<std::string, std::vector<const Point*>> lines(const Campaign& c, std::size_t axis) {
+  std::map<std::string, std::vector<const Point*>> found;
+  for (const Point& p : c.points) {
+    std::string others;
+    for (std::size_t i = 0; i < p.values.size(); ++i) {
+      if (i != axis) others += (others.empty() ? "" : ", ") + p.values[i];
+    }
+    found[others].push_back(&p);
+  }
+  for (auto& [others, points] : found)
+    std::stable_sort(points.begin(), points.end(), [&](const Point* a, const Point* b) {
+      return split(a->values[axis]).number < split(b->values[axis]).number;
+    });
+  return found;
+}
+
+std::string plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
+  double most = 0;
+  std::string unit;
+  for (const Point& p : c.points) {
+    const Quantity* q = named(p, name);
+    if (q == nullptr || !std::isfinite(q->value)) continue;
+    most = std::max(most, std::abs(q->value));
+    unit = q->unit;
+  }
+  const Multiple m = multiple(most, unit);
+  const Swept& s = c.swept[axis];
+  Plot plot;
+  plot.title = label(name);
+  plot.x.label = s.unit.empty() ? s.key : fmt::format("{} ({})", s.key, s.unit);
+  plot.y.label = m.unit == "1" ? label(name) : m.unit;
+  if (m.unit == "1/s") plot.y.label = "per second";
+  plot.height = 320;
+  for (const auto& [others, points] : lines(c, axis)) {
+    Series series{.name = others, .x = {}, .y = {}, .error = {}, .mark = Mark::points};
+    for (const Point* p : points) {
+      const Quantity* q = named(*p, name);
+      if (q == nullptr) continue;
+      series.x.push_back(split(p->values[axis]).number);
+      series.y.push_back(q->value / m.factor);
+      series.error.push_back(q->ci95 / m.factor);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return figure(plot, "");
+}
+
+}  // namespace
+
+std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points) {
+  std::vector<Swept> list;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string_view unit = points.empty() ? "" : split(points.front().values[i]).rest;
+    const bool shared = std::all_of(points.begin(), points.end(), [&](const Point& p) {
+      const Split s = split(p.values[i]);
+      return std::isfinite(s.number) && s.rest == unit;
+    });
+    list.push_back({keys[i], shared ? std::string(unit) : ""});
+  }
+  return list;
+}
+
+std::string campaign_page(const Campaign& c, std::string_view version) {
+  std::string keys;
+  for (const Swept& s : c.swept) keys += (keys.empty() ? "" : ", ") + s.key;
+  std::string body = fmt::format("<p class=\"lead\">{} points; what varies: {}.</p>\n",
+                                 c.points.size(), escaped(keys));
+  body += point_table(c);
+  for (std::size_t i = 0; i < c.swept.size(); ++i) {
+    if (c.points.empty() || !is_number(c, i)) continue;
+    for (const std::string_view name : chosen) body += plot_of(c, i, name);
+    break;
+  }
+  return page(c.title, body,
+              fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
+                          escaped(version)));
+}
+
+std::string campaign_csv(const Campaign& c) {
+  std::vector<std::string> heads{"point"};
+  const std::vector<Quantity> none;
+  const std::vector<Quantity>& quantities = c.points.empty() ? none : c.points.front().quantities;
+  for (const Swept& s : c.swept) heads.push_back(results::csv_cell(column_of(s)));
+  for (const Quantity& q : quantities) {
+    heads.push_back(results::column_name(q.name, q.unit));
+    heads.push_back(results::column_name(q.name + "_ci95", q.unit));
+  }
+  std::string text = results::csv_line(heads);
+  for (std::size_t i = 0; i < c.points.size(); ++i) {
+    const Point& p = c.points[i];
+    std::vector<std::string> cells{std::to_string(i + 1)};
+    for (std::size_t k = 0; k < c.swept.size(); ++k) cells.push_back(csv_value(c, p, k));
+    for (const Quantity& q : quantities) {
+      const Quantity* own = named(p, q.name);
+      cells.push_back(results::csv_cell(own != nullptr ? own->value : NAN));
+      cells.push_back(results::csv_cell(own != nullptr ? own->ci95 : NAN));
+    }
+    text += results::csv_line(cells);
+  }
+  return text;
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr std::string_view style = R"css(
+:root{--ink:#1d2329;--soft:#59636e;--grid:#e3e6ea;--paper:#fff;--box:#f5f7f9;--edge:#d5dae0;--warn:#9a3412;--warnbox:#fff4ed;color-scheme:light dark}
+@media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--soft:#a3adb8;--grid:#30363d;--paper:#14181c;--box:#1d2329;--edge:#39424b;--warn:#fdba74;--warnbox:#33200f}
+ svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
+main{max-width:60rem;margin:0 auto;padding:2.2rem 1.4rem 3rem}
+h1{font-size:1.75rem;line-height:1.2;margin:0 0 .5rem;text-wrap:balance}
+h2{font-size:1.15rem;margin:2.2rem 0 .7rem}
+.lead{font-size:1.08rem;margin:0 0 1.4rem;max-width:48rem}
+table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums;font-size:.93rem}
+.wide{overflow-x:auto}
+th,td{padding:.38rem .7rem;border-bottom:1px solid var(--edge);text-align:left;vertical-align:baseline}
+th{font-weight:600}thead th{color:var(--soft);font-size:.85rem;border-bottom:2px solid var(--edge)}
+td.n,th.n{text-align:right;white-space:nowrap}
+tbody th{font-weight:400}tbody th small{display:block;color:var(--soft);font-size:.8rem;line-height:1.35}
+.box{background:var(--box);border:1px solid var(--edge);border-radius:6px;padding:.9rem 1.1rem;margin:1.2rem 0}
+.box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}
+.box tr:last-child td{border-bottom:0}
+.warn{border-color:var(--warn);background:var(--warnbox);color:var(--warn)}
+figure{margin:1.6rem 0;break-inside:avoid}figure svg{display:block;width:100%;height:auto}
+figcaption,footer{color:var(--soft);font-size:.86rem}figcaption{margin-top:.35rem;max-width:48rem}
+pre{overflow-x:auto;background:var(--box);border:1px solid var(--edge);border-radius:6px;padding:.9rem;font:.82rem/1.45 ui-monospace,Menlo,Consolas,monospace}
+code{font:.88em ui-monospace,Menlo,Consolas,monospace}
+summary{cursor:pointer;font-weight:600}a{color:inherit}
+footer{margin-top:2.5rem;border-top:1px solid var(--edge);padding-top:.8rem}
+@media print{:root{--ink:#000;--soft:#444;--grid:#ddd;--paper:#fff;--box:#fff;--edge:#bbb}
+ body{font-size:10.5pt}main{max-width:none;padding:0}tr{break-inside:avoid}h2{break-after:avoid}}
+)css";
+
+}  // namespace
+
+std::string page(std::string_view title, std::string_view body, std::string_view footer) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}"
+      "<footer>{3}</footer>\n</main>\n</body>\n</html>\n",
+      escaped(title), style, body, footer);
+}
+
+std::string figure(const Plot& plot, std::string_view caption) {
+  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", svg(plot),
+                     escaped(caption));
+}
+
+}  // namespace mahlwerk::report

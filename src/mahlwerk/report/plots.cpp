@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/tables.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::Table;
+
+std::vector<double> column(const Table& table, std::string_view name, double factor = 1) {
+  const auto place = std::find(table.columns.begin(), table.columns.end(), name);
+  const auto i = static_cast<std::size_t>(place - table.columns.begin());
+  std::vector<double> values;
+  for (const auto& row : table.rows) values.push_back(row[i] / factor);
+  return values;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, v);
+  return most;
+}
+
+}  // namespace
+
+Plot spectrum_plot(const results::Outcome& outcome) {
+  // A settling ball bounces ever smaller, over any number of decades: the top seven tell the story.
+  constexpr double decades = 1e7, depth = 1e5;
+  const Table table = results::spectrum(outcome);
+  std::vector<double> edges = column(table, "energy_low_J");
+  if (!table.rows.empty()) edges.push_back(table.rows.back()[1]);
+  const Multiple unit = multiple(largest(edges), "J");
+  for (double& e : edges) e /= unit.factor;
+  const auto normal = column(table, "rate_normal_per_s");
+  const auto point = column(table, "rate_contact_point_per_s");
+  Plot plot{"Spectrum of impact energies",
+            {fmt::format("energy of one collision ({})", unit.unit), true},
+            {"collisions per second and bin", true},
+            {{"normal motion", edges, normal, {}, Mark::steps},
+             {"contact point (normal and slip)", edges, point, {}, Mark::steps}}};
+  const double most = largest(edges), often = std::max(largest(normal), largest(point));
+  if (edges.size() > 2 && edges[1] < most / decades) plot.x.least = most / decades;
+  if (often > 0) {
+    double rare = often;
+    for (const auto* values : {&normal, &point})
+      for (const double v : *values)
+        if (v > 0) rare = std::min(rare, v);
+    plot.y.least = std::max(0.7 * rare, often / depth);
+  }
+  return plot;
+}
+
+Plot rate_plot(const results::Outcome& outcome) {
+  const Table table = results::time_series(outcome);
+  const std::string threshold = threshold_text(outcome.what.observe.threshold);
+  return {.title = "Collisions with a normal speed of at least " + threshold,
+          .x = {.label = "time (s)", .least = 0},
+          .y = {.label = "collisions per second"},
+          .series = {{"",
+                      column(table, "time_s"),
+                      column(table, "collision_rate_above_threshold_per_s"),
+                      {},
+                      Mark::line}},
+          .height = 260};
+}
+
+Plot power_plot(const results::Outcome& outcome) {
+  const Table table = results::time_series(outcome);
+  const auto dissipated = column(table, "dissipated_power_W");
+  const Multiple unit = multiple(largest(dissipated), "W");
+  const auto time = column(table, "time_s");
+  return {
+      .title = "Power",
+      .x = {.label = "time (s)", .least = 0},
+      .y = {.label = fmt::format("power ({})", unit.unit)},
+      .series =
+          {{"dissipated", time, column(table, "dissipated_power_W", unit.factor), {}, Mark::line},
+           {"drawn from the jar",
+            time,
+            column(table, "drawn_power_W", unit.factor),
+            {},
+            Mark::line}},
+      .height = 280};
+}
+
+}  // namespace mahlwerk::report

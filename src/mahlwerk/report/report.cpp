@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/plots.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/writer.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::Outcome;
+using results::Quantity;
+
+/// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
+/// allow.
+constexpr double closed_collision = 1e-9, closed_run = 1e-6;
+
+const Quantity& named(const std::vector<Quantity>& list, std::string_view name) {
+  return *std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
+}
+
+std::string shown(const std::vector<Quantity>& list, std::string_view name) {
+  return readable(named(list, name)).text();
+}
+
+std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& list) {
+  std::string body;
+  for (const Row& row : rows(list)) {
+    const std::string title = label(row.all->name);
+    body += fmt::format(
+        "<tr><th scope=\"row\">{}<small>{}</small></th><td class=\"n\">{}</td><td "
+        "class=\"n\">{}</td></tr>\n",
+        escaped(title), with_symbols(row.all->about), escaped(row.all_text()),
+        escaped(row.above_text()));
+  }
+  return fmt::format(
+      "<h2>Results</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">all "
+      "collisions</th><th class=\"n\">u<sub>n</sub> ≥ {}</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+      "</table></div>\n<p><small>± is the 95 % confidence half-width over independent replicates "
+      "(Student's t). u<sub>n</sub> is the normal speed at first touch.</small></p>\n",
+      threshold_text(outcome.what.observe.threshold), body);
+}
+
+std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
+                       std::string_view heading, std::string_view words) {
+  std::string lines;
+  for (const cases::Origin& o : outcome.what.origins) {
+    if (o.*chosen)
+      lines += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n",
+                           escaped(o.key), escaped(o.value), escaped(o.source));
+  }
+  if (lines.empty()) return "";
+  return fmt::format(
+      "<section class=\"box\"><h2>{}</h2>\n<p>{}</p>\n<div "
+      "class=\"wide\"><table><tbody>\n{}</tbody>"
+      "</table></div></section>\n",
+      heading, words, lines);
+}
+
+std::string warning_box(const Outcome& outcome) {
+  std::string lines;
+  for (const std::string& w : warnings(outcome)) lines += fmt::format("<p>{}</p>\n", escaped(w));
+  return lines.empty() ? "" : "<section class=\"box warn\">" + lines + "</section>\n";
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Outcome& outcome) {
+  std::vector<std::string> list;
+  const std::vector<Quantity> quantities = results::summarise(outcome);
+  if (results::averaged(outcome).empty())
+    list.emplace_back("No time was counted: there is no result.");
+  if (outcome.interrupted && !results::complete(outcome))
+    list.emplace_back(
+        "The run was interrupted: these numbers come from the part that was computed.");
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
+    if (!outcome.replicates[i].stopped.empty())
+      list.push_back(
+          fmt::format("Replicate {} was stopped: {}", i + 1, outcome.replicates[i].stopped));
+  }
+  const double collision = named(quantities, "energy_residual").value;
+  if (!(collision <= closed_collision))
+    list.push_back(
+        fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
+                    "{:.0e} is expected.",
+                    collision, closed_collision));
+  const double run = named(quantities, "energy_balance").value;
+  if (!(run <= closed_run))
+    list.push_back(fmt::format(
+        "The energy balance of a run does not close: residual {:.1e}, at most {:.0e} is expected.",
+        run, closed_run));
+  return list;
+}
+
+std::string sentence(const Outcome& outcome) {
+  const std::vector<Quantity> list = results::summarise(outcome);
+  const double count = named(list, "replicates").value;
+  if (count == 0) return "No time was counted.";
+  const Quantity& rate = named(list, "collision_rate_above_threshold");
+  std::string text =
+      fmt::format("In {} of {:.4g} s there were {} collisions per second",
+                  count == 1 ? "one run" : fmt::format("{:.0f} runs", count),
+                  named(list, "simulated_time").value, readable(rate.value, rate.ci95, "").text());
+  text += fmt::format(" with a normal speed of at least {}",
+                      threshold_text(outcome.what.observe.threshold));
+  if (std::isfinite(named(list, "energy_normal_mean_above_threshold").value))
+    text += fmt::format(", of {} each along the normal and {} with the motion along the wall",
+                        shown(list, "energy_normal_mean_above_threshold"),
+                        shown(list, "energy_contact_point_mean_above_threshold"));
+  return text + fmt::format("; {} were dissipated in all.", shown(list, "dissipated_power"));
+}
+
+std::string report_page(const Outcome& outcome, std::string_view version) {
+  const std::vector<Quantity> list = results::summarise(outcome);
+  const std::string& given = outcome.what.title;
+  std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
+  body += warning_box(outcome);
+  body += quantity_table(outcome, list);
+  if (!results::averaged(outcome).empty()) {
+    body += "<h2>How hard</h2>\n";
+    body +=
+        figure(spectrum_plot(outcome),
+               "Collisions per second in each bin of energy (four bins an octave). The faintest "
+               "bounces are left out; spectrum.csv has them all, and the dissipated energy too.");
+    body += "<h2>How steady</h2>\n";
+    body += figure(rate_plot(outcome),
+                   "Each point is a mean over a stretch of time and the replicates.");
+    body += figure(
+        power_plot(outcome),
+        "What the jar puts in and what is lost in collisions and lasting contacts. In the long "
+        "run the two are equal.");
+  }
+  body += "<h2>What it rests on</h2>\n";
+  body += origin_box(
+      outcome, &cases::Origin::assumed, "Assumed, not measured",
+      "Values the case did not give. If one of them matters to you, measure it and say it.");
+  body += origin_box(outcome, &cases::Origin::unverified, "From weak sources",
+                     "Values whose source could not be verified.");
+  body += fmt::format(
+      "<details><summary>The case, every value with its origin</summary>\n<pre>{}</pre>"
+      "</details>\n",
+      escaped(cases::write(outcome.what)));
+  const std::string footer = fmt::format(
+      "Mahlwerk {}, {} engine, seed {}, {:.3g} s of computing. The numbers are in summary.json and "
+      "the "
+      "CSV files beside this page.",
+      escaped(version), escaped(outcome.what.run.engine), outcome.what.seed, outcome.cpu_seconds);
+  return page(given.empty() ? "A ball mill" : given, body, footer);
+}
+
+void write(const results::Folder& folder, const Outcome& outcome, std::string_view version,
+           std::string_view below) {
+  results::write(folder, outcome, version, below);
+  folder.write(std::string(below) + "report.html", report_page(outcome, version));
+}
+
+}  // namespace mahlwerk::report

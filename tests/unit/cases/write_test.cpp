@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using namespace sample;
+
+/// A catalogue without any entry: a resolved case needs none.
+const Catalogue& nothing() {
+  static const Folder folder;
+  static const Catalogue empty = [] {
+    std::filesystem::create_directories(folder.path() / "mills");
+    return Catalogue(folder.path());
+  }();
+  return empty;
+}
+
+void expect_round_trip(const Case& c, const std::string& file = "case.toml") {
+  const std::string text = write(c);
+  try {
+    EXPECT_TRUE(read_text(text, file, nothing()) == c) << text;
+  } catch (const InputError& error) {
+    ADD_FAILURE() << error.what() << "\n" << text;
+  }
+}
+
+TEST(WriteCase, what_was_read_is_read_back_without_the_catalogue) {
+  expect_round_trip(read_sample(vial));
+  expect_round_trip(read_sample(planetary));
+  expect_round_trip(read_sample(drum));
+  expect_round_trip(read_sample(vial, {{"seed", "18446744073709551615"}}));
+  expect_round_trip(read_sample(vial, {{"title", R"(a "quoted" \ title)"}}));
+  Case c = read_sample(vial);
+  c.title = "two\nlines\tand a bell \a, \u00b5m";
+  expect_round_trip(c);
+  expect_round_trip(read_sample(vial + "[sweep]\n\"mill.frequency\" = [\"13 Hz\", \"16 "
+                                       "Hz\"]\n\"contact.restitution\" = [0.9, 1]\n"));
+}
+
+TEST(WriteCase, the_example_is_read_back) {
+  const std::filesystem::path home = MAHLWERK_HOME;
+  expect_round_trip(read(home / "examples/01-one-ball/case.toml", Catalogue(home / "catalogue")));
+}
+
+TEST(WriteCase, every_entry_of_the_real_catalogue_that_is_complete_is_read_back) {
+  const Catalogue real(std::filesystem::path(MAHLWERK_HOME) / "catalogue");
+  int complete = 0;
+  for (const std::string& jar : real.names("jars")) {
+    const std::string text =
+        with(with(with(vial, "kind = \"capsule", "model = \"" + jar + "\""), "diameter", ""),
+             "volume", "");
+    expect_round_trip(read_text(text, "case.toml", real));
+    ++complete;
+  }
+  EXPECT_GT(complete, 3);
+}
+
+TEST(WriteCase, origins_stand_behind_the_values_on_one_line) {
+  Case c = read_sample(planetary);
+  const std::string text = write(c);
+  EXPECT_NE(text.find("orbit_radius = \"70 mm\""), std::string::npos);
+  EXPECT_NE(text.find("# catalogue mills/p7: test sheet"), std::string::npos);
+  EXPECT_NE(text.find("# default: "), std::string::npos);
+  for (Origin& o : c.origins) o.source = "evil\nseed = 5\r\n[x]";
+  expect_round_trip(c);
+}
+
+TEST(WriteCase, a_measured_motion_keeps_its_file) {
+  const Folder folder;
+  folder.write("motion.csv",
+               "time_s,x_m,y_m,z_m\n0,0,0,0\n0.1,0,0,0.01\n0.2,0,0,-0.01\n0.3,0,0,0\n");
+  folder.write(
+      "case.toml",
+      with(with(with(vial, "kind", "kind = \"tabulated\"\nfile = \"motion.csv\""), "frequency", ""),
+           "amplitude", ""));
+  const auto file = folder.path() / "case.toml";
+  expect_round_trip(read(file, catalogue()), file.string());
+}
+
+/// Cases drawn at random over the registers, odd digits and all.
+class AnyCase {
+ public:
+  explicit AnyCase(std::uint32_t stream) : random_(11, stream) {}
+
+  Case draw() {
+    Case c;
+    c.title = "random";
+    c.seed = static_cast<std::uint64_t>(random_.uniform() * 1.8e19);
+    c.gravity = random_.uniform(0, 20);
+    pick(c.mill.motion);
+    c.mill.jar_axis = flip() ? kinematics::upright : kinematics::lying;
+    c.mill.model = flip() ? "some mill" : "";
+    pick(c.jar.shape);
+    c.jar.material = flip() ? "steel" : "";
+    const double room = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+    for (int n = flip() ? 1 : 2; n > 0; --n)
+      c.balls.push_back({flip() ? 1 : 2, room * random_.uniform(0.01, 0.4),
+                         random_.uniform(900, 16000), flip() ? "steel" : ""});
+    if (flip()) draw_powder(c.powder.emplace());
+    draw_contact(c.contact);
+    c.run = {flip() ? "event" : "soft", size(), size(), whole(10000), size(), size()};
+    c.observe = {size(), flip()};
+    if (flip()) c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
+    if (flip()) c.sweep["title"] = {"12 mm", "a \"b\"", "true"};
+    return c;
+  }
+
+ private:
+  bool flip() { return random_.uniform() < 0.5; }
+  double size() { return std::pow(10, random_.uniform(-5, 4)); }
+  std::int64_t whole(int most) {
+    return 1 + static_cast<std::int64_t>(random_.uniform(0, most - 1));
+  }
+
+  /// A number within a field's range.
+  double within(const Range& r) {
+    const double low = std::isfinite(r.least) ? r.least : -size();
+    return std::isfinite(r.most) ? random_.uniform(low, r.most) : low + size();
+  }
+  template <class... Models>
+  void pick(std::variant<Models...>& model) {
+    const auto which = static_cast<std::size_t>(random_.uniform(0, sizeof...(Models)));
+    std::size_t i = 0;
+    ((i++ == which ? (void)(model = draw_model<Models>()) : void()), ...);
+  }
+  template <class M>
+  M draw_model() {
+    M m{};
+    for (const auto& field : M::fields()) m.*field.value = within(field.range);
+    if constexpr (requires { m.fillet; })
+      m.fillet = random_.uniform(0.01, 0.5) * std::min(m.diameter, m.height);
+    return m;
+  }
+  void draw_powder(Powder& powder) {
+    powder.mass = size();
+    if (flip()) powder.size = size();
+    if (flip()) {
+      powder.density = size();
+      powder.material = "tic";
+    }
+  }
+  void draw_contact(Contact& contact) {
+    contact.law = flip() ? "hertz-tsuji" : "jkr";
+    contact.rule = {random_.uniform(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
+    contact.lasting_friction = size();
+    contact.rolling_friction = size();
+    contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;
+    contact.lasting_speed = size();
+    contact.contact_time = size();
+  }
+
+  Random random_;
+};
+
+TEST(WriteCase, random_cases_over_the_registers_are_read_back) {
+  int tried = 0;
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    const Case c = AnyCase(i).draw();
+    if (std::holds_alternative<kinematics::Tabulated>(c.mill.motion)) continue;  // has its own test
+    if (!faults(c).empty()) continue;
+    expect_round_trip(c);
+    ++tried;
+  }
+  EXPECT_GT(tried, 300);
+}
+
+}  // namespace
+}  // namespace mahlwerk::cases
