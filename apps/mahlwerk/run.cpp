@@ -97,6 +97,8 @@ void write(const Job& job, const std::vector<results::Outcome>& outcomes) {
     const report::Campaign campaign = campaign_of(job, outcomes);
     job.folder->write("campaign.csv", report::campaign_csv(campaign));
     job.folder->write("campaign.html", report::campaign_page(campaign, version()));
+    for (const auto& [name, picture] : report::campaign_figures(campaign))
+      job.folder->write(name, picture);
   }
   job.folder->commit();
 }

@@ -98,6 +98,12 @@ void multiply_factor(Measure& m, std::string_view factor, int sign) {
   multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 }  // namespace
 
 Measure parse_unit(std::string_view given) {
@@ -109,9 +115,7 @@ Measure parse_unit(std::string_view given) {
   int sign = 1;
   for (bool first = true;; first = false) {
     const std::size_t to = std::min(text.find_first_of("*/", from), text.size());
-    std::string_view factor = std::string_view(text).substr(from, to - from);
-    while (!factor.empty() && factor.front() == ' ') factor.remove_prefix(1);
-    while (!factor.empty() && factor.back() == ' ') factor.remove_suffix(1);
+    const std::string_view factor = trimmed(std::string_view(text).substr(from, to - from));
     if (!(first && factor == "1" && to < text.size())) multiply_factor(m, factor, sign);
     if (to == text.size()) return m;
     sign = text[to] == '/' ? -1 : 1;

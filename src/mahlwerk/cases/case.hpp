@@ -61,8 +61,8 @@ struct Contact {
   double lasting_friction = 0;        ///< mu of lasting contacts of the event engine
   double rolling_friction = 0;        ///< mu_r
   Lasting lasting = Lasting::roll;
-  double lasting_speed =
-      0;  ///< [m/s] a rebound slower than this, pressed to the wall, has come to stay
+  /// [m/s] a rebound slower than this, pressed to the wall, has come to stay
+  double lasting_speed = 0;
   double contact_time = 0;  ///< [s] t_c of the TC rule
   bool operator==(const Contact&) const = default;
 };
@@ -85,11 +85,10 @@ struct Observe {
 
 /// Where one value of a resolved case came from.
 struct Origin {
-  std::string key;          ///< "mill.amplitude", "balls.1.density"
-  std::string value;        ///< as a user would write it
-  std::string source;       ///< "case.toml:9", "--set", "catalogue mills/fritsch-p7-classic: ...",
-                            ///< "default: ..."
-  bool assumed = false;     ///< a default the user did not choose
+  std::string key;       ///< "mill.amplitude", "balls.1.density"
+  std::string value;     ///< as a user would write it
+  std::string source;    ///< "case.toml:9", "--set run.time", "catalogue ...: ...", "default: ..."
+  bool assumed = false;  ///< a default the user did not choose
   bool unverified = false;  ///< its source is weak
 };
 

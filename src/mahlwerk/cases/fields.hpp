@@ -31,9 +31,10 @@ constexpr auto ball_fields() {
 
 constexpr auto contact_fields() {
   return std::array{
-      Field<Contact>{"lasting_friction", "", &Contact::lasting_friction, not_negative,
-                     "Coulomb's friction coefficient of lasting contacts", 0.3,
-                     "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none"},
+      Field<Contact>{
+          "lasting_friction", "", &Contact::lasting_friction, not_negative,
+          "Coulomb's friction coefficient of lasting contacts", 0.3,
+          "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none"},
       Field<Contact>{"rolling_friction", "", &Contact::rolling_friction, not_negative,
                      "rolling resistance over normal force", 0.01, "uncalibrated, 0-0.1"},
       Field<Contact>{"lasting_speed", "m/s", &Contact::lasting_speed, not_negative,

@@ -99,7 +99,7 @@ class CaseReader {
   void fill_from_sweep(const std::map<std::string, std::string>& places) {
     for (const auto& [key, values] : c_.sweep) {
       if (holds(root_, key)) continue;
-      const std::string where = places.at(key);
+      const std::string& where = places.at(key);
       Node value = loose_value(values.front(), where, Rank::sweep);
       value.source = fmt::format("first of [sweep] \"{}\"", key);
       const std::string trouble = put(root_, key, std::move(value));

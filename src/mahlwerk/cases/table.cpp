@@ -15,8 +15,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-using std::string_view_literals::operator""sv;
-
 constexpr std::string_view ball_sets = "balls";  // the one list of tables in a case
 
 void fill(Node& node, const toml::node& from, const std::string& file);
@@ -128,7 +126,8 @@ Node parse_tree(std::string_view text, const std::string& file) {
 Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   Node node;
   try {
-    const toml::table table = toml::parse(fmt::format("value = {}", text), "value"sv);
+    const toml::table table =
+        toml::parse(fmt::format("value = {}", text), std::string_view("value"));
     if (table.size() == 1) fill(node, *table.get("value"), "value");
   } catch (const toml::parse_error&) {
     node.kind = Node::Kind::other;

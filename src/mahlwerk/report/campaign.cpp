@@ -112,7 +112,7 @@ std::map<std::string, std::vector<const Point*>> lines(const Campaign& c, std::s
   return found;
 }
 
-std::string plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
+Plot plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
   double most = 0;
   std::string unit;
   for (const Point& p : c.points) {
@@ -140,7 +140,14 @@ std::string plot_of(const Campaign& c, std::size_t axis, std::string_view name) 
     }
     plot.series.push_back(std::move(series));
   }
-  return figure(plot, "");
+  return plot;
+}
+
+/// The first key that can be an axis, or their number if there is none.
+std::size_t axis_of(const Campaign& c) {
+  std::size_t i = 0;
+  while (i < c.swept.size() && (c.points.empty() || !is_number(c, i))) ++i;
+  return i;
 }
 
 }  // namespace
@@ -164,11 +171,8 @@ std::string campaign_page(const Campaign& c, std::string_view version) {
   std::string body = fmt::format("<p class=\"lead\">{} points; what varies: {}.</p>\n",
                                  c.points.size(), escaped(keys));
   body += point_table(c);
-  for (std::size_t i = 0; i < c.swept.size(); ++i) {
-    if (c.points.empty() || !is_number(c, i)) continue;
-    for (const std::string_view name : chosen) body += plot_of(c, i, name);
-    break;
-  }
+  if (const std::size_t axis = axis_of(c); axis < c.swept.size())
+    for (const std::string_view name : chosen) body += figure(plot_of(c, axis, name), "");
   return page(c.title, body,
               fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
                           escaped(version)));
@@ -196,6 +200,14 @@ std::string campaign_csv(const Campaign& c) {
     text += results::csv_line(cells);
   }
   return text;
+}
+
+std::map<std::string, std::string> campaign_figures(const Campaign& c) {
+  std::map<std::string, std::string> figures;
+  if (const std::size_t axis = axis_of(c); axis < c.swept.size())
+    for (const std::string_view name : chosen)
+      figures["figures/" + std::string(name) + ".svg"] = svg(plot_of(c, axis, name));
+  return figures;
 }
 
 }  // namespace mahlwerk::report

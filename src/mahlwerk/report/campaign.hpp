@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector
 /// campaign.html: a table of the points, and the chosen quantities against the first key that is a
 /// number, a line for every combination of the others.
 std::string campaign_page(const Campaign& campaign, std::string_view version);
+
+/// The plots of the page as pictures of their own: file name -> SVG.
+std::map<std::string, std::string> campaign_figures(const Campaign& campaign);
 
 /// The table for the terminal: a line per point with the figures that are compared most.
 std::string campaign_table(const Campaign& campaign);

@@ -23,7 +23,7 @@ table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums;font
 .wide{overflow-x:auto}
 th,td{padding:.38rem .7rem;border-bottom:1px solid var(--edge);text-align:left;vertical-align:baseline}
 th{font-weight:600}thead th{color:var(--soft);font-size:.85rem;border-bottom:2px solid var(--edge)}
-td.n,th.n{text-align:right;white-space:nowrap}
+td.n,th.n{text-align:right}td.n{white-space:nowrap}
 tbody th{font-weight:400}tbody th small{display:block;color:var(--soft);font-size:.8rem;line-height:1.35}
 .box{background:var(--box);border:1px solid var(--edge);border-radius:6px;padding:.9rem 1.1rem;margin:1.2rem 0}
 .box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}

@@ -30,8 +30,7 @@ constexpr std::array labels{
 
 /// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
-  constexpr std::array<std::string_view, 9> list{"J", "W",  "m",   "s",  "m/s",
-                                                 "N", "Pa", "W/g", "J/g"};
+  constexpr std::array<std::string_view, 8> list{"J", "W", "m", "s", "N", "Pa", "W/g", "J/g"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/table.hpp"
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::fake_outcome;
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Every tag that is opened is closed, in order.
+bool well_formed(const std::string& html) {
+  std::vector<std::string> open;
+  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+    const std::size_t end = html.find('>', at);
+    const std::string tag = html.substr(at + 1, html.find_first_of(" />\n", at + 2) - at - 1);
+    if (html[at + 1] == '!' || tag == "meta" || html[end - 1] == '/') continue;
+    if (html[at + 1] != '/') {
+      open.push_back(tag);
+    } else {
+      if (open.empty() || open.back() != html.substr(at + 2, end - at - 2)) return false;
+      open.pop_back();
+    }
+  }
+  return open.empty();
+}
+
+TEST(Readable, RoundsWhereTheHalfWidthSaysSo) {
+  EXPECT_EQ(readable(0.0024192, 0.000012345, "J").text(), "2.419 ± 0.012 mJ");
+  EXPECT_EQ(readable(159.234, 1.04, "1/s").text(), "159.2 ± 1.0 /s");
+  EXPECT_EQ(readable(0.0442, NAN, "W").text(), "44.20 mW");
+  EXPECT_EQ(readable(46.82, 0.36, "deg").text(), "46.82 ± 0.36°");
+  EXPECT_EQ(readable(0.806, 0.021, "m/s").text(), "0.806 ± 0.021 m/s");
+  EXPECT_EQ(readable(1.8e-15, NAN, "1").text(), "1.8 × 10⁻¹⁵");
+  EXPECT_EQ(readable(5, NAN, "1").text(), "5");
+  EXPECT_EQ(readable(0, 0, "1").text(), "0 ± 0");
+  EXPECT_EQ(readable(NAN, NAN, "J").text(), "-");
+  EXPECT_EQ(readable(0.000966, 0.000029, "J", 0.001022).text(), "0.966 ± 0.029 mJ");
+}
+
+TEST(Readable, KnowsTheWidthOnATerminal) {
+  EXPECT_EQ(width("2.4 ± 0.1 µJ"), 12U);
+}
+
+TEST(Table, ShowsTwinsBesideEachOther) {
+  const auto quantities = results::summarise(fake_outcome());
+  const std::string text = table(quantities, 0.1);
+  EXPECT_TRUE(has(text, "u_n >= 0.1 m/s"));
+  EXPECT_TRUE(has(text, "12.0 ± 5.0 /s"));
+  EXPECT_TRUE(has(text, "6.0 ± 2.5 /s"));
+  EXPECT_FALSE(has(text, "above threshold"));
+  for (const Row& row : rows(quantities))
+    if (row.above != nullptr) EXPECT_EQ(row.above->name, row.all->name + "_above_threshold");
+}
+
+TEST(Report, SaysTheResultInASentence) {
+  const std::string text = sentence(fake_outcome());
+  EXPECT_TRUE(has(text, "In 3 runs of 10 s there were 6.0 ± 2.5 collisions per second")) << text;
+  EXPECT_TRUE(has(text, "12.0 ± 5.0 mW")) << text;
+}
+
+TEST(Report, IsOneWellFormedPageThatLoadsNothing) {
+  const std::string html = report_page(fake_outcome(), "1.2.3");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "A &lt;fake&gt; case &amp; more"));
+  EXPECT_FALSE(has(html, "<fake>"));
+  EXPECT_TRUE(has(html, "<svg"));
+  EXPECT_TRUE(has(html, "Assumed, not measured"));
+  EXPECT_TRUE(has(html, "default: on the ground"));
+  EXPECT_FALSE(has(html, "nan"));
+  for (const char* outside : {"src=", "href=\"http", "@import", "url("})
+    EXPECT_FALSE(has(html, outside));
+}
+
+TEST(Report, WarnsOfWhatMakesItDoubtful) {
+  EXPECT_TRUE(warnings(fake_outcome()).empty());
+  auto o = fake_outcome();
+  o.interrupted = true;
+  o.replicates[1].complete = false;
+  o.replicates[1].stopped = "too many bounces";
+  o.replicates[0].account.kinetic = 1;
+  o.replicates[0].account.worst_collision = 1e-3;
+  EXPECT_EQ(warnings(o).size(), 4U);
+  EXPECT_TRUE(has(report_page(o, "1"), "too many bounces"));
+}
+
+TEST(Report, OfNothingIsStillAPage) {
+  auto o = fake_outcome();
+  o.replicates.assign(2, results::Replicate(0.1));
+  const std::string html = report_page(o, "1.2.3");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "there is no result"));
+  EXPECT_TRUE(well_formed(report_page(fake_outcome({0}), "1.2.3")));
+}
+
+Campaign campaign() {
+  Campaign c{"Speeds", {}, {}};
+  const auto point = [&](const char* speed, const char* wall, int hits) {
+    c.points.push_back(
+        {{speed, wall}, results::summarise(fake_outcome({hits, hits + 10})), "point-1/"});
+  };
+  point("400 rpm", "steel", 200);
+  point("200 rpm", "steel", 100);
+  point("200 rpm", "a, \"b\"", 300);
+  c.swept = swept({"mill.speed", "jar.material"}, c.points);
+  return c;
+}
+
+TEST(Campaign, UnitsOfSweptKeysAreFoundWhereTheyAreShared) {
+  const Campaign c = campaign();
+  EXPECT_EQ(c.swept[0].unit, "rpm");
+  EXPECT_EQ(c.swept[1].unit, "");
+  const std::vector<Point> mixed{{{"1 Hz"}, {}, ""}, {{"60 rpm"}, {}, ""}};
+  EXPECT_EQ(swept({"mill.speed"}, mixed)[0].unit, "");
+}
+
+TEST(Campaign, CsvHasARowPerPointAndACellPerColumn) {
+  const std::string text = campaign_csv(campaign());
+  const std::string head = text.substr(0, text.find('\n'));
+  EXPECT_TRUE(head.starts_with(
+      "point,mill.speed_rpm,jar.material,collision_rate_per_s,collision_rate_ci95_per_s,"))
+      << head;
+  EXPECT_TRUE(has(text, "\n1,400,steel,20.5,"));
+  EXPECT_TRUE(has(text, "\n3,200,\"a, \"\"b\"\"\",30.5,"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+}
+
+TEST(Campaign, PageLinksItsPointsAndPlotsEveryLine) {
+  const std::string html = campaign_page(campaign(), "1.2.3");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "href=\"point-1/report.html\""));
+  EXPECT_TRUE(has(html, "mill.speed (rpm)"));
+  EXPECT_TRUE(has(html, "<circle"));
+  EXPECT_TRUE(has(html, "a, &quot;b&quot;"));
+}
+
+}  // namespace
+}  // namespace mahlwerk::report

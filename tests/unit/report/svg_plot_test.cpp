@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/svg_plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mahlwerk/base/random.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+TEST(Ticks, AreRoundNumbersInside) {
+  EXPECT_EQ(ticks(0, 60, false, 6), (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
+  EXPECT_EQ(ticks(-1, 1, false, 4), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
+  EXPECT_EQ(ticks(0.5, 2000, true, 6), (std::vector<double>{1, 10, 100, 1000}));
+  EXPECT_EQ(ticks(1, 30, true, 6), (std::vector<double>{1, 2, 5, 10, 20}));
+  EXPECT_TRUE(ticks(1, 1, false, 5).empty());
+}
+
+TEST(Ticks, AreAFewWhateverTheRange) {
+  Random random(3, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const double least = std::pow(10, random.uniform(-20, 10));
+    const double most = least * (1 + std::pow(10, random.uniform(-2, 12)));
+    for (const bool logarithmic : {false, true}) {
+      const auto marks = ticks(least, most, logarithmic, 5);
+      EXPECT_LE(marks.size(), 8U) << least << " " << most;
+      for (const double mark : marks) {
+        EXPECT_GE(mark, least * (1 - 1e-6));
+        EXPECT_LE(mark, most * (1 + 1e-6));
+      }
+    }
+    EXPECT_GE(ticks(least, most, false, 5).size(), 2U) << least << " " << most;
+  }
+}
+
+/// Strange data must not put "nan" or "inf" into a path.
+TEST(Svg, SurvivesStrangeData) {
+  for (const bool logarithmic : {false, true})
+    for (const Mark mark : {Mark::line, Mark::points, Mark::steps})
+      for (const std::vector<double>& y : std::vector<std::vector<double>>{{},
+                                                                           {0, 0, 0},
+                                                                           {5},
+                                                                           {NAN, 1, NAN},
+                                                                           {INFINITY, 1, 2},
+                                                                           {-1, 1e300, 1e-300},
+                                                                           {1, 1, 1}}) {
+        std::vector<double> x{0, 1, 2};
+        if (mark == Mark::steps) x.push_back(3);
+        const Plot plot{
+            "<t>", {"x", logarithmic}, {"y", logarithmic}, {{"s", x, y, {NAN, 1, 2}, mark}}};
+        const std::string text = svg(plot);
+        EXPECT_EQ(text.find("nan"), std::string::npos);
+        EXPECT_EQ(text.find("inf"), std::string::npos);
+        EXPECT_EQ(text.find("<t>"), std::string::npos);
+      }
+}
+
+TEST(Svg, PutsPointsWhereTheyBelong) {
+  Plot plot{"", {"x"}, {"y"}, {{"", {0, 5, 10}, {0, 5, 10}, {}, Mark::line}}};
+  plot.y.least = 0;
+  plot.y.most = 10;
+  const std::string text = svg(plot);
+  // The plot area is 62 ... 704 by 12 ... 314: its corners and its middle.
+  EXPECT_NE(text.find("M62.0 314.0L383.0 163.0L704.0 12.0"), std::string::npos) << text;
+}
+
+TEST(Svg, SeriesAreToldApart) {
+  Plot plot{"", {"x"}, {"y"}, {}};
+  for (int i = 0; i < 3; ++i) plot.series.push_back({"s", {0, 1}, {0, 1.0 * i}, {}, Mark::line});
+  const std::string text = svg(plot);
+  for (const char* colour : {"#0072B2", "#D55E00", "#009E73"})
+    EXPECT_NE(text.find(colour), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mahlwerk::report

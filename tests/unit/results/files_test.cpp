@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/writer.hpp"
+#include "unit/results/fake.hpp"
+#include "unit/results/scratch.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+double sum(const Table& t, std::size_t column) {
+  double all = 0;
+  for (const auto& row : t.rows) all += row[column];
+  return all;
+}
+
+std::vector<std::vector<std::string>> cells(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream row(line + ",");
+    for (std::string cell; std::getline(row, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
+}
+
+TEST(Csv, ReadsBackToTheBit) {
+  const std::vector<double> values{0.1, 1.0 / 3, 1e-300, 6.02214076e23, -2, 0, NAN};
+  const auto rows = cells(csv({{"a_s", "b", "c", "d", "e", "f", "g"}, {values}}));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0][0], "a_s");
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) EXPECT_EQ(std::stod(rows[1][i]), values[i]);
+  EXPECT_EQ(rows[1].size() == values.size() ? rows[1].back() : "", "");
+}
+
+TEST(Csv, QuotesWhatWouldBreakALine) {
+  EXPECT_EQ(csv_cell("plain"), "plain");
+  EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_cell("a \"b\""), "\"a \"\"b\"\"\"");
+}
+
+TEST(Csv, ColumnsNameTheirUnits) {
+  EXPECT_EQ(column_name("energy", "J"), "energy_J");
+  EXPECT_EQ(column_name("rate", "1/s"), "rate_per_s");
+  EXPECT_EQ(column_name("speed", "m/s"), "speed_m_per_s");
+  EXPECT_EQ(column_name("dose", "W/g"), "dose_W_per_g");
+  EXPECT_EQ(column_name("share", "1"), "share");
+}
+
+TEST(Tables, TheSpectrumHoldsEveryCollisionAndAllEnergy) {
+  const Table t = spectrum(fake_outcome());
+  ASSERT_FALSE(t.rows.empty());
+  EXPECT_EQ(t.columns[2], "rate_normal_per_s");
+  for (const std::size_t rate : {2U, 3U, 4U, 5U}) EXPECT_NEAR(sum(t, rate), 12, 1e-12);
+  EXPECT_NEAR(sum(t, 6), 12 * 0.5 * (0.004 + 2.5e-6), 1e-12);  // power = rate times mean energy
+  EXPECT_NEAR(sum(t, 9), 0.012, 1e-12);
+  for (const auto& row : t.rows)
+    if (row[2] > 0) {  // a bin holds energies within its edges
+      EXPECT_LE(row[0] * row[2], row[6] * (1 + 1e-12));
+      EXPECT_GE(row[1] * row[2], row[6]);
+    }
+}
+
+TEST(Tables, NeighbouringBinsTouch) {
+  for (const Table& t : {spectrum(fake_outcome()), speeds(fake_outcome()), angles(fake_outcome())})
+    for (std::size_t i = 0; i + 1 < t.rows.size(); ++i) EXPECT_EQ(t.rows[i][1], t.rows[i + 1][0]);
+}
+
+TEST(Tables, SpeedsAndAnglesHoldEveryCollision) {
+  EXPECT_NEAR(sum(speeds(fake_outcome()), 2), 12, 1e-12);
+  const Table t = angles(fake_outcome());
+  ASSERT_EQ(t.rows.size(), 90U);
+  EXPECT_NEAR(sum(t, 2), 12, 1e-12);
+  EXPECT_NEAR(sum(t, 3), 6, 1e-12);
+  EXPECT_NEAR(t.rows[0][2], 6, 1e-12);
+}
+
+TEST(Tables, TheTimeSeriesIsAMeanOverReplicates) {
+  const Table t = time_series(fake_outcome());
+  ASSERT_EQ(t.rows.size(), 2U);
+  const std::vector<double> expected{10, 12, 6, 0.002, 0.012, 0.012, 0.2, 0.003};
+  ASSERT_EQ(t.columns.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(t.rows[1][i], expected[i], 1e-12);
+}
+
+TEST(Tables, ReplicatesHaveARowEach) {
+  Outcome o = fake_outcome();
+  o.replicates[2].complete = false;
+  const Table t = replicates(o);
+  ASSERT_EQ(t.rows.size(), 3U);
+  EXPECT_EQ(t.columns[2], "collision_rate_per_s");
+  EXPECT_EQ(t.rows[2][1], 0);
+  EXPECT_DOUBLE_EQ(t.rows[2][2], 14);
+  for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.columns.size());
+}
+
+TEST(Tables, AreEmptyWhenNothingWasCounted) {
+  Outcome o = fake_outcome();
+  o.replicates.assign(1, Replicate(0.1));
+  for (const Table& t : {spectrum(o), speeds(o), angles(o), time_series(o), replicates(o)})
+    EXPECT_TRUE(t.rows.empty());
+}
+
+class FilesTest : public ScratchTest {};
+
+TEST_F(FilesTest, AResultIsComplete) {
+  Folder folder(scratch() / "r", false);
+  write(folder, fake_outcome(), "1.2.3", "point-01/");
+  folder.commit();
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(scratch() / "r" / "point-01"))
+    names.insert(entry.path().filename());
+  EXPECT_EQ(names, (std::set<std::string>{"summary.json", "case.resolved.toml", "spectrum.csv",
+                                          "speeds.csv", "angles.csv", "timeseries.csv",
+                                          "replicates.csv"}));
+}
+
+std::vector<scene::Collision> numbered(int from, int to) {
+  auto all = fake_collisions(to);
+  return {all.begin() + from, all.end()};
+}
+
+TEST_F(FilesTest, CollisionsReadBackToTheBit) {
+  const fs::path file = scratch() / "c.h5";
+  {
+    CollisionFile out(file, "title = \"x\"\n", "1.2.3");
+    CollisionLog one(out, 0), two(out, 1), none(out, 2);
+    one.collisions(numbered(0, 20000));
+    two.collisions(numbered(0, 10));
+    one.collisions(numbered(20000, 50001));
+  }
+  {
+    CollisionFile out(scratch() / "d.h5", "", "");  // closed by hand
+    CollisionLog(out, 0).collisions(numbered(0, 3));
+    out.close();
+    out.close();
+  }
+  const auto one = read_collisions(file, 0), expected = fake_collisions(50001);
+  ASSERT_EQ(one.size(), expected.size());
+  for (std::size_t i = 0; i < one.size(); i += 777) {
+    EXPECT_EQ(one[i].time, expected[i].time);
+    EXPECT_EQ(one[i].other, expected[i].other);
+    EXPECT_EQ(one[i].where, expected[i].where);
+    EXPECT_EQ(one[i].normal, expected[i].normal);
+    EXPECT_EQ(one[i].lost_tangential, expected[i].lost_tangential);
+  }
+  EXPECT_EQ(read_collisions(file, 1).size(), 10U);
+  EXPECT_EQ(read_collisions(file, 2).size(), 0U);
+  EXPECT_THROW(read_collisions(file, 3), InputError);
+  EXPECT_EQ(read_collisions(scratch() / "d.h5", 0).size(), 3U);
+}
+
+TEST_F(FilesTest, CollisionsPackWell) {
+  const fs::path file = scratch() / "c.h5";
+  {
+    CollisionFile out(file, "", "");
+    CollisionLog(out, 0).collisions(fake_collisions(40000));
+  }
+  EXPECT_LT(fs::file_size(file), 40000 * sizeof(scene::Collision) / 4);
+}
+
+TEST_F(FilesTest, ACollisionFileThatCannotBeMadeIsAnError) {
+  EXPECT_THROW(CollisionFile(scratch() / "no" / "c.h5", "", ""), InputError);
+  EXPECT_THROW(read_collisions(scratch() / "none.h5", 0), InputError);
+}
+
+}  // namespace
+}  // namespace mahlwerk::results

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+nlohmann::json parsed(const Outcome& o) {
+  return nlohmann::json::parse(summary_json(o, summarise(o), "1.2.3"));
+}
+
+TEST(SummaryJson, HoldsEveryQuantityToTheBit) {
+  const Outcome o = fake_outcome();
+  const nlohmann::json all = parsed(o);
+  for (const Quantity& q : summarise(o)) {
+    const auto& entry = all.at(q.name);
+    EXPECT_EQ(entry.size(), 4U);
+    EXPECT_EQ(entry.at("unit"), q.unit);
+    EXPECT_EQ(entry.at("about"), q.about);
+    EXPECT_EQ(entry.at("value").get<double>(), q.value);
+    if (std::isfinite(q.ci95))
+      EXPECT_EQ(entry.at("ci95").get<double>(), q.ci95);
+    else
+      EXPECT_TRUE(entry.at("ci95").is_null());
+  }
+}
+
+TEST(SummaryJson, TellsWhatMadeIt) {
+  const nlohmann::json about = parsed(fake_outcome()).at("_about");
+  EXPECT_EQ(about.at("mahlwerk"), "1.2.3");
+  EXPECT_EQ(about.at("schema"), 1);
+  EXPECT_EQ(about.at("title"), "A <fake> case & more");
+  EXPECT_EQ(about.at("seed"), 7);
+  EXPECT_EQ(about.at("engine"), "event");
+  EXPECT_EQ(about.at("complete"), true);
+  EXPECT_EQ(about.at("assumed").size(), 1U);
+  EXPECT_EQ(about.at("assumed")[0].at("key"), "gravity");
+  EXPECT_EQ(about.at("unverified")[0].at("source"), "catalogue jars/some");
+}
+
+TEST(SummaryJson, TellsWhatIsMissing) {
+  Outcome o = fake_outcome({100});
+  o.interrupted = true;
+  o.replicates[0].complete = false;
+  o.replicates[0].stopped = "the ball left the jar";
+  const nlohmann::json all = parsed(o);
+  EXPECT_EQ(all.at("_about").at("complete"), false);
+  EXPECT_EQ(all.at("_about").at("interrupted"), true);
+  EXPECT_EQ(all.at("_about").at("replicates")[0].at("stopped"), "the ball left the jar");
+  EXPECT_TRUE(all.at("collision_rate").at("ci95").is_null());
+}
+
+TEST(SummaryJson, SurvivesATitleThatIsNotUtf8) {
+  Outcome o = fake_outcome();
+  o.what.title = "M\xFChle";
+  EXPECT_NO_THROW(parsed(o));
+}
+
+}  // namespace
+}  // namespace mahlwerk::results

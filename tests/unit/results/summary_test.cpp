@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+const Quantity& named(const std::vector<Quantity>& list, const std::string& name) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
+  if (found == list.end()) throw std::out_of_range(name);
+  return *found;
+}
+double value(const Outcome& o, const std::string& name) {
+  return named(summarise(o), name).value;
+}
+
+TEST(Summary, RatesAreMeansOverReplicates) {
+  const std::vector<Quantity> list = summarise(fake_outcome());
+  const Quantity& rate = named(list, "collision_rate");
+  EXPECT_DOUBLE_EQ(rate.value, 12);                             // 10, 12, 14
+  EXPECT_NEAR(rate.ci95, 4.30265273 * 2 / std::sqrt(3), 1e-6);  // their spread is 2
+  EXPECT_EQ(rate.unit, "1/s");
+  EXPECT_DOUBLE_EQ(named(list, "collision_rate_above_threshold").value, 6);
+}
+
+TEST(Summary, MeansOverCollisionsWithAndWithoutTheThreshold) {
+  const Outcome o = fake_outcome();
+  EXPECT_NEAR(value(o, "energy_normal_mean_above_threshold"), 0.004, 1e-15);
+  EXPECT_NEAR(value(o, "energy_normal_mean"), 0.5 * (0.004 + 2.5e-6), 1e-15);
+  EXPECT_NEAR(value(o, "energy_contact_point_mean_above_threshold"), 0.008, 1e-15);
+  EXPECT_NEAR(value(o, "energy_centre_mean_above_threshold"), 0.005, 1e-15);
+  EXPECT_NEAR(value(o, "energy_lost_mean"), 0.001, 1e-15);
+  EXPECT_NEAR(value(o, "impact_speed_normal_mean"), 1.025, 1e-12);
+  EXPECT_NEAR(value(o, "impact_speed_tangential_mean_above_threshold"), 2, 1e-12);
+  EXPECT_NEAR(value(o, "impact_angle_mean_above_threshold"), 45, 2e-6);
+  EXPECT_NEAR(value(o, "impact_angle_mean"), 22.5, 2e-6);
+}
+
+TEST(Summary, PowersAndSharesLeaveOutWhatWasBeforeCounting) {
+  const Outcome o = fake_outcome();
+  EXPECT_NEAR(value(o, "dissipated_power"), 0.012, 1e-12);
+  EXPECT_NEAR(value(o, "drawn_power"), 0.512, 1e-12);
+  EXPECT_NEAR(value(o, "contact_time_share"), 0.2, 1e-15);
+  EXPECT_NEAR(value(o, "lasting_contacts_rate"), 0.4, 1e-15);
+  EXPECT_NEAR(value(o, "simulated_time"), 10, 1e-15);
+  EXPECT_EQ(value(o, "replicates"), 3);
+}
+
+TEST(Summary, ResidualsAreThoseOfTheWorstReplicate) {
+  Outcome o = fake_outcome();
+  EXPECT_DOUBLE_EQ(value(o, "energy_residual"), 1.4e-13);
+  EXPECT_LT(value(o, "energy_balance"), 1e-15);
+  o.replicates[1].account.kinetic = 0.1;  // from nowhere
+  const scene::Account& a = o.replicates[1].account;
+  EXPECT_NEAR(value(o, "energy_balance"), 0.1 / (a.wall_work + a.lost()), 1e-12);
+  EXPECT_TRUE(std::isnan(named(summarise(o), "energy_balance").ci95));
+}
+
+TEST(Summary, OneReplicateHasNoInterval) {
+  const std::vector<Quantity> list = summarise(fake_outcome({100}));
+  EXPECT_DOUBLE_EQ(named(list, "collision_rate").value, 10);
+  EXPECT_TRUE(std::isnan(named(list, "collision_rate").ci95));
+}
+
+TEST(Summary, WithoutCollisionsThereIsNoMeanEnergy) {
+  const Outcome o = fake_outcome({0, 0});
+  EXPECT_EQ(value(o, "collision_rate"), 0);
+  EXPECT_TRUE(std::isnan(value(o, "energy_normal_mean")));
+}
+
+TEST(Summary, WithoutAnyTimeNothingIsKnown) {
+  Outcome o = fake_outcome();
+  o.replicates.assign(2, Replicate(0.1));
+  EXPECT_TRUE(std::isnan(value(o, "collision_rate")));
+  EXPECT_EQ(value(o, "replicates"), 0);
+  EXPECT_FALSE(complete(o));
+}
+
+TEST(Summary, ReplicatesCutShortAreLeftOutWhileThereAreTwoOthers) {
+  Outcome o = fake_outcome({100, 120, 1000});
+  o.replicates[2].complete = false;
+  EXPECT_FALSE(complete(o));
+  EXPECT_DOUBLE_EQ(value(o, "collision_rate"), 11);
+  EXPECT_EQ(value(o, "replicates"), 2);
+  o.replicates[1].complete = false;
+  EXPECT_EQ(value(o, "replicates"), 3);
+}
+
+TEST(Summary, DosesNeedPowder) {
+  Outcome o = fake_outcome();
+  EXPECT_THROW(value(o, "specific_energy_dose"), std::out_of_range);
+  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  EXPECT_NEAR(value(o, "specific_energy_dose_rate"), 0.012 / 2, 1e-12);  // W/g
+  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.06, 1e-12);            // J/g in 10 s
+}
+
+TEST(Summary, TheTcRuleTellsItsShare) {
+  Outcome o = fake_outcome({100, 100});
+  EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
+  o.what.contact.lasting = cases::Lasting::tc;
+  for (Replicate& r : o.replicates) r.account.tc_collisions = 25;
+  EXPECT_DOUBLE_EQ(value(o, "tc_collision_share"), 0.25);
+}
+
+TEST(Summary, EveryQuantityIsNamedOnceAndExplained) {
+  Outcome o = fake_outcome();
+  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  std::set<std::string> names;
+  for (const Quantity& q : summarise(o)) {
+    EXPECT_TRUE(names.insert(q.name).second) << q.name;
+    EXPECT_FALSE(q.unit.empty()) << q.name;
+    EXPECT_FALSE(q.about.empty()) << q.name;
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::results
