@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// The benchmarks: a row each, a file each. All times are CPU times of this process, medians of several runs.
+// The benchmarks: a row each, a file each. All times are CPU times of this process, medians of
+// several runs.
 namespace mahlwerk::bench {
 
 struct Row {

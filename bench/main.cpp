@@ -63,13 +63,17 @@ int perform(int argc, char** argv) {
     fmt::print("{}\n", list.dump(2));
     return 0;
   }
-  fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric", "value");
+  fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric",
+             "value");
   for (const Row& r : rows)
-    fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10.4g}\n", r.benchmark, r.what, r.code, r.metric, r.value);
+    fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10.4g}\n", r.benchmark, r.what, r.code, r.metric,
+               r.value);
   return 0;
 }
 
 }  // namespace
 }  // namespace mahlwerk::bench
 
-int main(int argc, char** argv) { return mahlwerk::bench::perform(argc, argv); }
+int main(int argc, char** argv) {
+  return mahlwerk::bench::perform(argc, argv);
+}

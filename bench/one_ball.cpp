@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One ball in paper A's vial: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9. The guaranteed search with its
-// whole engine and statistics, beside textbook scanning that only finds touches.
+// One ball in paper A's vial: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9. The guaranteed
+// search with its whole engine and statistics, beside textbook scanning that only finds touches.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -17,11 +17,13 @@
 namespace mahlwerk::bench {
 namespace {
 
-constexpr double pi = std::numbers::pi, radius = 0.004, frequency = 10, amplitude = 0.025, diameter = 0.012;
+constexpr double pi = std::numbers::pi, radius = 0.004, frequency = 10, amplitude = 0.025,
+                 diameter = 0.012;
 constexpr int runs = 7;
 
 geometry::Capsule vial() {
-  return {diameter, (5e-6 - pi * diameter * diameter * diameter / 6) / (pi * diameter * diameter / 4)};
+  return {diameter,
+          (5e-6 - pi * diameter * diameter * diameter / 6) / (pi * diameter * diameter / 4)};
 }
 
 struct Speed {
@@ -34,7 +36,9 @@ Speed engine(event::Lasting lasting, std::uint32_t stream) {
   motion.amplitude = amplitude;
   const scene::Chamber mill{vial(), motion, {}, {0, 0, -9.81}};
   Random random(1, stream);
-  const scene::Ball ball{radius, 7850, {0, 0, random.uniform(-0.01, 0.01)},
+  const scene::Ball ball{radius,
+                         7850,
+                         {0, 0, random.uniform(-0.01, 0.01)},
                          random.uniform(0, 0.1) * random.direction(),
                          random.uniform(0, 0.1) * random.direction()};
   event::Rules rules;
@@ -51,7 +55,8 @@ Speed engine(event::Lasting lasting, std::uint32_t stream) {
           running->account().contact_time / time};
 }
 
-/// The textbook way: look at the gap every 0.1 ms, halve the interval when it closes; no statistics, TC rule.
+/// The textbook way: look at the gap every 0.1 ms, halve the interval when it closes; no
+/// statistics, TC rule.
 Speed scanning(std::uint32_t stream) {
   const double w = 2 * pi * frequency, h = 0.5 * vial().height, room = 0.5 * diameter - radius;
   Random random(1, stream);
@@ -100,7 +105,8 @@ void add(std::vector<Row>& rows, const std::string& what, const std::string& cod
     return median(values);
   };
   rows.push_back({"one-ball", what, code, "collisions_per_cpu_second", middle(&Speed::collisions)});
-  rows.push_back({"one-ball", what, code, "simulated_seconds_per_cpu_second", middle(&Speed::simulated)});
+  rows.push_back(
+      {"one-ball", what, code, "simulated_seconds_per_cpu_second", middle(&Speed::simulated)});
   if (share) rows.push_back({"one-ball", what, code, "contact_time_share", middle(&Speed::share)});
 }
 
@@ -116,7 +122,8 @@ std::vector<Row> one_ball() {
   std::vector<Speed> tc, roll, scan;
   engine(event::Lasting::tc, 99);  // warm
   const double memory = peak_memory_mb();
-  for (std::uint32_t i = 0; i < runs; ++i) {  // in turn, so that a drifting machine touches all alike
+  for (std::uint32_t i = 0; i < runs;
+       ++i) {  // in turn, so that a drifting machine touches all alike
     tc.push_back(engine(event::Lasting::tc, i));
     roll.push_back(engine(event::Lasting::roll, i));
     scan.push_back(scanning(i));

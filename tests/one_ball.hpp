@@ -42,7 +42,8 @@ inline scene::Chamber mill_a(double f = 10, double a = 0.025, double dv = 0.012)
 }
 
 /// Paper A's ball: 8 mm steel.
-inline scene::Ball ball_a(const Vec3& position = {}, const Vec3& velocity = {}, const Vec3& spin = {}) {
+inline scene::Ball ball_a(const Vec3& position = {}, const Vec3& velocity = {},
+                          const Vec3& spin = {}) {
   return {0.004, 7850, position, velocity, spin};
 }
 

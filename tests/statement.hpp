@@ -10,19 +10,20 @@
 
 namespace mahlwerk::tests {
 
-/// States one number a test proves: prints expected, found, tolerance and source, and fails beyond the
-/// tolerance (absolute).
+/// States one number a test proves: prints expected, found, tolerance and source, and fails beyond
+/// the tolerance (absolute).
 inline void states(const std::string& what, double found, double expected, double tolerance,
                    const std::string& source) {
-  std::printf("    %-58s expected %.10g, found %.10g, off by %.2g (tolerance %.2g) [%s]\n", what.c_str(),
-              expected, found, std::abs(found - expected), tolerance, source.c_str());
+  std::printf("    %-58s expected %.10g, found %.10g, off by %.2g (tolerance %.2g) [%s]\n",
+              what.c_str(), expected, found, std::abs(found - expected), tolerance, source.c_str());
   EXPECT_LE(std::abs(found - expected), tolerance) << what << " [" << source << "]";
 }
 
 /// States that a number stays below a bound.
 inline void stays_below(const std::string& what, double found, double bound,
                         const std::string& source) {
-  std::printf("    %-58s at most %.3g, found %.3g [%s]\n", what.c_str(), bound, found, source.c_str());
+  std::printf("    %-58s at most %.3g, found %.3g [%s]\n", what.c_str(), bound, found,
+              source.c_str());
   EXPECT_LE(found, bound) << what << " [" << source << "]";
 }
 

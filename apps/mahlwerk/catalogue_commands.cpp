@@ -42,7 +42,8 @@ cases::CatalogueEntry entry_named(const std::string& name) {
 ordered_json as_json(const cases::CatalogueEntry& entry) {
   ordered_json values;
   for (const auto& [key, value] : entry.values)
-    values[key] = {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}};
+    values[key] = {
+        {"value", value.text}, {"source", value.source}, {"unverified", value.unverified}};
   ordered_json made{{"room", entry.room}, {"name", entry.name}, {"title", entry.title}};
   if (!entry.kind.empty()) made["kind"] = entry.kind;
   made["about"] = entry.about;
@@ -63,7 +64,8 @@ int list(const Request& request) {
       const bool weak = std::any_of(entry.values.begin(), entry.values.end(),
                                     [](const auto& v) { return v.second.unverified; });
       if (request.json)
-        json.push_back({{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}});
+        json.push_back(
+            {{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}});
       else
         fmt::print("  {:<26} {}{}\n", name, entry.title, weak ? "  (holds unverified values)" : "");
     }

@@ -47,11 +47,13 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   c.follows = cases::consequences(first);
   c.engine = cases::engine_faults(first);
   if (!c.engine.empty()) return c;
-  const double seconds = static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
-                         (first.run.time + first.run.settle);
+  const double seconds =
+      static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
+      (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  c.follows.push_back({"run_time", cost(first) * seconds / cores, "s",
-                       "estimate on this machine, all cores, from a pilot of one simulated second"});
+  c.follows.push_back(
+      {"run_time", cost(first) * seconds / cores, "s",
+       "estimate on this machine, all cores, from a pilot of one simulated second"});
   return c;
 }
 
@@ -61,7 +63,8 @@ void print(const Checked& c, const std::filesystem::path& file) {
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
   std::string assumed;
   for (const cases::Origin& origin : c.what.origins)
-    if (origin.assumed) assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
+    if (origin.assumed)
+      assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
   if (!assumed.empty()) fmt::print("\nassumed, because the case does not say it:\n{}", assumed);
   if (!c.engine.empty())
     fmt::print("\nThis version cannot run it:\n{}\n", mahlwerk::describe(c.engine));
@@ -84,7 +87,9 @@ int check(const Request& request) {
       auto follows = nlohmann::ordered_json::object();
       for (const cases::Consequence& one : c.follows)
         follows[one.name] = {{"value", one.value}, {"unit", one.unit}, {"about", one.about}};
-      json.push_back({{"file", file.string()}, {"title", c.what.title}, {"follows", follows},
+      json.push_back({{"file", file.string()},
+                      {"title", c.what.title},
+                      {"follows", follows},
                       {"runs", c.engine.empty()}});
     } catch (const InputError& e) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());

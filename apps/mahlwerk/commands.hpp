@@ -17,16 +17,22 @@ namespace mahlwerk::app {
 
 /// What the command line said.
 struct Request {
-  std::string target;       ///< case, room or name
+  std::string target;  ///< case, room or name
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
-  int threads = 0;          ///< 0: all cores
+  int threads = 0;  ///< 0: all cores
   bool quiet = false, json = false, force = false;
 };
 
 /// Exit codes (docs/cli.md).
-enum Exit : int { fine = 0, internal_error = 1, bad_input = 2, stopped_by_physics = 3, interrupted = 130 };
+enum Exit : int {
+  fine = 0,
+  internal_error = 1,
+  bad_input = 2,
+  stopped_by_physics = 3,
+  interrupted = 130
+};
 
 int run(const Request& request);
 int check(const Request& request);
@@ -47,7 +53,8 @@ inline constexpr std::array commands{
     Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},
-    Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room, list},
+    Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room,
+            list},
     Command{"describe", "show one catalogue entry: all values with units and sources", Takes::name,
             describe},
     Command{"completion", "print a completion script for your shell: bash or zsh", Takes::shell,
@@ -58,7 +65,8 @@ inline constexpr std::array commands{
 std::string_view version();
 cases::Catalogue catalogue();
 
-/// The case files a user means: the file itself, the folder's case.toml, or else every .toml in the folder.
+/// The case files a user means: the file itself, the folder's case.toml, or else every .toml in the
+/// folder.
 std::vector<std::filesystem::path> case_files(const std::string& target);
 
 /// --set and --seed together.

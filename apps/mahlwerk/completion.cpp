@@ -44,9 +44,10 @@ int completion(const Request& request) {
   std::string script = bash;
   script.replace(script.find("@WORDS@"), 7, command_words());
   if (request.target == "zsh")
-    script = "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
-             "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n" +
-             script;
+    script =
+        "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
+        "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n" +
+        script;
   std::fputs(script.c_str(), stdout);
   return fine;
 }

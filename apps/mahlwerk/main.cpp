@@ -23,9 +23,11 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
   const bool takes_case = command.takes == Takes::case_file || command.takes == Takes::run;
   if (takes_case) {
-    sub.add_option("CASE", request.target, "a case file, or a folder with a case.toml or several cases")
+    sub.add_option("CASE", request.target,
+                   "a case file, or a folder with a case.toml or several cases")
         ->required();
-    sub.add_option("--set", set, "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
+    sub.add_option("--set", set,
+                   "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     sub.add_option("--seed", request.seed, "seed of the random numbers, instead of the case's");
@@ -34,7 +36,8 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
     sub.add_option("--out", request.out,
                    "folder for the results (default: results/ and the name of the case)");
     sub.add_flag("--force", request.force, "replace results that are there");
-    sub.add_option("--threads", request.threads, "how many replicates run at a time (default: all cores)")
+    sub.add_option("--threads", request.threads,
+                   "how many replicates run at a time (default: all cores)")
         ->check(CLI::Range(1, 4096));
     sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
   }
@@ -51,12 +54,15 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
 }
 
 int perform(int argc, char** argv) {
-  CLI::App app{"Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
-               "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
+  CLI::App app{
+      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
+      "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
   app.name("mahlwerk");
   app.set_version_flag("--version", "mahlwerk " + std::string(version()));
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 130 interrupted.");
+  app.footer(
+      "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 130 "
+      "interrupted.");
   Request request;
   std::vector<std::string> set;
   const Command* chosen = nullptr;

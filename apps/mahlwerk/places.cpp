@@ -12,7 +12,9 @@ namespace mahlwerk::app {
 
 namespace fs = std::filesystem;
 
-std::string_view version() { return MAHLWERK_VERSION; }
+std::string_view version() {
+  return MAHLWERK_VERSION;
+}
 
 cases::Catalogue catalogue() {
   const char* said = std::getenv("MAHLWERK_CATALOGUE");
@@ -32,7 +34,8 @@ std::vector<fs::path> case_files(const std::string& target) {
     if (entry.path().extension() == ".toml" && entry.path().stem() != "expected")
       found.push_back(entry.path());
   if (failed)
-    throw InputError(Fault{target, "the folder cannot be read: " + failed.message(), "", "no-such-case"});
+    throw InputError(
+        Fault{target, "the folder cannot be read: " + failed.message(), "", "no-such-case"});
   if (found.empty())
     throw InputError(Fault{target, "the folder holds no case",
                            "put a case.toml there, or name the case file", "no-such-case"});

@@ -30,7 +30,9 @@ std::size_t terminal_width() {
 
 }  // namespace
 
-const std::atomic<bool>& stop_wanted() { return stop_asked; }
+const std::atomic<bool>& stop_wanted() {
+  return stop_asked;
+}
 
 void catch_ctrl_c() {
   std::signal(SIGINT, on_interrupt);
@@ -54,7 +56,8 @@ void ProgressLine::show(const campaign::Progress& p) {
   const double share = p.wanted > 0 ? p.simulated / p.wanted : 0;
   const double left = share > 0 ? gone * (1 - share) / share : 0;
   std::string line = fmt::format(
-      "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy residual {:.0e}",
+      "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
+      "residual {:.0e}",
       100 * share, p.simulated, p.wanted, left, p.collisions / gone, p.residual);
   line.resize(std::min(line.size(), terminal_width() - 1));
   fmt::print(stderr, "\r\033[K{}", line);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // run: one case, a sweep, or every case of a folder, to result folders.
+#include "mahlwerk/campaign/run.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,12 +15,11 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/run.hpp"
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/hdf5.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/hdf5.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -42,9 +43,10 @@ struct Job {
 fs::path default_place(const std::string& target, const fs::path& file, bool several) {
   const fs::path whole = fs::weakly_canonical(fs::path(target));
   const bool named_folder = fs::is_directory(whole);
-  const fs::path name = named_folder ? whole.filename() : file.parent_path().empty() || file.stem() != "case"
-                                           ? file.stem()
-                                           : fs::weakly_canonical(file).parent_path().filename();
+  const fs::path name = named_folder ? whole.filename()
+                        : file.parent_path().empty() || file.stem() != "case"
+                            ? file.stem()
+                            : fs::weakly_canonical(file).parent_path().filename();
   return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
 }
 
@@ -75,7 +77,8 @@ report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>
   for (const auto& [key, values] : job.what.sweep) keys.push_back(key);
   report::Campaign made{.title = job.what.title, .swept = {}, .points = {}};
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    report::Point point{.values = {}, .quantities = results::summarise(outcomes[i]), .folder = job.below(i)};
+    report::Point point{
+        .values = {}, .quantities = results::summarise(outcomes[i]), .folder = job.below(i)};
     // The product of all values, the last key running fastest, as campaign::points makes it.
     std::size_t rest = i;
     for (auto key = job.what.sweep.rbegin(); key != job.what.sweep.rend(); ++key) {
@@ -117,8 +120,8 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
   if (job.sweeps()) {
     fmt::print("{}\n", report::campaign_table(campaign_of(job, outcomes)));
   } else {
-    fmt::print("{}\n", report::table(results::summarise(outcomes.front()),
-                                     job.what.observe.threshold));
+    fmt::print("{}\n",
+               report::table(results::summarise(outcomes.front()), job.what.observe.threshold));
     std::string assumed;
     for (const cases::Origin& origin : job.points.front().origins)
       if (origin.assumed && origin.source.find("uncalibrated") != std::string::npos)
@@ -127,14 +130,16 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
   }
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / (job.sweeps() ? "campaign.html" : "report.html")).string());
-  fmt::print("numbers:  {}\n\n", (place / (job.sweeps() ? "campaign.csv" : "summary.json")).string());
+  fmt::print("numbers:  {}\n\n",
+             (place / (job.sweeps() ? "campaign.csv" : "summary.json")).string());
 }
 
 void print_json(const std::vector<Job>& jobs) {
   auto list = nlohmann::ordered_json::array();
   for (const Job& job : jobs) {
     const fs::path place = job.folder->wanted();
-    list.push_back({{"title", job.what.title}, {"results", place.string()}, {"points", job.points.size()}});
+    list.push_back(
+        {{"title", job.what.title}, {"results", place.string()}, {"points", job.points.size()}});
   }
   fmt::print("{}\n", list.dump(2));
 }
@@ -175,7 +180,8 @@ int run(const Request& request) {
   }
   auto next = outcomes.begin();
   for (Job& job : jobs) {
-    const std::vector<results::Outcome> mine(next, next + static_cast<std::ptrdiff_t>(job.points.size()));
+    const std::vector<results::Outcome> mine(next,
+                                             next + static_cast<std::ptrdiff_t>(job.points.size()));
     next += static_cast<std::ptrdiff_t>(job.points.size());
     write(job, mine);
     if (!request.quiet && !request.json) tell(job, mine);
@@ -188,7 +194,8 @@ int run(const Request& request) {
     return stopped_by_physics;
   }
   if (stop_wanted()) {
-    fmt::print(stderr, "interrupted: what was computed until then is kept, and marked incomplete.\n");
+    fmt::print(stderr,
+               "interrupted: what was computed until then is kept, and marked incomplete.\n");
     return interrupted;
   }
   return fine;

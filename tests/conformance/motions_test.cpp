@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every motion of the register keeps the promises of kinematics/motion.hpp.
+#include "mahlwerk/kinematics/motions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -21,7 +22,9 @@ constexpr double pi = std::numbers::pi;
 template <class M>
 M sample();
 template <>
-Still sample() { return {}; }
+Still sample() {
+  return {};
+}
 template <>
 Vibration sample() {
   Vibration v;
@@ -29,15 +32,28 @@ Vibration sample() {
   return v;
 }
 template <>
-Planetary sample() { return {.orbit_radius = 0.07, .speed = 42, .ratio = -2}; }
+Planetary sample() {
+  return {.orbit_radius = 0.07, .speed = 42, .ratio = -2};
+}
 template <>
-Tumbling sample() { return {.speed = 6}; }
+Tumbling sample() {
+  return {.speed = 6};
+}
 template <>
-ArcShaker sample() { return {.frequency = 30, .arm = 0.12, .swing = 0.09}; }
+ArcShaker sample() {
+  return {.frequency = 30, .arm = 0.12, .swing = 0.09};
+}
 template <>
 FigureEight sample() {
-  return {.frequency = 17.5, .stroke_along = 0.03, .stroke_across = 0.012, .stroke_up = 0.004,
-          .phase_across = 0.4, .phase_up = 1.0, .rock = 0.2, .phase_rock = -0.3, .pivot = 0.05};
+  return {.frequency = 17.5,
+          .stroke_along = 0.03,
+          .stroke_across = 0.012,
+          .stroke_up = 0.004,
+          .phase_across = 0.4,
+          .phase_up = 1.0,
+          .rock = 0.2,
+          .phase_rock = -0.3,
+          .pivot = 0.05};
 }
 template <>
 Circular sample() {
@@ -50,9 +66,10 @@ Tabulated sample() {
   std::vector<Sample> samples;
   for (int i = 0; i <= 40; ++i) {
     const double u = i / 40.0, angle = 2 * pi * u;
-    samples.push_back({0.25 * (u + 0.002 * std::sin(3 * angle)),
-                       {0.01 * std::sin(angle), 0.02 * std::cos(2 * angle), 0.005 * std::sin(3 * angle)},
-                       angle});
+    samples.push_back(
+        {0.25 * (u + 0.002 * std::sin(3 * angle)),
+         {0.01 * std::sin(angle), 0.02 * std::cos(2 * angle), 0.005 * std::sin(3 * angle)},
+         angle});
   }
   samples.back().centre = samples.front().centre;
   return Tabulated(samples);
@@ -61,7 +78,9 @@ Tabulated sample() {
 template <class Variant>
 struct AsTypes;
 template <class... T>
-struct AsTypes<std::variant<T...>> { using type = ::testing::Types<T...>; };
+struct AsTypes<std::variant<T...>> {
+  using type = ::testing::Types<T...>;
+};
 
 template <class M>
 class Motions : public ::testing::Test {
@@ -74,7 +93,9 @@ TYPED_TEST_SUITE(Motions, AsTypes<AnyMotion>::type);
 
 /// Central difference; off by h^2/6 of the third derivative plus rounding.
 template <class F>
-auto slope(const F& f, double t, double h) { return (f(t + h) - f(t - h)) / (2 * h); }
+auto slope(const F& f, double t, double h) {
+  return (f(t + h) - f(t - h)) / (2 * h);
+}
 
 TYPED_TEST(Motions, velocity_and_acceleration_are_the_derivatives_of_the_centre) {
   const auto& m = this->motion;
@@ -139,8 +160,9 @@ TYPED_TEST(Motions, the_period_closes) {
   for (int i = 0; i < 1000; ++i) {
     const double t = this->some_time();
     const Ride now = m.ride(t), later = m.ride(t + m.period());
-    worst = std::max({worst, norm(now.centre - later.centre) * b.spin,
-                      norm(now.velocity - later.velocity), norm(m.spin(t) - m.spin(t + m.period()))});
+    worst =
+        std::max({worst, norm(now.centre - later.centre) * b.spin,
+                  norm(now.velocity - later.velocity), norm(m.spin(t) - m.spin(t + m.period()))});
   }
   stays_below("change over a period [m/s, rad/s]", worst,
               1e-14 * (norm(b.acceleration) + b.spin_rate + 1), "a few roundings of the time");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every shape of the register keeps the promises of geometry/shape.hpp.
+#include "mahlwerk/geometry/shapes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <tuple>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -23,18 +24,28 @@ using geometry::Sphere;
 template <class S>
 S sample();
 template <>
-Sphere sample() { return {0.03}; }
+Sphere sample() {
+  return {0.03};
+}
 template <>
-Capsule sample() { return {0.012, 0.03621}; }
+Capsule sample() {
+  return {0.012, 0.03621};
+}
 template <>
-Cylinder sample() { return {0.042, 0.0325}; }
+Cylinder sample() {
+  return {0.042, 0.0325};
+}
 template <>
-RoundedCylinder sample() { return {0.042, 0.0325, 0.006}; }
+RoundedCylinder sample() {
+  return {0.042, 0.0325, 0.006};
+}
 
 template <class Variant>
 struct AsTypes;
 template <class... T>
-struct AsTypes<std::variant<T...>> { using type = ::testing::Types<T...>; };
+struct AsTypes<std::variant<T...>> {
+  using type = ::testing::Types<T...>;
+};
 
 template <class S>
 class Shapes : public ::testing::Test {
@@ -102,7 +113,8 @@ TYPED_TEST(Shapes, volume_is_that_of_the_points_inside) {
   constexpr int points = 400000;
   int inside = 0;
   for (int i = 0; i < points; ++i) inside += this->nearest(this->anywhere()) > 0;
-  const double share = static_cast<double>(inside) / points, box = 8 * std::pow(this->shape.reach(), 3);
+  const double share = static_cast<double>(inside) / points,
+               box = 8 * std::pow(this->shape.reach(), 3);
   const double sigma = std::sqrt(share * (1 - share) / points);
   states("volume [ml]", 1e6 * this->shape.volume(), 1e6 * box * share, 5e6 * box * sigma,
          "Monte Carlo, five standard errors");
@@ -125,8 +137,8 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
     const Vec3 start = this->inside(radius);
     const double speed = std::pow(10, this->random.uniform(-2, 1));
     const Vec3 velocity = speed * this->random.direction();
-    const geometry::Pull pull({this->random.uniform(0, 100), this->random.uniform(0, 100),
-                               this->random.uniform(0, 700)});
+    const geometry::Pull pull(
+        {this->random.uniform(0, 100), this->random.uniform(0, 100), this->random.uniform(0, 700)});
     double clear = std::numeric_limits<double>::infinity();
     for (int face = 0; face < TypeParam::faces; ++face) {
       if (!this->shape.meets(face, radius)) continue;

@@ -14,12 +14,13 @@ namespace mahlwerk::tests {
 namespace {
 
 /// A ball thrown onto the floor of a wide still box without gravity: state after one bounce.
-scene::Ball after_one_bounce(const contact::BounceRule& rule, const Vec3& velocity, const Vec3& spin,
-                             scene::Collision* seen = nullptr) {
+scene::Ball after_one_bounce(const contact::BounceRule& rule, const Vec3& velocity,
+                             const Vec3& spin, scene::Collision* seen = nullptr) {
   const scene::Chamber still{geometry::Cylinder{2, 2}, kinematics::Still{}, {}, {0, 0, 0}};
   event::Rules rules;
   rules.bounce = rule;
-  const auto engine = event::one_ball(still, ball_a({0, 0, -1 + 0.004 + 1e-3}, velocity, spin), rules);
+  const auto engine =
+      event::one_ball(still, ball_a({0, 0, -1 + 0.004 + 1e-3}, velocity, spin), rules);
   Recorder recorder;
   engine->advance(1.5e-3 / -velocity.z, recorder);
   EXPECT_EQ(recorder.all.size(), 1U);
@@ -36,7 +37,8 @@ TEST(Bounce, sliding_ball_that_sticks_keeps_five_sevenths_and_rolls_forward) {
 
 TEST(Bounce, elastic_head_on_reverses_the_velocity) {
   const scene::Ball b = after_one_bounce({1, 1, INFINITY}, {0, 0, -2}, {});
-  states("v_z after [m/s]", b.velocity.z, 2, 1e-15, "S0-8: the printed form does it only for e = 2");
+  states("v_z after [m/s]", b.velocity.z, 2, 1e-15,
+         "S0-8: the printed form does it only for e = 2");
 }
 
 TEST(Bounce, slip_is_reduced_to_e_t_of_itself) {
@@ -61,8 +63,8 @@ TEST(Bounce, walton_slides_above_the_transition_and_sticks_below) {
     const scene::Ball b = after_one_bounce({e, -beta0, mu}, {slip, 0, -1}, {});
     const double left = b.velocity.x - 0.004 * b.spin.y;
     const double expected = steepness < 1 ? -beta0 : 1 - 3.5 * mu * (1 + e) / slip;
-    states("e_t found at " + std::to_string(steepness) + " of the transition", left / slip, expected,
-           2e-15, "physics 2.2, sliding branch");
+    states("e_t found at " + std::to_string(steepness) + " of the transition", left / slip,
+           expected, 2e-15, "physics 2.2, sliding branch");
   }
 }
 
@@ -76,7 +78,8 @@ TEST(Bounce, record_says_what_happened) {
   states("glide [m/s]", c.glide, 1.5, 1e-15, "spin left out");
   states("energy at the contact point [J]", c.energy_contact_point(), 0.5 * m * (4 + slip * slip),
          1e-18, "physics 2.5");
-  states("energy of the centres [J]", c.energy_centre(), 0.5 * m * (4 + 2.25), 1e-18, "physics 2.5");
+  states("energy of the centres [J]", c.energy_centre(), 0.5 * m * (4 + 2.25), 1e-18,
+         "physics 2.5");
   states("dissipated [J]", c.lost(),
          0.5 * m * ((1 - 0.81) * 4 + 2.0 / 7 * (1 - 0.81) * slip * slip), 1e-18, "physics 2.5");
   states("impulse [N s]", c.impulse, m * 1.9 * 2, 1e-18, "m (1+e) u_n");
@@ -88,8 +91,10 @@ TEST(Bounce, no_collision_makes_energy_whatever_the_angle) {
   for (int i = 0; i < 200000; ++i) {
     const contact::BounceRule rule{random.uniform(), random.uniform(-1, 1),
                                    i % 2 == 0 ? INFINITY : random.uniform(0, 2)};
-    const double approach = std::pow(10, random.uniform(-6, 1)), slip = std::pow(10, random.uniform(-6, 1));
-    const contact::Loss l = contact::loss(contact::bounce(rule, 1, approach, slip), 1, approach, slip);
+    const double approach = std::pow(10, random.uniform(-6, 1)),
+                 slip = std::pow(10, random.uniform(-6, 1));
+    const contact::Loss l =
+        contact::loss(contact::bounce(rule, 1, approach, slip), 1, approach, slip);
     least = std::min({least, l.normal / (approach * approach), l.tangential / (slip * slip)});
   }
   stays_below("largest gain over the energy at hand", -least, 1e-16, "rounding");

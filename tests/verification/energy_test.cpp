@@ -50,7 +50,10 @@ struct Mills {
             Planetary{.orbit_radius = 0.07, .speed = 41.9, .ratio = -2},
             Tumbling{.speed = 10},
             ArcShaker{.frequency = 20, .arm = 0.12, .swing = 0.08},
-            FigureEight{.frequency = 17, .stroke_along = 0.03, .stroke_across = 0.012, .rock = 0.2,
+            FigureEight{.frequency = 17,
+                        .stroke_along = 0.03,
+                        .stroke_across = 0.012,
+                        .rock = 0.2,
                         .pivot = 0.05},
             circle,
             Tabulated(samples)};
@@ -72,8 +75,8 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
         const scene::Chamber mill{shape, motion, scene::mounted_along(axis), {0, 0, -gravity}};
         event::Rules rules = rules_a(e);
         if (stream % 3 == 0) rules.bounce = {e, 0.0, 0.3};
-        const auto engine =
-            event::one_ball(mill, ball_a({}, 0.5 * random.direction(), 5.0 * random.direction()), rules);
+        const auto engine = event::one_ball(
+            mill, ball_a({}, 0.5 * random.direction(), 5.0 * random.direction()), rules);
         Recorder recorder;
         engine->advance(2, recorder);
         const scene::Account a = engine->account();
@@ -90,7 +93,8 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
   std::printf("    %lld collisions, %lld lasting contacts\n", static_cast<long long>(collisions),
               static_cast<long long>(lasting));
   EXPECT_GT(lasting, 30);
-  stays_below("worst collision's balance, relative", worst_collision, 1e-9, "evt.8, asked of every run");
+  stays_below("worst collision's balance, relative", worst_collision, 1e-9,
+              "evt.8, asked of every run");
   stays_below("worst run's balance, relative to the energy turned over", worst_run, 1e-5,
               "evt.18: 1e-7 a step, 1e4 steps, adding up like a random walk");
 }

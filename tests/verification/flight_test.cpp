@@ -51,10 +51,12 @@ TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_t
   states("time to rest [s]", account.time - account.contact_time, all_over,
          2 * 1e-4 / (gravity * (1 - e)), "t_f (1+e)/(1-e)");
   EXPECT_EQ(account.lasting_contacts, 1);
-  states("energy lost [J]", account.lost(), ball_a().mass() * gravity * h, 1e-15, "it came to rest");
+  states("energy lost [J]", account.lost(), ball_a().mass() * gravity * h, 1e-15,
+         "it came to rest");
 }
 
-/// The guaranteed search against looking everywhere: 1e5 flights over paper A's frequencies and vials.
+/// The guaranteed search against looking everywhere: 1e5 flights over paper A's frequencies and
+/// vials.
 TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   Random random(11, 0);
   double deepest = -1, furthest = 0;
@@ -68,7 +70,8 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
     Vec3 place;  // anywhere the ball fits, one start in three right at the wall
     do {
       const double r = 0.5 * vial_i.diameter;
-      place = {random.uniform(-r, r), random.uniform(-r, r), random.uniform(-1, 1) * vial_i.reach()};
+      place = {random.uniform(-r, r), random.uniform(-r, r),
+               random.uniform(-1, 1) * vial_i.reach()};
     } while (vial_i.gap(0, place).distance < 0.004 + 1e-6);
     if (i % 3 == 0) {
       const geometry::Gap gap = vial_i.gap(0, place);
@@ -79,7 +82,8 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
     if (i % 3 == 0 && dot(velocity, inward) < 0) velocity -= 2 * dot(velocity, inward) * inward;
     event::Instant start{random.uniform(0, 0.1), {}, {place, velocity}};
     start.ride = jar.motion().ride(start.time);
-    const event::Flight flight{start.time, place + start.ride.centre, velocity + start.ride.velocity};
+    const event::Flight flight{start.time, place + start.ride.centre,
+                               velocity + start.ride.velocity};
     const event::Touch touch = event::next_touch(jar, flight, start, start.time + 10, feeler);
     touched += touch.face == 0;
     const auto gap_at = [&](double t) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The same run seen otherwise: from another frame, from another start of the clock, in other portions.
+// The same run seen otherwise: from another frame, from another start of the clock, in other
+// portions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 const Vec3 start{0.0003, -0.0002, 0.004}, velocity{0.05, 0.03, -0.02}, spin{0.05, -0.02, 0.08};
 
-/// The plain reference, kept for ever: in laboratory axes, the vial moving, looking every 2 us and halving.
+/// The plain reference, kept for ever: in laboratory axes, the vial moving, looking every 2 us and
+/// halving.
 std::vector<scene::Collision> in_laboratory_frame(int wanted) {
   const double f = 10, a = 0.025, w = 2 * std::numbers::pi * f, big = 0.006 - 0.004;
   const double h = 0.5 * vial(0.012).height;
@@ -67,8 +69,8 @@ TEST(Frames, laboratory_frame_and_jar_frame_agree) {
   Recorder recorder;
   engine->advance(2, recorder);
   ASSERT_GE(recorder.all.size(), reference.size());
-  // Both find a touch to 1e-15 s; such errors grow at every bounce off a curved wall, to 1e-11 s by the
-  // twelfth: compare while they are small.
+  // Both find a touch to 1e-15 s; such errors grow at every bounce off a curved wall, to 1e-11 s by
+  // the twelfth: compare while they are small.
   double worst_time = 0, worst_speed = 0;
   for (std::size_t i = 0; i < 12; ++i) {
     worst_time = std::max(worst_time, std::abs(reference[i].time - recorder.all[i].time));
@@ -76,7 +78,8 @@ TEST(Frames, laboratory_frame_and_jar_frame_agree) {
                             std::abs(reference[i].slip - recorder.all[i].slip)});
   }
   stays_below("times of 12 collisions [s]", worst_time, 1e-10, "plain reference, laboratory frame");
-  stays_below("speeds of 12 collisions [m/s]", worst_speed, 1e-7, "plain reference, laboratory frame");
+  stays_below("speeds of 12 collisions [m/s]", worst_speed, 1e-7,
+              "plain reference, laboratory frame");
 }
 
 std::vector<scene::Collision> run(const scene::Chamber& mill, double begin, int portions,
@@ -102,15 +105,17 @@ TEST(Frames, start_at_nought_and_after_a_period_give_the_same_trajectory) {
 
 TEST(Frames, how_a_run_is_cut_does_not_change_it) {
   EXPECT_TRUE(same_bits(run(mill_a(), 0, 1), run(mill_a(), 0, 777)));
-  const scene::Chamber planetary{geometry::Cylinder{0.042, 0.0325},
-                                 kinematics::Planetary{.orbit_radius = 0.07, .speed = 41.9, .ratio = -2},
-                                 {},
-                                 {0, 0, -gravity}};
+  const scene::Chamber planetary{
+      geometry::Cylinder{0.042, 0.0325},
+      kinematics::Planetary{.orbit_radius = 0.07, .speed = 41.9, .ratio = -2},
+      {},
+      {0, 0, -gravity}};
   EXPECT_TRUE(same_bits(run(planetary, 0, 1, 1), run(planetary, 0, 313, 1)));
 }
 
-/// A jar that turns about the axis it is symmetric to is seen as still by the search; a table of the same motion
-/// gives no such hint beyond its axis. And a lying jar mounted upright in turned gravity is the same mill.
+/// A jar that turns about the axis it is symmetric to is seen as still by the search; a table of
+/// the same motion gives no such hint beyond its axis. And a lying jar mounted upright in turned
+/// gravity is the same mill.
 TEST(Frames, a_turned_mill_in_turned_gravity_is_the_same_mill) {
   scene::Chamber upright = mill_a();
   scene::Chamber lying = upright;

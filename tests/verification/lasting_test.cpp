@@ -56,12 +56,14 @@ TEST(Lasting, sliding_turns_into_rolling_at_five_sevenths) {
 
 TEST(Lasting, rolling_resistance_slows_by_five_sevenths_mu_r_g) {
   const double mu_r = 0.02, u0 = 0.3;
-  const auto engine = event::one_ball(box, on_floor({u0, 0, 0}, {0, u0 / r, 0}), staying(0.5, mu_r));
+  const auto engine =
+      event::one_ball(box, on_floor({u0, 0, 0}, {0, u0 / r, 0}), staying(0.5, mu_r));
   Recorder recorder;
   engine->advance(0.5, recorder);
   const double t = engine->account().time;
   states("speed after a while [m/s]", engine->balls().front().velocity.x,
-         u0 - 5.0 / 7 * mu_r * gravity * t, 1e-6, "a = (5/7) g (sin a - mu_r cos a) on the level, physics 7.2");
+         u0 - 5.0 / 7 * mu_r * gravity * t, 1e-6,
+         "a = (5/7) g (sin a - mu_r cos a) on the level, physics 7.2");
 }
 
 TEST(Lasting, a_ball_rolls_down_an_incline_at_five_sevenths_or_slips_when_it_is_steep) {
@@ -82,8 +84,8 @@ TEST(Lasting, a_ball_rolls_down_an_incline_at_five_sevenths_or_slips_when_it_is_
 
 TEST(Lasting, ball_in_a_still_cylinder_swings_like_a_rolling_pendulum) {
   const double big = 0.05, rho = big - r, angle = 0.02;
-  const scene::Chamber trough{geometry::Cylinder{2 * big, 0.2}, Still{}, scene::mounted_along({1, 0, 0}),
-                              {0, 0, -gravity}};
+  const scene::Chamber trough{
+      geometry::Cylinder{2 * big, 0.2}, Still{}, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
   const Vec3 start = (rho - 1e-12) * Vec3{0, std::sin(angle), -std::cos(angle)};
   const auto engine = event::one_ball(trough, ball_a(start), staying(1));
   Recorder recorder;
@@ -101,15 +103,16 @@ TEST(Lasting, ball_in_a_still_cylinder_swings_like_a_rolling_pendulum) {
     last = b.position.y;
   }
   const double finite_swing = 1 + angle * angle / 16;
-  states("period [s]", 2 * (last_pass - first_pass) / (passes - 1), period * finite_swing, 1e-6 * period,
-         "2 pi sqrt(7 rho / 5 g), amplitude 0.02 rad");
+  states("period [s]", 2 * (last_pass - first_pass) / (passes - 1), period * finite_swing,
+         1e-6 * period, "2 pi sqrt(7 rho / 5 g), amplitude 0.02 rad");
 }
 
-/// Its own release: a ball that rolls up the inside of a loop leaves it where the wall would have to pull.
+/// Its own release: a ball that rolls up the inside of a loop leaves it where the wall would have
+/// to pull.
 TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_to_pull) {
   const double big = 0.05, rho = big - r, v0 = std::sqrt(5.0 * gravity * rho / 2.0 * 1.2);
-  const scene::Chamber loop{geometry::Cylinder{2 * big, 0.2}, Still{}, scene::mounted_along({1, 0, 0}),
-                            {0, 0, -gravity}};
+  const scene::Chamber loop{
+      geometry::Cylinder{2 * big, 0.2}, Still{}, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
   const auto engine =
       event::one_ball(loop, ball_a({0, 0, -rho + 1e-12}, {0, v0, 0}, {-v0 / r, 0, 0}), staying(20));
   Recorder recorder;
@@ -118,7 +121,8 @@ TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_t
   const double before = t;
   while (engine->account().time - engine->account().contact_time < before + 1e-5)
     engine->advance(t += 1e-5, recorder);
-  // v^2 = v0^2 - (10/7) g rho (1 - cos), let go at v^2 = -g rho cos: cos = (10/7 - v0^2/(g rho)) / (17/7).
+  // v^2 = v0^2 - (10/7) g rho (1 - cos), let go at v^2 = -g rho cos: cos = (10/7 - v0^2/(g rho)) /
+  // (17/7).
   const double cosine = (10.0 / 7 - v0 * v0 / (gravity * rho)) / (17.0 / 7);
   const scene::Ball b = engine->balls().front();
   states("height at which it lets go [m]", b.position.z, -rho * cosine, 2e-5,
@@ -127,28 +131,34 @@ TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_t
 
 TEST(Lasting, ball_in_a_turning_drum_stays_at_the_bottom_and_turns_with_the_wall) {
   const double big = 0.05, speed = 5;
-  const scene::Chamber drum{geometry::Cylinder{2 * big, 0.1}, kinematics::Tumbling{.speed = speed},
-                            scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
+  const scene::Chamber drum{geometry::Cylinder{2 * big, 0.1},
+                            kinematics::Tumbling{.speed = speed},
+                            scene::mounted_along({1, 0, 0}),
+                            {0, 0, -gravity}};
   event::Rules rules = staying(0.5);
   const double rho = big - r;
-  const auto engine = event::one_ball(
-      drum, ball_a({0, 0, -rho + 1e-12}, {}, {speed * big / r, 0, 0}), rules);
+  const auto engine =
+      event::one_ball(drum, ball_a({0, 0, -rho + 1e-12}, {}, {speed * big / r, 0, 0}), rules);
   Recorder recorder;
   engine->advance(2, recorder);
   const scene::Ball b = engine->balls().front();
   states("height [m]", b.position.z, -rho, 1e-9, "no rolling friction: at the bottom, physics 7.2");
-  states("ball surface speed w_b R_b [m/s]", b.spin.x * r, speed * big, 1e-6, "= W R_v, physics 7.2");
+  states("ball surface speed w_b R_b [m/s]", b.spin.x * r, speed * big, 1e-6,
+         "= W R_v, physics 7.2");
 }
 
 TEST(Lasting, a_drum_beyond_its_critical_speed_carries_the_ball_round) {
   const double big = 0.05, rho = big - r, critical = std::sqrt(gravity / rho);
   for (const double share : {0.95, 1.05}) {
     const double speed = share * critical;
-    const scene::Chamber drum{geometry::Cylinder{2 * big, 0.1}, kinematics::Tumbling{.speed = speed},
-                              scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
+    const scene::Chamber drum{geometry::Cylinder{2 * big, 0.1},
+                              kinematics::Tumbling{.speed = speed},
+                              scene::mounted_along({1, 0, 0}),
+                              {0, 0, -gravity}};
     // Carried along with the wall, as a ball without slip is: v = W x r and w = W.
-    const auto engine = event::one_ball(
-        drum, ball_a({0, 0, -rho + 1e-12}, {0, speed * rho, 0}, {speed, 0, 0}), staying(INFINITY, 3.0));
+    const auto engine =
+        event::one_ball(drum, ball_a({0, 0, -rho + 1e-12}, {0, speed * rho, 0}, {speed, 0, 0}),
+                        staying(INFINITY, 3.0));
     Recorder recorder;
     engine->advance(0.5, recorder);  // more than a turn
     const scene::Account a = engine->account();
@@ -188,7 +198,8 @@ TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
          "elastic bounces lose nothing; a rounding of m g (1 m) each");
 }
 
-/// Rates above 1 cm/s hardly depend on how collapse is treated, per second of free flight (peers' finding).
+/// Rates above 1 cm/s hardly depend on how collapse is treated, per second of free flight (peers'
+/// finding).
 TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight) {
   const auto rate = [](event::Lasting lasting) {
     double hits = 0, flight = 0;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What paper A concludes from its figures 4, 5 and 6, asked of the cases in papers/vertical-vibration-mill.
+// What paper A concludes from its figures 4, 5 and 6, asked of the cases in
+// papers/vertical-vibration-mill.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ Curve curve(const std::string& file, double (*x)(const cases::Case&),
             const std::vector<cases::Override>& set = {}) {
   const std::string home = MAHLWERK_HOME;
   const cases::Catalogue catalogue(home + "/catalogue");
-  const cases::Case what = cases::read(home + "/papers/vertical-vibration-mill/" + file, catalogue, set);
+  const cases::Case what =
+      cases::read(home + "/papers/vertical-vibration-mill/" + file, catalogue, set);
   const std::vector<cases::Case> points = campaign::points(what, catalogue, set);
   Curve c;
   for (const results::Outcome& outcome : campaign::run(points)) {
@@ -47,7 +49,9 @@ double frequency(const cases::Case& c) {
 double amplitude(const cases::Case& c) {
   return std::get<kinematics::Vibration>(c.mill.motion).amplitude;
 }
-double diameter(const cases::Case& c) { return std::get<geometry::Capsule>(c.jar.shape).diameter; }
+double diameter(const cases::Case& c) {
+  return std::get<geometry::Capsule>(c.jar.shape).diameter;
+}
 
 /// 1 - residual sum / total sum of the least-squares line, through the origin or not.
 double r_squared(const std::vector<double>& x, const std::vector<double>& y, bool through_origin) {
@@ -70,7 +74,9 @@ void at_least(const std::string& what, double found, double bound) {
   EXPECT_GT(found, bound) << what;
 }
 
-bool falls(const std::vector<double>& y) { return std::is_sorted(y.rbegin(), y.rend()); }
+bool falls(const std::vector<double>& y) {
+  return std::is_sorted(y.rbegin(), y.rend());
+}
 
 void proportional_to_frequency(const Curve& c) {
   std::vector<double> squares;
@@ -80,8 +86,10 @@ void proportional_to_frequency(const Curve& c) {
   at_least("R2 of normal energy = b f^2", r_squared(squares, c.energy_normal, true), 0.999);
   states("rate at 10 Hz [1/s]", c.rate.front(), 159.2, 0.03 * 159.2, "physics 7.4: 159.2 +- 1");
   states("rate at 25 Hz [1/s]", c.rate.back(), 394, 0.03 * 394, "physics 7.4: 394 +- 6");
-  states("contact-point energy at 10 Hz [mJ]", 1e3 * c.energy.front(), 2.42, 0.03 * 2.42, "physics 7.4");
-  states("contact-point energy at 25 Hz [mJ]", 1e3 * c.energy.back(), 14.8, 0.03 * 14.8, "physics 7.4");
+  states("contact-point energy at 10 Hz [mJ]", 1e3 * c.energy.front(), 2.42, 0.03 * 2.42,
+         "physics 7.4");
+  states("contact-point energy at 25 Hz [mJ]", 1e3 * c.energy.back(), 14.8, 0.03 * 14.8,
+         "physics 7.4");
 }
 
 TEST(VibrationMill, rate_is_proportional_to_frequency_and_energy_to_its_square) {
@@ -108,7 +116,8 @@ TEST(VibrationMill, rate_and_contact_point_energy_fall_with_the_diameter_of_the_
   const Curve c = curve("diameter.toml", diameter);
   EXPECT_TRUE(falls(c.rate));
   EXPECT_TRUE(falls(c.energy));
-  EXPECT_FALSE(falls(c.energy_normal)) << "the normal energy first rises: which energy is meant matters";
+  EXPECT_FALSE(falls(c.energy_normal))
+      << "the normal energy first rises: which energy is meant matters";
 }
 
 }  // namespace

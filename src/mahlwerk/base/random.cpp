@@ -11,8 +11,8 @@ namespace mahlwerk {
 double Random::uniform() {
   const r123::Philox4x32::key_type key = {
       {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32U)}};
-  const r123::Philox4x32::ctr_type counter = {{static_cast<std::uint32_t>(drawn_),
-                                               static_cast<std::uint32_t>(drawn_ >> 32U), stream_, 0U}};
+  const r123::Philox4x32::ctr_type counter = {
+      {static_cast<std::uint32_t>(drawn_), static_cast<std::uint32_t>(drawn_ >> 32U), stream_, 0U}};
   ++drawn_;
   const auto block = r123::Philox4x32{}(counter, key);
   const std::uint64_t bits = (static_cast<std::uint64_t>(block[1]) << 32U) | block[0];

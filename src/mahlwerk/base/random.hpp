@@ -8,15 +8,15 @@
 
 namespace mahlwerk {
 
-/// Numbers from a counter (Philox 4x32-10, Salmon et al. 2011): the n-th number of a stream depends on
-/// (seed, stream, n) alone, so results do not depend on threads or order.
+/// Numbers from a counter (Philox 4x32-10, Salmon et al. 2011): the n-th number of a stream depends
+/// on (seed, stream, n) alone, so results do not depend on threads or order.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}
 
-  double uniform();                         ///< in (0, 1)
+  double uniform();  ///< in (0, 1)
   double uniform(double least, double most) { return least + (most - least) * uniform(); }
-  Vec3 direction();                         ///< uniform on the unit sphere
+  Vec3 direction();  ///< uniform on the unit sphere
 
  private:
   std::uint64_t seed_;

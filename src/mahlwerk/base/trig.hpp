@@ -12,11 +12,11 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Sine and cosine together, within 2.3e-16 of their values for |x| below 1e4 rad. The C library's differ
-/// between versions and processors; these are the same to the bit everywhere, and inline.
+/// Sine and cosine together, within 2.3e-16 of their values for |x| below 1e4 rad. The C library's
+/// differ between versions and processors; these are the same to the bit everywhere, and inline.
 ///
-/// Reduction to |r| <= pi/4 by pi/2 in three parts (Cody and Waite 1980), then minimax polynomials with the
-/// coefficients of fdlibm.
+/// Reduction to |r| <= pi/4 by pi/2 in three parts (Cody and Waite 1980), then minimax polynomials
+/// with the coefficients of fdlibm.
 inline SinCos sin_cos(double x) {
   if (!(std::abs(x) < 1e5)) return {std::sin(x), std::cos(x)};
   constexpr double two_over_pi = 6.36619772367581382433e-01, round = 0x1.8p52;
@@ -26,10 +26,11 @@ inline SinCos sin_cos(double x) {
   const auto quadrant = std::bit_cast<std::uint64_t>(shifted);
   const double r = ((x - k * half_pi_1) - k * half_pi_2) - k * half_pi_3, z = r * r, w = z * z;
 
-  const double s = r + r * z *
-                           ((-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
-                            w * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
-                                 w * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
+  const double s =
+      r + r * z *
+              ((-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03) +
+               w * ((-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06) +
+                    w * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
   const double c = (1 - 0.5 * z) +
                    w * ((4.16666666666666019037e-02 + z * -1.38888888888741095749e-03) +
                         w * ((2.48015872894767294178e-05 + z * -2.75573143513906633035e-07) +

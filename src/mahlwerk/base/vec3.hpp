@@ -16,25 +16,47 @@ struct Vec3 {
   constexpr bool operator==(const Vec3&) const = default;
 };
 
-constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-constexpr Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
-constexpr Vec3 operator*(const Vec3& a, double s) { return s * a; }
-constexpr Vec3 operator/(const Vec3& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3 operator-(const Vec3& a) {
+  return {-a.x, -a.y, -a.z};
+}
+constexpr Vec3 operator*(double s, const Vec3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+constexpr Vec3 operator*(const Vec3& a, double s) {
+  return s * a;
+}
+constexpr Vec3 operator/(const Vec3& a, double s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
 
-constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr double squared(const Vec3& a) { return dot(a, a); }
-inline double norm(const Vec3& a) { return std::sqrt(squared(a)); }
+constexpr double squared(const Vec3& a) {
+  return dot(a, a);
+}
+inline double norm(const Vec3& a) {
+  return std::sqrt(squared(a));
+}
 
 /// Component by component size, for bounds.
-inline Vec3 magnitude(const Vec3& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
+inline Vec3 magnitude(const Vec3& a) {
+  return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
+}
 
 /// The part of `a` across the unit vector `n`.
-constexpr Vec3 across(const Vec3& a, const Vec3& n) { return a - dot(a, n) * n; }
+constexpr Vec3 across(const Vec3& a, const Vec3& n) {
+  return a - dot(a, n) * n;
+}
 
 inline bool finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

@@ -33,12 +33,13 @@ event::Rules rules(const cases::Contact& c) {
   const auto lasting = c.lasting == cases::Lasting::roll ? event::Lasting::roll
                        : c.lasting == cases::Lasting::tc ? event::Lasting::tc
                                                          : event::Lasting::none;
-  return {.bounce = c.rule,
-          .lasting_friction = c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
-          .rolling_friction = c.rolling_friction,
-          .lasting = lasting,
-          .lasting_speed = c.lasting_speed,
-          .contact_time = c.contact_time};
+  return {
+      .bounce = c.rule,
+      .lasting_friction = c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
+      .rolling_friction = c.rolling_friction,
+      .lasting = lasting,
+      .lasting_speed = c.lasting_speed,
+      .contact_time = c.contact_time};
 }
 
 /// The change of everything between two looks, as one row of the time series.

@@ -24,19 +24,20 @@ struct Progress {
 using Records = std::function<std::unique_ptr<scene::Observer>(std::size_t point, int replicate)>;
 
 struct Options {
-  int threads = 0;                         ///< 0: as many as the machine has
-  const std::atomic<bool>* stop = nullptr;  ///< set: end cleanly, keep what was computed
+  int threads = 0;                                ///< 0: as many as the machine has
+  const std::atomic<bool>* stop = nullptr;        ///< set: end cleanly, keep what was computed
   std::function<void(const Progress&)> progress;  ///< never from two threads at once
   Records records;
 };
 
 /// Runs every replicate of every case, several at a time; the result does not depend on how many.
 /// Throws InputError if an engine of this version cannot run one of them.
-std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options = {});
+std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
+                                  const Options& options = {});
 results::Outcome run(const cases::Case& what, const Options& options = {});
 
-/// A case without [sweep] is itself; one with it becomes a case per point of the full product, in order.
-/// Throws InputError with the faults of all points.
+/// A case without [sweep] is itself; one with it becomes a case per point of the full product, in
+/// order. Throws InputError with the faults of all points.
 std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
                                 const std::vector<cases::Override>& overrides);
 

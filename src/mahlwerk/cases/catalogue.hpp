@@ -20,9 +20,9 @@ struct CatalogueValue {
 
 /// A statement in a file that must hold between its values and a figure known from elsewhere.
 struct CatalogueCheck {
-  std::string quantity;   ///< which derived quantity, one of check_quantities()
-  double expected = 0;    ///< in the quantity's unit
-  double tolerance = 0;   ///< relative
+  std::string quantity;  ///< which derived quantity, one of check_quantities()
+  double expected = 0;   ///< in the quantity's unit
+  double tolerance = 0;  ///< relative
   std::string source;
 };
 
@@ -46,17 +46,18 @@ class Catalogue {
   explicit Catalogue(std::filesystem::path root);
 
   std::vector<std::string> names(std::string_view room) const;  ///< sorted
-  /// Throws InputError with the nearest names if there is no such entry, or naming what is wrong in its
-  /// file. `where` is the place that asked for it.
-  CatalogueEntry find(std::string_view room, std::string_view name, std::string_view where = "") const;
+  /// Throws InputError with the nearest names if there is no such entry, or naming what is wrong in
+  /// its file. `where` is the place that asked for it.
+  CatalogueEntry find(std::string_view room, std::string_view name,
+                      std::string_view where = "") const;
   const std::filesystem::path& root() const { return root_; }
 
  private:
   std::filesystem::path root_;
 };
 
-/// The value of a derived quantity, in its unit, from an entry's values. Throws InputError for an unknown
-/// quantity or a value it needs that is missing.
+/// The value of a derived quantity, in its unit, from an entry's values. Throws InputError for an
+/// unknown quantity or a value it needs that is missing.
 double derived(const CatalogueEntry& entry, std::string_view quantity);
 
 /// Names, units and meanings of the quantities a [[check]] may name.

@@ -10,8 +10,8 @@
 // Instantaneous collisions of rough spheres: impulse in, impulse out, nothing else.
 namespace mahlwerk::contact {
 
-/// How a collision ends. Paper A: constant e_n and e_t, friction without limit. Walton: the same below the
-/// Coulomb limit `friction` (mu), sliding above it.
+/// How a collision ends. Paper A: constant e_n and e_t, friction without limit. Walton: the same
+/// below the Coulomb limit `friction` (mu), sliding above it.
 struct BounceRule {
   double restitution = 1;             ///< e_n in [0, 1]
   double tangential_restitution = 1;  ///< e_t in [-1, 1]: 1 smooth, 0 no slip, -1 perfectly rough
@@ -19,7 +19,8 @@ struct BounceRule {
   bool operator==(const BounceRule&) const = default;
 };
 
-/// The impulses of one collision [N s], both against the motion of the ball relative to the other body.
+/// The impulses of one collision [N s], both against the motion of the ball relative to the other
+/// body.
 struct Impulse {
   double normal = 0;      ///< along n
   double tangential = 0;  ///< along the slip

@@ -10,8 +10,8 @@
 
 namespace mahlwerk::event {
 
-/// The event engine for one ball in any registered jar on any registered motion. `start` [s] is the mill's
-/// own time at which the run begins. The ball must lie inside the jar.
+/// The event engine for one ball in any registered jar on any registered motion. `start` [s] is the
+/// mill's own time at which the run begins. The ball must lie inside the jar.
 std::unique_ptr<scene::Engine> one_ball(const scene::Chamber& chamber, const scene::Ball& ball,
                                         const Rules& rules, double start = 0);
 

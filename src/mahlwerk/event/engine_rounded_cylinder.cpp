@@ -4,7 +4,8 @@
 
 namespace mahlwerk::event {
 
-template std::unique_ptr<scene::Engine> one_ball_in(const geometry::RoundedCylinder&, const scene::Chamber&,
-                                                    const scene::Ball&, const Rules&, double);
+template std::unique_ptr<scene::Engine> one_ball_in(const geometry::RoundedCylinder&,
+                                                    const scene::Chamber&, const scene::Ball&,
+                                                    const Rules&, double);
 
 }  // namespace mahlwerk::event

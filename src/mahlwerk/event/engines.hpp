@@ -11,9 +11,11 @@
 
 namespace mahlwerk::event {
 
-/// The engine for one shape and every motion; each shape is compiled in a file of its own, side by side.
+/// The engine for one shape and every motion; each shape is compiled in a file of its own, side by
+/// side.
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,
-                                           const scene::Ball& ball, const Rules& rules, double start);
+                                           const scene::Ball& ball, const Rules& rules,
+                                           double start);
 
 }  // namespace mahlwerk::event

@@ -9,11 +9,13 @@ namespace mahlwerk::event {
 
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,
-                                           const scene::Ball& ball, const Rules& rules, double start) {
+                                           const scene::Ball& ball, const Rules& rules,
+                                           double start) {
   return std::visit(
       [&](const auto& motion) -> std::unique_ptr<scene::Engine> {
         using M = std::decay_t<decltype(motion)>;
-        return std::make_unique<OneBall<S, M>>(Jar<S, M>(shape, motion, chamber), ball, rules, start);
+        return std::make_unique<OneBall<S, M>>(Jar<S, M>(shape, motion, chamber), ball, rules,
+                                               start);
       },
       chamber.motion);
 }

@@ -19,16 +19,16 @@ struct Passing {
 
 /// A wall as a ball meets it, in the jar frame.
 struct Wall {
-  double gap;      ///< [m] of the ball
-  Vec3 inward;     ///< unit normal, into the jar
-  Vec3 point;      ///< [m] of contact
-  Vec3 velocity;   ///< [m/s] of the wall's material there
+  double gap;     ///< [m] of the ball
+  Vec3 inward;    ///< unit normal, into the jar
+  Vec3 point;     ///< [m] of contact
+  Vec3 velocity;  ///< [m/s] of the wall's material there
 };
 
 /// A chamber with its types known, so that the search is straight arithmetic.
 ///
-/// A jar that does not turn, or turns about the axis it is symmetric to, looks the same at all times: its
-/// geometry is that of the mounted jar, and only its wall moves along itself.
+/// A jar that does not turn, or turns about the axis it is symmetric to, looks the same at all
+/// times: its geometry is that of the mounted jar, and only its wall moves along itself.
 template <geometry::Shape S, kinematics::Motion M>
 class Jar {
  public:
@@ -59,8 +59,8 @@ class Jar {
     return turned(t).back(a);
   }
 
-  /// What `face` can promise a passing ball. A jar that turns under the ball adds its own accelerations, so
-  /// its promise is kept to a twentieth of a radian (evt.4).
+  /// What `face` can promise a passing ball. A jar that turns under the ball adds its own
+  /// accelerations, so its promise is kept to a twentieth of a radian (evt.4).
   geometry::Outlook outlook(int face, const Passing& p, double t, double radius) const {
     if (looks_still_) {
       if (aligned_) return shape_.outlook(face, {p.position, p.velocity, pull_}, radius);

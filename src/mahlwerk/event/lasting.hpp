@@ -8,8 +8,8 @@
 #include "mahlwerk/event/jar.hpp"
 #include "mahlwerk/event/rules.hpp"
 
-// A ball that stays on the wall: its equations of motion, rolling or sliding, on one face or in the edge
-// between two (evt.12 to evt.17). The state is that of the jar frame.
+// A ball that stays on the wall: its equations of motion, rolling or sliding, on one face or in the
+// edge between two (evt.12 to evt.17). The state is that of the jar frame.
 namespace mahlwerk::event {
 
 /// A ball in lasting contact, with the work done on it and the energy it lost since contact began.
@@ -41,7 +41,8 @@ struct BallBody {
 
 /// Forces at an instant.
 struct Reaction {
-  std::array<double, 2> press{};  ///< [m/s2] normal force per mass, < 0: the wall would have to pull
+  std::array<double, 2>
+      press{};  ///< [m/s2] normal force per mass, < 0: the wall would have to pull
   Vec3 wanted;  ///< [m/s2] friction per mass that would keep the slip as it is
   Vec3 drag;    ///< [m/s2] friction per mass
   Vec3 slip;    ///< [m/s] of the touching surfaces
@@ -53,9 +54,10 @@ class LastingContact {
   LastingContact(const J& jar, const BallBody& ball, const Rules& rules)
       : jar_(&jar), ball_(ball), rules_(rules) {}
 
-  /// Derivative of the state at `t`, and the forces that make it. Flat inside, for it is most of the work
-  /// of a contact, but not copied into every stage that asks for it.
-  [[gnu::flatten, gnu::noinline]] Rest rate(const Seat& seat, double t, const Rest& y, Reaction& forces) const {
+  /// Derivative of the state at `t`, and the forces that make it. Flat inside, for it is most of
+  /// the work of a contact, but not copied into every stage that asks for it.
+  [[gnu::flatten, gnu::noinline]] Rest rate(const Seat& seat, double t, const Rest& y,
+                                            Reaction& forces) const {
     const kinematics::Ride ride = jar_->motion().ride(t);
     const Vec3 field = jar_->gravity() - ride.acceleration;  // (evt.1)
     return seat.count == 1 ? on_face(seat, t, y, ride.velocity, field, forces)
@@ -76,11 +78,12 @@ class LastingContact {
                   wall.inward);
   }
 
-  /// The state put back onto the wall: no gap, no normal speed. `grip` rolling: no slip either, the spin
-  /// following the centre.
+  /// The state put back onto the wall: no gap, no normal speed. `grip` rolling: no slip either, the
+  /// spin following the centre.
   void seat_exactly(const Seat& seat, double t, Rest& y) const {
     for (int i = 0; i < seat.count; ++i) {
-      const Wall wall = jar_->wall(seat.face[static_cast<std::size_t>(i)], y.position, t, ball_.radius);
+      const Wall wall =
+          jar_->wall(seat.face[static_cast<std::size_t>(i)], y.position, t, ball_.radius);
       y.position -= wall.gap * wall.inward;
       y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
     }
@@ -98,8 +101,8 @@ class LastingContact {
   }
 
  private:
-  /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball hardly
-  /// turns (evt.16).
+  /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball
+  /// hardly turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double press) const {
     constexpr double hardly = 0.1;  // [rad/s]
     const Vec3 w = across(turning, inward);
@@ -122,7 +125,8 @@ class LastingContact {
         cross(jar_->motion().spin_rate(t), point) + cross(w, y.velocity - r * hold.inward_rate);
     const Vec3 wanted =
         2.0 / 7.0 *
-        across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n), n);
+        across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n),
+               n);
     Vec3 drag = wanted;
     if (seat.grip == Grip::sliding) {  // (evt.14)
       const double speed = norm(slip), mu = rules_.lasting_friction;
@@ -136,14 +140,15 @@ class LastingContact {
             -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
   }
 
-  /// Two faces hold the ball: two normal forces from two conditions, friction at both, made smooth over a
-  /// creeping speed because the two slips cannot both vanish in general (evt.17).
+  /// Two faces hold the ball: two normal forces from two conditions, friction at both, made smooth
+  /// over a creeping speed because the two slips cannot both vanish in general (evt.17).
   Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
                const Vec3& field, Reaction& forces) const {
     constexpr double creep = 1e-3;  // [m/s] below it friction is viscous
     const double r = ball_.radius, mu = rules_.lasting_friction;
     const Vec3 w = jar_->motion().spin(t);
-    std::array<Vec3, 2> n, wall, slip, grip;  // grip: friction per normal force, or per mass if unlimited
+    std::array<Vec3, 2> n, wall, slip,
+        grip;  // grip: friction per normal force, or per mass if unlimited
     std::array<double, 2> bend{};
     for (std::size_t i = 0; i < 2; ++i) {
       const auto hold = jar_->hold(seat.face[i], {y.position, y.velocity}, t);
@@ -154,7 +159,8 @@ class LastingContact {
       grip[i] = std::isinf(mu) ? -1e4 * slip[i]
                                : -(mu / std::sqrt(squared(slip[i]) + creep * creep)) * slip[i];
     }
-    // press_i + sum_j press_j (n_i . (n_j + grip_j)) = bend_i, i != j; unlimited friction is a given force.
+    // press_i + sum_j press_j (n_i . (n_j + grip_j)) = bend_i, i != j; unlimited friction is a
+    // given force.
     const double c01 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[0], grip[1]));
     const double c10 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[1], grip[0]));
     if (std::isinf(mu)) {

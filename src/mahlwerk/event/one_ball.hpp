@@ -13,8 +13,9 @@
 
 namespace mahlwerk::event {
 
-/// The event engine for one ball: flight, touch, bounce, and lasting contact where bounces collapse.
-/// The clock runs within one period of the mill, so that late times are as exact as early ones.
+/// The event engine for one ball: flight, touch, bounce, and lasting contact where bounces
+/// collapse. The clock runs within one period of the mill, so that late times are as exact as early
+/// ones.
 template <class S, class M>
 class OneBall final : public scene::Engine {
  public:
@@ -71,7 +72,8 @@ class OneBall final : public scene::Engine {
     const kinematics::Ride ride = jar_.motion().ride(at);
     const Vec3& g = jar_.gravity();
     const Vec3 place = staying_ ? stay_.now().position + ride.centre : flight_.lab_position(at, g);
-    const Vec3 speed = staying_ ? stay_.now().velocity + ride.velocity : flight_.lab_velocity(at, g);
+    const Vec3 speed =
+        staying_ ? stay_.now().velocity + ride.velocity : flight_.lab_velocity(at, g);
     a.kinetic = kinetic(speed);
     a.potential = potential(place);
     return a;
@@ -90,10 +92,10 @@ class OneBall final : public scene::Engine {
 
   static Feeler feeler(const Jar<S, M>& jar, double radius) {
     const auto& limits = jar.limits();
-    const double scale = jar.shape().reach() + norm(jar.motion().ride(0).centre) +
-                         (limits.jerk > 0 ? limits.speed * limits.speed /
-                                                (norm(limits.acceleration) + 1e-300)
-                                          : 0.0);
+    const double scale =
+        jar.shape().reach() + norm(jar.motion().ride(0).centre) +
+        (limits.jerk > 0 ? limits.speed * limits.speed / (norm(limits.acceleration) + 1e-300)
+                         : 0.0);
     return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
   }
 
@@ -111,7 +113,8 @@ class OneBall final : public scene::Engine {
     flight_ = {now_.time, p.position + now_.ride.centre, p.velocity + now_.ride.velocity};
   }
 
-  /// An impulse of the wall on the ball: the ball's velocity and spin, and the work of the wall [J].
+  /// An impulse of the wall on the ball: the ball's velocity and spin, and the work of the wall
+  /// [J].
   double push(const Vec3& impulse, const Wall& wall, Passing& p) {
     p.velocity += impulse / body_.mass;
     spin_ -= body_.radius / body_.inertia * cross(wall.inward, impulse);
@@ -131,8 +134,8 @@ class OneBall final : public scene::Engine {
       rule.restitution = 1;
       ++account_.tc_collisions;
     }
-    const contact::Impulse j = contact::bounce(rule, m, approach, slip);      // (evt.6), (evt.7)
-    const contact::Loss loss = contact::loss(j, m, approach, slip);          // (evt.8)
+    const contact::Impulse j = contact::bounce(rule, m, approach, slip);  // (evt.6), (evt.7)
+    const contact::Loss loss = contact::loss(j, m, approach, slip);       // (evt.8)
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
 
     Passing after = now_.ball;
@@ -175,8 +178,8 @@ class OneBall final : public scene::Engine {
                          .lost_tangential = loss.tangential});
   }
 
-  /// Whether the bounces that follow would all be over before the wall's hold on the ball has changed: then
-  /// they are countless and the ball has come to stay (evt.19).
+  /// Whether the bounces that follow would all be over before the wall's hold on the ball has
+  /// changed: then they are countless and the ball has come to stay (evt.19).
   bool collapses(int face) const {
     if (rules_.lasting != Lasting::roll || rebound_ >= rules_.lasting_speed) return false;
     const Passing& p = now_.ball;
@@ -184,8 +187,8 @@ class OneBall final : public scene::Engine {
     if (press <= 0) return false;
     const double e = rules_.bounce.restitution;
     const double over_in = 2 * rebound_ / (press * (1 - e));  // [s]
-    const double change = jar_.limits().jerk + jar_.limits().spin * press +
-                          press * norm(p.velocity) / body_.radius;
+    const double change =
+        jar_.limits().jerk + jar_.limits().spin * press + press * norm(p.velocity) / body_.radius;
     return over_in * change < 0.5 * press;
   }
 
@@ -199,12 +202,12 @@ class OneBall final : public scene::Engine {
     const double before = kinetic(p.velocity + now_.ride.velocity);
     double work = 0;
     for (int i = 0; i < seat.count; ++i) {
-      const Wall wall = jar_.wall(seat.face[static_cast<std::size_t>(i)], p.position, now_.time, body_.radius);
+      const Wall wall =
+          jar_.wall(seat.face[static_cast<std::size_t>(i)], p.position, now_.time, body_.radius);
       const Vec3 n = -wall.inward, glide = p.velocity - wall.velocity;
       const Vec3 slip = across(glide + body_.radius * cross(spin_, n), n);
       const bool sticks = seat.count == 1 && std::isinf(rules_.lasting_friction);
-      const Vec3 impulse =
-          -body_.mass * (dot(glide, n) * n + (sticks ? 2.0 / 7.0 : 0.0) * slip);
+      const Vec3 impulse = -body_.mass * (dot(glide, n) * n + (sticks ? 2.0 / 7.0 : 0.0) * slip);
       work += push(impulse, wall, p);
     }
     account_.wall_work += work;
@@ -214,7 +217,8 @@ class OneBall final : public scene::Engine {
     staying_ = true;
   }
 
-  /// Whether the ball also rests on another face: it touches it, hardly moves to or from it, and is pressed.
+  /// Whether the ball also rests on another face: it touches it, hardly moves to or from it, and is
+  /// pressed.
   bool pinned(int face, const Passing& p) const {
     const Wall wall = jar_.wall(face, p.position, now_.time, body_.radius);
     return wall.gap <= 8 * feeler_.margin &&
@@ -254,7 +258,8 @@ class OneBall final : public scene::Engine {
     constexpr int many = 100000;
     constexpr double soon = 0.01;  // [s]
     if (++guarded_ < many) return;
-    if (mill_time() - guarded_since_ < soon) throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
+    if (mill_time() - guarded_since_ < soon)
+      throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
     guarded_ = 0;
     guarded_since_ = mill_time();
   }
@@ -272,13 +277,13 @@ class OneBall final : public scene::Engine {
   Flight flight_;
   Vec3 spin_;
   bool staying_ = false;
-  double start_;                                    // [s] of the mill's own time
-  Instant now_;                                     // its time is the clock's
-  double before_ = 0;                               // [s] mill time = before_ + clock
-  double round_ = kinematics::no_period;            // [s] the clock's range
-  double reached_ = 0;                              // [s] since the start
-  double rebound_ = 0;                              // [m/s] after the last collision
-  double last_ = -geometry::never;                  // [s] mill time of the last event
+  double start_;                          // [s] of the mill's own time
+  Instant now_;                           // its time is the clock's
+  double before_ = 0;                     // [s] mill time = before_ + clock
+  double round_ = kinematics::no_period;  // [s] the clock's range
+  double reached_ = 0;                    // [s] since the start
+  double rebound_ = 0;                    // [m/s] after the last collision
+  double last_ = -geometry::never;        // [s] mill time of the last event
   int guarded_ = 0;
   double guarded_since_ = 0;
   scene::Account account_;

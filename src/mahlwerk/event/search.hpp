@@ -57,12 +57,12 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
-/// The first touch of a flight from `start` on, no later than about `until`: the first time at which a gap is
-/// (nearly) closed and shrinking. Steps by times that are certainly free, so no touch is passed
-/// (evt.3 to evt.5).
+/// The first touch of a flight from `start` on, no later than about `until`: the first time at
+/// which a gap is (nearly) closed and shrinking. Steps by times that are certainly free, so no
+/// touch is passed (evt.3 to evt.5).
 template <class S, class M>
-[[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start, double until,
-                 const Feeler& ball) {
+[[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start,
+                                  double until, const Feeler& ball) {
   const double radius = ball.radius - ball.margin;
   Instant now = start;
   for (std::int64_t steps = 1;; ++steps) {

@@ -7,8 +7,8 @@
 #include "mahlwerk/event/lasting.hpp"
 #include "mahlwerk/event/search.hpp"
 
-// One step of a lasting contact: Dormand and Prince's embedded pair of orders 5 and 4, with its step chosen
-// from the error (evt.18).
+// One step of a lasting contact: Dormand and Prince's embedded pair of orders 5 and 4, with its
+// step chosen from the error (evt.18).
 namespace mahlwerk::event {
 
 struct Stride {
@@ -19,17 +19,21 @@ struct Stride {
 
 /// `rate(t, y, forces)` is the derivative; `first` its value at the start.
 template <class Rate>
-Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h, double radius) {
+Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, double h,
+              double radius) {
   const Rest& a = first;
   Reaction forces;
   const Rest b = rate(t + h / 5, y + h / 5 * a, forces);
   const Rest c = rate(t + 3 * h / 10, y + h * (3.0 / 40 * a + 9.0 / 40 * b), forces);
-  const Rest d = rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c), forces);
-  const Rest e = rate(t + 8 * h / 9, y + h * (19372.0 / 6561 * a + -25360.0 / 2187 * b +
-                                              64448.0 / 6561 * c + -212.0 / 729 * d),
-                      forces);
-  const Rest f = rate(t + h, y + h * (9017.0 / 3168 * a + -355.0 / 33 * b + 46732.0 / 5247 * c +
-                                      49.0 / 176 * d + -5103.0 / 18656 * e),
+  const Rest d =
+      rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c), forces);
+  const Rest e = rate(
+      t + 8 * h / 9,
+      y + h * (19372.0 / 6561 * a + -25360.0 / 2187 * b + 64448.0 / 6561 * c + -212.0 / 729 * d),
+      forces);
+  const Rest f = rate(t + h,
+                      y + h * (9017.0 / 3168 * a + -355.0 / 33 * b + 46732.0 / 5247 * c +
+                               49.0 / 176 * d + -5103.0 / 18656 * e),
                       forces);
   const Rest end = y + h * (35.0 / 384 * a + 500.0 / 1113 * c + 125.0 / 192 * d +
                             -2187.0 / 6784 * e + 11.0 / 84 * f);
@@ -38,10 +42,9 @@ Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, doub
                           -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
   constexpr double relative = 1e-7;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
-  const double error =
-      std::max({norm(wrong.position) / (relative * radius),
-                norm(wrong.velocity) / (relative * speed),
-                radius * norm(wrong.spin) / (relative * speed)});
+  const double error = std::max({norm(wrong.position) / (relative * radius),
+                                 norm(wrong.velocity) / (relative * speed),
+                                 radius * norm(wrong.spin) / (relative * speed)});
   return {end, last, forces, error};
 }
 
@@ -108,7 +111,8 @@ class Stay {
     contact_.seat_exactly(seat_, t, now_);
   }
 
-  /// Rolling that needs more friction than there is begins to slide; sliding that has come to rest rolls.
+  /// Rolling that needs more friction than there is begins to slide; sliding that has come to rest
+  /// rolls.
   bool regrip(double t) {
     const double mu = rules_.lasting_friction;
     if (mu == 0 || std::isinf(mu)) return false;
@@ -133,7 +137,8 @@ class Stay {
     if (seat_.count == 2 || seat_.grip != Grip::sliding) return geometry::never;
     const double speed = norm(forces_.slip);
     if (speed <= sticking_speed) return geometry::never;
-    const double slowing = 3.5 * dot(forces_.wanted - forces_.drag, forces_.slip) / speed;  // [m/s2]
+    const double slowing =
+        3.5 * dot(forces_.wanted - forces_.drag, forces_.slip) / speed;  // [m/s2]
     return slowing > 0 ? 0.98 * speed / slowing : geometry::never;
   }
 
@@ -190,7 +195,8 @@ class Stay {
     return false;
   }
 
-  /// The length of the step at whose end the ball has just left, by bisection: `leaves` is no smooth function.
+  /// The length of the step at whose end the ball has just left, by bisection: `leaves` is no
+  /// smooth function.
   template <class Rate>
   double moment_of_leaving(const Rate& rate, double t, double h) const {
     double stays = 0, gone = h;
@@ -209,7 +215,7 @@ class Stay {
   Feeler feeler_;
   Seat seat_;
   Rest now_;
-  Rest rate_;           // derivative of now_, and the forces in it, if known_
+  Rest rate_;  // derivative of now_, and the forces in it, if known_
   Reaction forces_;
   bool known_ = false;
   double step_ = 1e-5;  // [s] what the error asks for

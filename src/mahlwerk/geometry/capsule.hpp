@@ -9,8 +9,8 @@
 
 namespace mahlwerk::geometry {
 
-/// A cylinder closed by two half spheres: the vial of paper A. All round it is the set of points one
-/// radius from the axis segment, so it is one C1 face (geo.3).
+/// A cylinder closed by two half spheres: the vial of paper A. All round it is the set of points
+/// one radius from the axis segment, so it is one C1 face (geo.3).
 struct Capsule {
   double diameter = 0;  // [m]
   double height = 0;    // [m] of the cylinder, caps left out
@@ -49,7 +49,8 @@ struct Capsule {
     const Vec3 e = from_core(c.position);
     const double e2 = squared(e), along = dot(e, c.velocity), speed2 = squared(c.velocity);
     const double gap = gap_within(room, e2);
-    if (e.z == 0) {  // between the caps only the motion across the axis counts, until a cap is reached
+    if (e.z ==
+        0) {  // between the caps only the motion across the axis counts, until a cap is reached
       const double vz = c.velocity.z, across2 = std::max(speed2 - vz * vz, 0.0);
       const double side = clear_of_core(room, e2, along, across2, c.pull.across);
       if (stays_between_caps(c, side)) return {gap, along, side};

@@ -7,9 +7,9 @@
 
 #include "mahlwerk/geometry/shape.hpp"
 
-// Times that are certainly free of a touch: lower bounds on the root of a gap whose second derivative is
-// bounded. Each is exact when the bound is attained, so stepping by them converges like Newton's method
-// but never passes a root.
+// Times that are certainly free of a touch: lower bounds on the root of a gap whose second
+// derivative is bounded. Each is exact when the bound is attained, so stepping by them converges
+// like Newton's method but never passes a root.
 namespace mahlwerk::geometry {
 
 /// Smallest s > 0 with far - 2 b s - m s^2 = 0 (far, m >= 0).
@@ -24,15 +24,18 @@ inline double clear_of_plane(double gap, double closing, double pull) {
   return first_root(std::max(gap, 0.0), 0.5 * closing, 0.5 * pull);
 }
 
-/// A point at `e` from the foot on the core of an offset face, `room` [m] the radius it must stay within,
-/// `along` = e.u, `speed2` = u.u, all in the directions in which the face is curved (geo.5):
-/// |e + u s + a s^2/2| <= room holds while room^2 - e^2 - 2 e.u s - (u^2 + room a) s^2 >= 0.
+/// A point at `e` from the foot on the core of an offset face, `room` [m] the radius it must stay
+/// within, `along` = e.u, `speed2` = u.u, all in the directions in which the face is curved
+/// (geo.5): |e + u s + a s^2/2| <= room holds while room^2 - e^2 - 2 e.u s - (u^2 + room a) s^2 >=
+/// 0.
 inline double clear_of_core(double room, double e2, double along, double speed2, double pull) {
   return first_root(std::max(room * room - e2, 0.0), along, speed2 + room * pull);
 }
 
 /// The gap room - |e| without its root: never more than it, and equal to it as it closes.
-inline double gap_within(double room, double e2) { return (room * room - e2) / (2 * room); }
+inline double gap_within(double room, double e2) {
+  return (room * room - e2) / (2 * room);
+}
 
 /// How the inward normal -e/|e| of an offset face turns when e grows at `u` [m/s] (geo.2).
 inline Vec3 rate_about_core(const Vec3& e, const Vec3& u) {

@@ -50,8 +50,7 @@ struct Cylinder {
     const double room = 0.5 * diameter - radius;
     const double e2 = p.x * p.x + p.y * p.y, along = p.x * v.x + p.y * v.y;
     return {gap_within(room, e2), along,
-            clear_of_core(room, e2, along, v.x * v.x + v.y * v.y,
-                          c.pull.across)};
+            clear_of_core(room, e2, along, v.x * v.x + v.y * v.y, c.pull.across)};
   }
   bool meets(int, double) const { return true; }
   double volume() const { return 0.25 * std::numbers::pi * diameter * diameter * height; }

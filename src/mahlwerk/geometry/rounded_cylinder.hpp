@@ -9,9 +9,9 @@
 
 namespace mahlwerk::geometry {
 
-/// A cylinder whose ends meet its side in a fillet, as in most milling jars. A ball smaller than the fillet
-/// meets one C1 wall, the points `fillet` from the flat core; a larger one never reaches the fillet and
-/// meets side and ends as in a plain cylinder (geo.3).
+/// A cylinder whose ends meet its side in a fillet, as in most milling jars. A ball smaller than
+/// the fillet meets one C1 wall, the points `fillet` from the flat core; a larger one never reaches
+/// the fillet and meets side and ends as in a plain cylinder (geo.3).
 struct RoundedCylinder {
   double diameter = 0;  // [m]
   double height = 0;    // [m]
@@ -29,8 +29,9 @@ struct RoundedCylinder {
     return std::array{
         Field<R>{"diameter", "m", &R::diameter, positive, "inner diameter"},
         Field<R>{"height", "m", &R::height, positive, "inner height"},
-        Field<R>{"fillet", "m", &R::fillet, positive,
-                 "radius of the fillet between side and ends, at most half the diameter and height"}};
+        Field<R>{
+            "fillet", "m", &R::fillet, positive,
+            "radius of the fillet between side and ends, at most half the diameter and height"}};
   }
 
   Gap gap(int face, const Vec3& p) const {

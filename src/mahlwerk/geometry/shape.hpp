@@ -10,8 +10,8 @@
 #include "mahlwerk/base/field.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
-// A jar's inner wall, in the jar's own axes: origin in the middle, z along the jar's axis. The wall is
-// a set of smooth faces; where it is smooth all round it is one face with one C1 gap (geo.1).
+// A jar's inner wall, in the jar's own axes: origin in the middle, z along the jar's axis. The wall
+// is a set of smooth faces; where it is smooth all round it is one face with one C1 gap (geo.1).
 namespace mahlwerk::geometry {
 
 /// Where a point stands to one face.
@@ -43,14 +43,15 @@ struct Course {
 struct Outlook {
   double gap = 0;      ///< [m] between ball and face; a lower bound, exact as it closes
   double closing = 0;  ///< > 0 if the gap shrinks (its sign is what counts)
-  double time = 0;     ///< [s] for which no touch is possible, whatever the acceleration within bounds
+  double time = 0;  ///< [s] for which no touch is possible, whatever the acceleration within bounds
 };
 
-/// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at v; its
-/// product with -v is the inward acceleration of a point that runs along the parallel surface (geo.2).
-/// `until_crease(face, p, v)` [s] is when a point on a straight line crosses to where the wall's curvature
-/// is another, infinite if it does not. `outlook(face, course, radius)` serves the search of touches (geo.4 to geo.6).
-/// `meets(face, radius)` says whether a ball of that radius can touch the face at all.
+/// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at
+/// v; its product with -v is the inward acceleration of a point that runs along the parallel
+/// surface (geo.2). `until_crease(face, p, v)` [s] is when a point on a straight line crosses to
+/// where the wall's curvature is another, infinite if it does not. `outlook(face, course, radius)`
+/// serves the search of touches (geo.4 to geo.6). `meets(face, radius)` says whether a ball of that
+/// radius can touch the face at all.
 template <class S>
 concept Shape = requires(const S s, int face, double radius, Vec3 p, Course course) {
   { S::name } -> std::convertible_to<std::string_view>;
@@ -63,8 +64,8 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, Course cour
   { s.until_crease(face, p, p) } -> std::same_as<double>;
   { s.outlook(face, course, radius) } -> std::same_as<Outlook>;
   { s.meets(face, radius) } -> std::same_as<bool>;
-  { s.volume() } -> std::same_as<double>;    // [m3]
-  { s.reach() } -> std::same_as<double>;     // [m] radius of a sphere about the origin that holds it
+  { s.volume() } -> std::same_as<double>;  // [m3]
+  { s.reach() } -> std::same_as<double>;   // [m] radius of a sphere about the origin that holds it
   { s.inradius() } -> std::same_as<double>;  // [m] radius of the largest ball it holds
 };
 

@@ -8,7 +8,8 @@
 
 namespace mahlwerk::kinematics {
 
-/// A jar at the end of an arm that swings in a horizontal arc, turning with it: mixer mills (kin.6).
+/// A jar at the end of an arm that swings in a horizontal arc, turning with it: mixer mills
+/// (kin.6).
 struct ArcShaker {
   double frequency = 0;  // [Hz]
   double arm = 0;        // [m]
@@ -23,7 +24,10 @@ struct ArcShaker {
     return std::array{
         Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"},
         Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"},
-        Field<A>{"swing", "rad", &A::swing, {.least = 0, .most = std::numbers::pi / 2},
+        Field<A>{"swing",
+                 "rad",
+                 &A::swing,
+                 {.least = 0, .most = std::numbers::pi / 2},
                  "largest angle of the arm to either side"}};
   }
 

@@ -10,15 +10,15 @@ namespace mahlwerk::kinematics {
 
 /// A shaker whose jar swings at f along its axis and at 2 f across while its axis rocks (kin.7).
 struct FigureEight {
-  double frequency = 0;     // [Hz]
-  double stroke_along = 0;  // [m]
+  double frequency = 0;      // [Hz]
+  double stroke_along = 0;   // [m]
   double stroke_across = 0;  // [m]
-  double stroke_up = 0;     // [m]
-  double phase_across = 0;  // [rad]
-  double phase_up = 0;      // [rad]
-  double rock = 0;          // [rad]
-  double phase_rock = 0;    // [rad]
-  double pivot = 0;         // [m]
+  double stroke_up = 0;      // [m]
+  double phase_across = 0;   // [rad]
+  double phase_up = 0;       // [rad]
+  double rock = 0;           // [rad]
+  double phase_rock = 0;     // [rad]
+  double pivot = 0;          // [m]
 
   static constexpr std::string_view name = "figure-eight";
   static constexpr std::string_view about =
@@ -39,11 +39,18 @@ struct FigureEight {
                  0.0, none},
         Field<F>{"phase_up", "rad", &F::phase_up, any_number, "phase of the motion upwards", 0.0,
                  none},
-        Field<F>{"rock", "rad", &F::rock, {.least = 0, .most = std::numbers::pi / 2},
-                 "largest angle of the jar's axis to either side, about z", 0.0, none},
-        Field<F>{"phase_rock", "rad", &F::phase_rock, any_number, "phase of the rocking", 0.0, none},
+        Field<F>{"rock",
+                 "rad",
+                 &F::rock,
+                 {.least = 0, .most = std::numbers::pi / 2},
+                 "largest angle of the jar's axis to either side, about z",
+                 0.0,
+                 none},
+        Field<F>{"phase_rock", "rad", &F::phase_rock, any_number, "phase of the rocking", 0.0,
+                 none},
         Field<F>{"pivot", "m", &F::pivot, not_negative,
-                 "distance from the jar's centre back along x to the axis it rocks about", 0.0, none}};
+                 "distance from the jar's centre back along x to the axis it rocks about", 0.0,
+                 none}};
   }
 
   double omega() const { return 2 * std::numbers::pi * frequency; }

@@ -11,8 +11,8 @@
 #include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
-// A mill is one rigid motion of the jar, in laboratory axes with z up: where the jar's centre is and how
-// the jar has turned since it was mounted (kin.1).
+// A mill is one rigid motion of the jar, in laboratory axes with z up: where the jar's centre is
+// and how the jar has turned since it was mounted (kin.1).
 namespace mahlwerk::kinematics {
 
 /// The jar's centre at an instant.
@@ -31,10 +31,10 @@ struct Bounds {
   double spin_rate = 0;  ///< [rad/s2] of the jar
 };
 
-/// A motion. `turn(t)` is the rotation since mounting, `spin(t)` the angular velocity, `spin_rate(t)` its
-/// derivative. `period()` [s] is that of ride and spin, infinite if there is none. `fixed_axis()` is the
-/// constant unit direction of the spin, zero if the jar does not turn or its axis wanders.
-/// `jar_axis` is how the jar is mounted unless the case says otherwise.
+/// A motion. `turn(t)` is the rotation since mounting, `spin(t)` the angular velocity,
+/// `spin_rate(t)` its derivative. `period()` [s] is that of ride and spin, infinite if there is
+/// none. `fixed_axis()` is the constant unit direction of the spin, zero if the jar does not turn
+/// or its axis wanders. `jar_axis` is how the jar is mounted unless the case says otherwise.
 template <class M>
 concept Motion = requires(const M m, double t) {
   { M::name } -> std::convertible_to<std::string_view>;

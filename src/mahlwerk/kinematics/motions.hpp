@@ -16,7 +16,7 @@
 namespace mahlwerk::kinematics {
 
 /// The register: every motion there is. A new one is its file and its name here.
-using AnyMotion = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, FigureEight, Circular,
-                               Tabulated>;
+using AnyMotion = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, FigureEight,
+                               Circular, Tabulated>;
 
 }  // namespace mahlwerk::kinematics

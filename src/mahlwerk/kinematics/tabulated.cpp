@@ -12,8 +12,8 @@ namespace {
 
 using Column = std::vector<double>;
 
-/// Second derivatives at the knots of the periodic cubic spline through `y` (the last equals the first but
-/// for a linear trend): the cyclic tridiagonal system, by Sherman and Morrison.
+/// Second derivatives at the knots of the periodic cubic spline through `y` (the last equals the
+/// first but for a linear trend): the cyclic tridiagonal system, by Sherman and Morrison.
 Column periodic_curvature(const Column& step, const Column& y) {
   const std::size_t n = step.size();  // pieces, and unknowns
   Column low(n), mid(n), high(n), right(n);
@@ -87,7 +87,8 @@ Tabulated::Tabulated(std::vector<Sample> samples, Vec3 axis)
   for (int c = 0; c < channels; ++c) {
     Column y;
     for (const Sample& s : samples_)
-      y.push_back(std::array{s.centre.x, s.centre.y, s.centre.z, s.angle}[static_cast<std::size_t>(c)]);
+      y.push_back(
+          std::array{s.centre.x, s.centre.y, s.centre.z, s.angle}[static_cast<std::size_t>(c)]);
     const Column m = periodic_curvature(step, y);
     const auto k = static_cast<std::size_t>(c);
     for (std::size_t i = 0; i < n; ++i) {
@@ -102,8 +103,8 @@ Tabulated::Tabulated(std::vector<Sample> samples, Vec3 axis)
   bound();
 }
 
-/// Accelerations are linear between knots, so their bounds lie at the knots; a speed is bounded by its value
-/// at both ends and the acceleration between.
+/// Accelerations are linear between knots, so their bounds lie at the knots; a speed is bounded by
+/// its value at both ends and the acceleration between.
 void Tabulated::bound() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece &p = pieces_[i], &next = pieces_[(i + 1) % pieces_.size()];
@@ -111,10 +112,11 @@ void Tabulated::bound() {
     const Vec3 a = magnitude({p.half[0], p.half[1], p.half[2]});
     const Vec3 b = magnitude({next.half[0], next.half[1], next.half[2]});
     Vec3& most = bounds_.acceleration;
-    most = {std::max({most.x, a.x, b.x}), std::max({most.y, a.y, b.y}), std::max({most.z, a.z, b.z})};
+    most = {std::max({most.x, a.x, b.x}), std::max({most.y, a.y, b.y}),
+            std::max({most.z, a.z, b.z})};
     bounds_.jerk = std::max(bounds_.jerk, norm({p.third[0], p.third[1], p.third[2]}));
-    bounds_.speed = std::max(
-        bounds_.speed, norm({p.slope[0], p.slope[1], p.slope[2]}) + step * std::max(norm(a), norm(b)));
+    bounds_.speed = std::max(bounds_.speed, norm({p.slope[0], p.slope[1], p.slope[2]}) +
+                                                step * std::max(norm(a), norm(b)));
     const double gain = std::max(std::abs(p.half[3]), std::abs(next.half[3]));
     bounds_.spin_rate = std::max(bounds_.spin_rate, gain);
     bounds_.spin = std::max(bounds_.spin, std::abs(p.slope[3]) + step * gain);
@@ -140,7 +142,9 @@ double Tabulated::at(const Place& p, int channel, int order) const {
 Ride Tabulated::ride(double t) const {
   if (pieces_.empty()) return {};
   const Place p = find(t);
-  const auto vector = [&](int order) { return Vec3{at(p, 0, order), at(p, 1, order), at(p, 2, order)}; };
+  const auto vector = [&](int order) {
+    return Vec3{at(p, 0, order), at(p, 1, order), at(p, 2, order)};
+  };
   return {vector(0), vector(1), vector(2)};
 }
 
@@ -150,7 +154,11 @@ Rotation Tabulated::turn(double t) const {
   return turning(axis_, at(p, 3, 0) - samples_.front().angle + p.round * angle_per_period_);
 }
 
-Vec3 Tabulated::spin(double t) const { return turns_ ? at(find(t), 3, 1) * axis_ : Vec3{}; }
-Vec3 Tabulated::spin_rate(double t) const { return turns_ ? at(find(t), 3, 2) * axis_ : Vec3{}; }
+Vec3 Tabulated::spin(double t) const {
+  return turns_ ? at(find(t), 3, 1) * axis_ : Vec3{};
+}
+Vec3 Tabulated::spin_rate(double t) const {
+  return turns_ ? at(find(t), 3, 2) * axis_ : Vec3{};
+}
 
 }  // namespace mahlwerk::kinematics

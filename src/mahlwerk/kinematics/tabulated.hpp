@@ -17,9 +17,9 @@ struct Sample {
   bool operator==(const Sample&) const = default;
 };
 
-/// A measured motion, repeated for ever: the twice continuously differentiable periodic cubic spline
-/// through its samples. The last sample closes the period and equals the first, but for whole turns of
-/// the angle (kin.8).
+/// A measured motion, repeated for ever: the twice continuously differentiable periodic cubic
+/// spline through its samples. The last sample closes the period and equals the first, but for
+/// whole turns of the angle (kin.8).
 class Tabulated {
  public:
   static constexpr std::string_view name = "tabulated";
@@ -28,8 +28,8 @@ class Tabulated {
   static constexpr auto fields() { return std::array<Field<Tabulated>, 0>{}; }
 
   Tabulated() = default;
-  /// At least four samples, times rising; throws std::invalid_argument naming the sample that is wrong.
-  /// The angle turns the jar about its mounted axis `axis` (unit vector).
+  /// At least four samples, times rising; throws std::invalid_argument naming the sample that is
+  /// wrong. The angle turns the jar about its mounted axis `axis` (unit vector).
   explicit Tabulated(std::vector<Sample> samples, Vec3 axis = upright);
 
   Ride ride(double t) const;

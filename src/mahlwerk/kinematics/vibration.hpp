@@ -24,8 +24,13 @@ struct Vibration : NeverTurns {
         Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"},
         Field<V>{"amplitude", "m", &V::amplitude, not_negative,
                  "half the stroke: the jar moves this far to either side"},
-        Field<V>{"tilt", "rad", &V::tilt, {0, std::numbers::pi}, "angle of the line from the vertical",
-                 0.0, "vertical, as in paper A"},
+        Field<V>{"tilt",
+                 "rad",
+                 &V::tilt,
+                 {0, std::numbers::pi},
+                 "angle of the line from the vertical",
+                 0.0,
+                 "vertical, as in paper A"},
         Field<V>{"heading", "rad", &V::heading, any_number,
                  "direction of a tilted line around the vertical, from x", 0.0, "along x"}};
   }

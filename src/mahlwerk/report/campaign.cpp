@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -94,19 +95,25 @@ std::string point_table(const Campaign& c) {
       head, body);
 }
 
-/// The points of one line of a plot: what the keys other than the axis say, and their place in the
-/// list.
-std::map<std::string, std::vector<const Point*>> lines(const Campaign& c, std::size_t axis) {
-  std::map<std::string, std::vector<const Point*>> found;
+/// The points of one line of a plot, along the axis, and what the other keys say there.
+struct Line {
+  std::string others;
+  std::vector<const Point*> points;
+};
+std::vector<Line> lines(const Campaign& c, std::size_t axis) {
+  std::vector<Line> found;
   for (const Point& p : c.points) {
     std::string others;
     for (std::size_t i = 0; i < p.values.size(); ++i) {
       if (i != axis) others += (others.empty() ? "" : ", ") + p.values[i];
     }
-    found[others].push_back(&p);
+    const auto same = [&](const Line& line) { return line.others == others; };
+    auto line = std::find_if(found.begin(), found.end(), same);
+    if (line == found.end()) line = found.insert(found.end(), {others, {}});
+    line->points.push_back(&p);
   }
-  for (auto& [others, points] : found)
-    std::stable_sort(points.begin(), points.end(), [&](const Point* a, const Point* b) {
+  for (Line& line : found)
+    std::stable_sort(line.points.begin(), line.points.end(), [&](const Point* a, const Point* b) {
       return split(a->values[axis]).number < split(b->values[axis]).number;
     });
   return found;
@@ -143,11 +150,17 @@ Plot plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
   return plot;
 }
 
-/// The first key that can be an axis, or their number if there is none.
+/// The key with most values among those that can be an axis, or their number if there is none.
 std::size_t axis_of(const Campaign& c) {
-  std::size_t i = 0;
-  while (i < c.swept.size() && (c.points.empty() || !is_number(c, i))) ++i;
-  return i;
+  std::size_t best = c.swept.size(), most = 0;
+  for (std::size_t i = 0; i < c.swept.size(); ++i) {
+    std::set<std::string> values;
+    for (const Point& p : c.points) values.insert(p.values[i]);
+    if (!is_number(c, i) || values.size() <= most) continue;
+    best = i;
+    most = values.size();
+  }
+  return best;
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ struct Campaign {
 /// share one.
 std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points);
 
-/// campaign.html: a table of the points, and the chosen quantities against the first key that is a
-/// number, a line for every combination of the others.
+/// campaign.html: a table of the points, and the chosen quantities against the numeric key with
+/// most values, a line for every combination of the others.
 std::string campaign_page(const Campaign& campaign, std::string_view version);
 
 /// The plots of the page as pictures of their own: file name -> SVG.

@@ -42,7 +42,8 @@ std::string campaign_table(const Campaign& campaign) {
   std::string text;
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i)
-      text += line[i] + (i + 1 < line.size() ? std::string(widths[i] + 2 - width(line[i]), ' ') : "\n");
+      text +=
+          line[i] + (i + 1 < line.size() ? std::string(widths[i] + 2 - width(line[i]), ' ') : "\n");
   }
   return text;
 }

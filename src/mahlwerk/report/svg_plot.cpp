@@ -72,6 +72,7 @@ class Canvas {
   }
 
   void measure();
+  void place_legend();
   void words(double x, double y, std::string_view anchor, std::string_view what,
              std::string_view extra = "");
   void grid();
@@ -83,6 +84,11 @@ class Canvas {
   const Plot& plot_;
   Span x_, y_;
   double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
+  struct Entry {
+    std::size_t series;
+    double x, y;
+  };
+  std::vector<Entry> entries_;  // of the legend
   std::string text_;
 };
 
@@ -108,7 +114,7 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
     if (s.mark == Mark::steps) {
       steps(s, colour, i == 0);
     } else {
-      line(s, colour, s.mark == Mark::line ? dashes[i / colours.size() % dashes.size()] : "");
+      line(s, colour, dashes[i / colours.size() % dashes.size()]);
       if (s.mark == Mark::points) points(s, colour);
     }
   }
@@ -134,10 +140,24 @@ void Canvas::measure() {
   left_ = std::max(62.0, 34 + letter * static_cast<double>(widest));
   right_ = plot_.width - 16;
   top_ = plot_.title.empty() ? 12 : 34;
-  const bool named = std::any_of(plot_.series.begin(), plot_.series.end(),
-                                 [](const Series& s) { return !s.name.empty(); });
-  if (named) top_ += 20;
+  place_legend();
   bottom_ = plot_.height - 46;
+}
+
+/// The legend lies above the plot, in as many rows as it takes.
+void Canvas::place_legend() {
+  double x = left_, y = top_ + 6;
+  for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+    if (plot_.series[i].name.empty()) continue;
+    const double room = 44 + letter * static_cast<double>(width(plot_.series[i].name));
+    if (x > left_ && x + room - 20 > right_) {
+      x = left_;
+      y += 18;
+    }
+    entries_.push_back({i, x, y});
+    x += room;
+  }
+  if (!entries_.empty()) top_ = y + 14;
 }
 
 void Canvas::words(double x, double y, std::string_view anchor, std::string_view what,
@@ -173,18 +193,14 @@ void Canvas::grid() {
 }
 
 void Canvas::legend() {
-  double x = left_;
-  const double y = plot_.title.empty() ? 16 : 40;
-  for (std::size_t i = 0; i < plot_.series.size(); ++i) {
-    const Series& s = plot_.series[i];
-    if (s.name.empty()) continue;
+  for (const Entry& entry : entries_) {
+    const Series& s = plot_.series[entry.series];
     text_ += fmt::format(
         "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
         "stroke-dasharray=\"{}\"/>\n",
-        x, y - 4, colours[i % colours.size()], s.mark == Mark::steps ? 3 : 2,
-        s.mark == Mark::line ? dashes[i / colours.size() % dashes.size()] : "");
-    words(x + 24, y, "start", s.name);
-    x += 44 + letter * static_cast<double>(width(s.name));
+        entry.x, entry.y - 4, colours[entry.series % colours.size()], s.mark == Mark::steps ? 3 : 2,
+        dashes[entry.series / colours.size() % dashes.size()]);
+    words(entry.x + 24, entry.y, "start", s.name);
   }
 }
 
@@ -262,7 +278,7 @@ std::vector<double> ticks(double least, double most, bool logarithmic, int wante
   }
   std::vector<double> list;
   for (double k = std::ceil(least / step - 1e-9); k * step <= most + 1e-9 * step; ++k)
-    list.push_back(k * step);
+    list.push_back(k * step + 0.0);  // not -0
   return list;
 }
 

@@ -50,6 +50,21 @@ bool is_result(const fs::path& folder) {
 }
 
 /// Names inside a folder that no result of ours has.
+std::vector<std::string> foreign(const fs::path& folder);
+
+/// The same of a folder inside a result: a point of a campaign, or its pictures.
+std::vector<std::string> foreign_inside(const fs::directory_entry& inner) {
+  if (is_result(inner.path())) return foreign(inner.path());
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(inner)) {
+    const bool picture = inner.path().filename() == "figures" &&
+                         entry.path().extension() == ".svg" && entry.is_regular_file() &&
+                         !entry.is_symlink();
+    if (!picture) names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
 std::vector<std::string> foreign(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -58,9 +73,7 @@ std::vector<std::string> foreign(const fs::path& folder) {
     if (entry.is_symlink()) {
       names.push_back(name);
     } else if (entry.is_directory()) {
-      const bool ours = is_result(entry.path());
-      for (const std::string& inner : ours ? foreign(entry.path()) : std::vector<std::string>{""})
-        names.push_back(name + "/" + inner);
+      for (const std::string& inner : foreign_inside(entry)) names.push_back(name + "/" + inner);
     } else if (!known) {
       names.push_back(name);
     }

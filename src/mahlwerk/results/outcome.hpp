@@ -11,18 +11,19 @@
 
 namespace mahlwerk::results {
 
-/// One stretch of a replicate's time, for the time series. Rates and powers are means over the stretch.
+/// One stretch of a replicate's time, for the time series. Rates and powers are means over the
+/// stretch.
 struct Window {
-  double time = 0;          ///< [s] its end, since counting began
-  double length = 0;        ///< [s] how long it was
-  double collisions = 0;    ///< how many
-  double above = 0;         ///< how many with u_n above the threshold
-  double energy_normal = 0;  ///< [J] sum over its collisions
+  double time = 0;                  ///< [s] its end, since counting began
+  double length = 0;                ///< [s] how long it was
+  double collisions = 0;            ///< how many
+  double above = 0;                 ///< how many with u_n above the threshold
+  double energy_normal = 0;         ///< [J] sum over its collisions
   double energy_contact_point = 0;  ///< [J] sum
-  double lost = 0;          ///< [J] dissipated
-  double wall_work = 0;     ///< [J] done by the jar
-  double contact_time = 0;  ///< [s] in lasting contact
-  double kinetic = 0;       ///< [J] at its end
+  double lost = 0;                  ///< [J] dissipated
+  double wall_work = 0;             ///< [J] done by the jar
+  double contact_time = 0;          ///< [s] in lasting contact
+  double kinetic = 0;               ///< [J] at its end
 };
 
 /// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
@@ -30,10 +31,10 @@ struct Replicate {
   explicit Replicate(double threshold) : tally(threshold) {}
   observe::Tally tally;
   std::vector<Window> windows;
-  scene::Account account;        ///< at the end
-  scene::Account at_settled;     ///< when counting began
-  bool complete = true;          ///< false if stopped early
-  std::string stopped;           ///< why, if physics stopped it
+  scene::Account account;     ///< at the end
+  scene::Account at_settled;  ///< when counting began
+  bool complete = true;       ///< false if stopped early
+  std::string stopped;        ///< why, if physics stopped it
   double cpu_seconds = 0;
   double time() const { return account.time - at_settled.time; }  ///< [s] counted
 };

@@ -15,7 +15,8 @@ struct Account {
   double wall_work = 0;        ///< done by the jar on the balls
   double lost_normal = 0;      ///< dissipated in collisions, along the normal
   double lost_tangential = 0;  ///< dissipated in collisions, along the wall
-  double lost_lasting = 0;     ///< dissipated in lasting contacts: sliding, rolling, and on entering one
+  double lost_lasting =
+      0;  ///< dissipated in lasting contacts: sliding, rolling, and on entering one
   double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
   double contact_time = 0;     ///< [s] ball time in lasting contact
   std::int64_t collisions = 0;

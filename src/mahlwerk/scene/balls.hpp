@@ -8,7 +8,8 @@
 
 namespace mahlwerk::scene {
 
-/// A solid sphere and how it moves, in the jar frame (axes of the laboratory, origin at the jar's centre).
+/// A solid sphere and how it moves, in the jar frame (axes of the laboratory, origin at the jar's
+/// centre).
 struct Ball {
   double radius = 0;   ///< [m]
   double density = 0;  ///< [kg/m3]

@@ -12,8 +12,8 @@ namespace mahlwerk::scene {
 struct Chamber {
   geometry::AnyShape shape;
   kinematics::AnyMotion motion;
-  Rotation mount;              ///< from the jar's own axes to the laboratory's before any turning
-  Vec3 gravity{0, 0, -9.81};   ///< [m/s2]
+  Rotation mount;             ///< from the jar's own axes to the laboratory's before any turning
+  Vec3 gravity{0, 0, -9.81};  ///< [m/s2]
 };
 
 /// The mounting that lays the jar's own z axis along the unit vector `axis`.

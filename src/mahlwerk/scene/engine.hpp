@@ -15,9 +15,9 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Goes on to `time` [s] since the start, handing finished collisions to `observer`. How a run is cut
-  /// into calls does not change it by a bit. Throws RunError where physics stops it, with all collisions
-  /// up to then handed over.
+  /// Goes on to `time` [s] since the start, handing finished collisions to `observer`. How a run is
+  /// cut into calls does not change it by a bit. Throws RunError where physics stops it, with all
+  /// collisions up to then handed over.
   virtual void advance(double time, Observer& observer) = 0;
 
   /// The energy account at the time reached.

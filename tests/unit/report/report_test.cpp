@@ -62,7 +62,9 @@ TEST(Table, ShowsTwinsBesideEachOther) {
   EXPECT_TRUE(has(text, "6.0 ± 2.5 /s"));
   EXPECT_FALSE(has(text, "above threshold"));
   for (const Row& row : rows(quantities))
-    if (row.above != nullptr) EXPECT_EQ(row.above->name, row.all->name + "_above_threshold");
+    if (row.above != nullptr) {
+      EXPECT_EQ(row.above->name, row.all->name + "_above_threshold");
+    }
 }
 
 TEST(Report, SaysTheResultInASentence) {
