@@ -70,29 +70,28 @@ results::Replicate replicate(const cases::Case& what, int index, const Told& tol
   results::Replicate result(what.observe.threshold);
   Ears ears(result.tally, keeper.get());
   const auto running = engine(what, index);
-  scene::Account last = running->account();
-  result.account = result.at_settled = last;
-  // Goes on to `time`; false once somebody or physics has ended it.
+  result.account = result.at_settled = running->account();
+  // Goes on to `time`, a second at a time so that somebody can end it; false once somebody or
+  // physics has.
   const auto advance = [&](double time) {
-    try {
-      running->advance(time, ears);
-    } catch (const RunError& e) {
-      result.stopped = e.what();
+    while (result.complete && result.account.time < time) {
+      const scene::Account before = result.account;
+      try {
+        running->advance(std::min(time, before.time + 1), ears);
+      } catch (const RunError& e) {
+        result.stopped = e.what();
+      }
+      const scene::Account& now = result.account = running->account();
+      const bool wanted =
+          told(now.time - before.time, static_cast<double>(now.collisions - before.collisions),
+               now.worst_collision);
+      result.complete = wanted && result.stopped.empty();
     }
-    const scene::Account now = running->account();
-    const bool wanted =
-        told(now.time - last.time, static_cast<double>(now.collisions - last.collisions),
-             now.worst_collision);
-    result.account = now;
-    result.complete = wanted && result.stopped.empty();
     return result.complete;
   };
   const auto settle = what.run.settle;
-  for (int i = 1; i <= stretches && settle > 0; ++i) {
-    if (!advance(settle * i / stretches)) return result;
-    last = result.account;
-  }
-  result.at_settled = result.account;
+  if (settle > 0 && !advance(settle)) return result;
+  scene::Account last = result.at_settled = result.account;
   ears.counting = true;
   for (int i = 1; i <= stretches; ++i) {
     const observe::Sums all = result.tally.all, above = result.tally.above;

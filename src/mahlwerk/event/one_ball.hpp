@@ -58,6 +58,7 @@ class OneBall final : public scene::Engine {
         if (finished_.size() >= chunk) hand_over(observer);
       }
     } catch (...) {
+      reached_ = mill_time() - start_;
       hand_over(observer);
       throw;
     }

@@ -3,19 +3,39 @@
 #include "mahlwerk/results/writer.hpp"
 
 #include <string>
+#include <variant>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::results {
+namespace {
+
+constexpr std::string_view motion_file = "motion.csv";
+
+/// A measured motion travels with the result: its samples, as a case can read them again.
+std::string samples(const kinematics::Tabulated& motion) {
+  Table table{.columns = {"time_s", "x_m", "y_m", "z_m", "angle_rad"}, .rows = {}};
+  for (const kinematics::Sample& s : motion.samples())
+    table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
+  return csv(table);
+}
+
+}  // namespace
 
 void write(const Folder& folder, const Outcome& outcome, std::string_view version,
            std::string_view below) {
   const auto put = [&](std::string_view name, const std::string& text) {
     folder.write(std::string(below) + std::string(name), text);
   };
-  put("case.resolved.toml", cases::write(outcome.what));
+  cases::Case resolved = outcome.what;
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&resolved.mill.motion)) {
+    put(motion_file, samples(*measured));
+    resolved.mill.motion_file = motion_file;
+  }
+  put("case.resolved.toml", cases::write(resolved));
   put("spectrum.csv", csv(spectrum(outcome)));
   put("speeds.csv", csv(speeds(outcome)));
   put("angles.csv", csv(angles(outcome)));

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The program as a user meets it: what it makes, and what it says when something is wrong.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace mahlwerk::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code;
+  std::string said;  // on both streams
+};
+
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    here_ = fs::temp_directory_path() /
+            ("mahlwerk-" +
+             std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(here_);
+    fs::create_directories(here_);
+  }
+  void TearDown() override { fs::remove_all(here_); }
+
+  Ended mahlwerk(const std::string& words) const {
+    const std::string command = "(cd '" + here_.string() + "' && '" +
+                                std::string(MAHLWERK_PROGRAM) + "' " + words + ") 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string said;
+    char part[4096];
+    while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
+    return {WEXITSTATUS(pclose(pipe)), said};
+  }
+  std::string text(const std::string& name) const {
+    std::ifstream in(here_ / name);
+    std::ostringstream all;
+    all << in.rdbuf();
+    return all.str();
+  }
+  void expect_refused(const std::string& words, const std::string& because) const {
+    const Ended e = mahlwerk(words);
+    EXPECT_EQ(e.code, 2) << words << "\n" << e.said;
+    EXPECT_NE(e.said.find(because), std::string::npos) << words << "\n" << e.said;
+    EXPECT_FALSE(fs::exists(here_ / "out")) << words;
+  }
+
+  std::string example_ = std::string("'") + MAHLWERK_HOME + "/examples/01-one-ball'";
+  std::string short_ = example_ + " --set run.time=\"0.5 s\" --out out ";
+  fs::path here_;
+};
+
+TEST_F(Program, run_leaves_every_file_and_a_table) {
+  const Ended e = mahlwerk("run " + short_ + "--set observe.collisions=true");
+  EXPECT_EQ(e.code, 0) << e.said;
+  EXPECT_NE(e.said.find("collision rate"), std::string::npos) << e.said;
+  for (const char* file :
+       {"summary.json", "case.resolved.toml", "collisions.h5", "spectrum.csv", "speeds.csv",
+        "angles.csv", "timeseries.csv", "replicates.csv", "report.html"})
+    EXPECT_TRUE(fs::exists(here_ / "out" / file)) << file;
+  EXPECT_EQ(std::distance(fs::directory_iterator(here_), {}), 1) << "nothing beside the result";
+}
+
+TEST_F(Program, resolved_case_gives_the_same_result_on_any_number_of_threads) {
+  EXPECT_EQ(mahlwerk("run " + short_ + "--threads 1 --quiet").code, 0);
+  EXPECT_EQ(mahlwerk("run out/case.resolved.toml --out again --threads 3 --quiet").code, 0);
+  EXPECT_EQ(text("out/timeseries.csv"), text("again/timeseries.csv"));
+  EXPECT_EQ(text("out/spectrum.csv"), text("again/spectrum.csv"));
+}
+
+TEST_F(Program, keeping_every_record_changes_no_trajectory) {
+  EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
+  EXPECT_EQ(mahlwerk("run " + example_ +
+                     " --set run.time=\"0.5 s\" --out kept --quiet "
+                     "--set observe.collisions=true")
+                .code,
+            0);
+  EXPECT_EQ(text("out/replicates.csv"), text("kept/replicates.csv"));
+}
+
+TEST_F(Program, an_existing_result_is_refused_unless_forced) {
+  EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
+  const std::string before = text("out/summary.json");
+  const Ended e = mahlwerk("run " + short_ + "--seed 7");
+  EXPECT_EQ(e.code, 2);
+  EXPECT_NE(e.said.find("--force"), std::string::npos) << e.said;
+  EXPECT_EQ(text("out/summary.json"), before);
+  EXPECT_EQ(mahlwerk("run " + short_ + "--seed 7 --force --quiet").code, 0);
+  EXPECT_NE(text("out/summary.json"), before);
+}
+
+TEST_F(Program, nonsense_is_refused_with_place_and_remedy) {
+  expect_refused("run " + short_ + "--set balls.diameter=\"20 mm\"", "larger than");
+  expect_refused("run " + short_ + "--set balls.diameter=\"0 mm\"", "balls.diameter");
+  expect_refused("run " + short_ + "--set jar.diameter=\"-12 mm\"", "jar.diameter");
+  expect_refused("run " + short_ + "--set contact.restitution=1.5", "contact.restitution");
+  expect_refused("run " + short_ + "--set contact.tangential_restitution=-2",
+                 "tangential_restitution");
+  expect_refused("run " + short_ + "--set mill.amplitude=nan", "amplitude");
+  expect_refused("run " + short_ + "--set mill.frequency=10", "10 Hz");
+  expect_refused("run " + short_ + "--set mill.freqency=\"10 Hz\"", "frequency");
+  expect_refused("run " + short_ + "--set nonsense", "key=value");
+  expect_refused("run missing.toml --out out", "no such file");
+  expect_refused("run " + short_ + "--set run.engine=soft", "soft engine");
+  expect_refused("describe fritsch-p7-clasic", "fritsch-p7-classic");
+  expect_refused("fly", "");
+}
+
+TEST_F(Program, places_that_cannot_be_written_are_refused_before_anything_runs) {
+  const std::string long_run = example_ + " --set run.time=\"1000000 s\" ";
+  expect_refused("run " + long_run + "--out /proc/out", "/proc/out");
+  std::ofstream(here_ / "file") << "mine";
+  expect_refused("run " + long_run + "--out file", "file");
+  EXPECT_EQ(text("file"), "mine");
+  fs::create_directories(here_ / "folder");
+  std::ofstream(here_ / "folder" / "precious.txt") << "mine";
+  expect_refused("run " + long_run + "--out folder --force", "folder");
+  EXPECT_EQ(text("folder/precious.txt"), "mine");
+}
+
+TEST_F(Program, ctrl_c_keeps_what_was_computed_and_says_so) {
+  const Ended e = mahlwerk("run " + example_ +
+                           " --set run.time=\"1000000 s\" --out out & "
+                           "sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(e.code, 130) << e.said;
+  EXPECT_NE(e.said.find("interrupted"), std::string::npos) << e.said;
+  EXPECT_NE(text("out/summary.json").find("\"complete\": false"), std::string::npos);
+}
+
+TEST_F(Program, inelastic_collapse_without_a_remedy_ends_with_an_explanation) {
+  const Ended e = mahlwerk("run " + example_ +
+                           " --set contact.lasting=none --set contact.restitution=0.5 "
+                           "--out out");
+  EXPECT_EQ(e.code, 3) << e.said;
+  EXPECT_NE(e.said.find("lasting = \"roll\""), std::string::npos) << e.said;
+  EXPECT_TRUE(fs::exists(here_ / "out" / "summary.json")) << "what was computed is kept";
+}
+
+TEST_F(Program, check_says_what_follows_and_completion_can_be_read_by_bash) {
+  const Ended e = mahlwerk("check " + example_);
+  EXPECT_EQ(e.code, 0);
+  for (const char* name :
+       {"peak_wall_speed", "acceleration_number", "expected_impact_energy", "run_time"})
+    EXPECT_NE(e.said.find(name), std::string::npos) << e.said;
+  EXPECT_EQ(mahlwerk("completion bash | bash -n").code, 0);
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
