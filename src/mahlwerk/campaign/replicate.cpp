@@ -90,8 +90,9 @@ results::Replicate replicate(const cases::Case& what, int index, const Told& tol
     return result.complete;
   };
   const auto settle = what.run.settle;
-  if (settle > 0 && !advance(settle)) return result;
+  const bool settled = settle <= 0 || advance(settle);
   scene::Account last = result.at_settled = result.account;
+  if (!settled) return result;
   ears.counting = true;
   for (int i = 1; i <= stretches; ++i) {
     const observe::Sums all = result.tally.all, above = result.tally.above;

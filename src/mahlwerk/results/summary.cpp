@@ -93,9 +93,9 @@ const std::vector<Measure>& rates() {
        }},
       {"collision_rate_in_flight", "1/s",
        "collisions above the threshold per second that the balls are not in lasting contact",
-       [](const cases::Case&, const Replicate& r) {
+       [](const cases::Case& c, const Replicate& r) {
          const double contact = r.account.contact_time - r.at_settled.contact_time;
-         return share(static_cast<double>(r.tally.above.count), r.time() - contact);
+         return share(static_cast<double>(r.tally.above.count), r.time() - contact / balls(c));
        }},
   };
   return list;
