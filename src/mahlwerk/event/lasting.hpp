@@ -95,6 +95,19 @@ class LastingContact {
     }
   }
 
+  /// Ends what slip is left by an impulse of the wall, as a bounce with e_t = 0 would (evt.7).
+  void stick(int face, double t, Rest& y) const {
+    const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
+    const Vec3 u = slip(face, t, y);
+    const double before = energy(t, y);
+    const double work =
+        -2.0 / 7.0 * ball_.mass * dot(u, jar_->motion().ride(t).velocity + wall.velocity);
+    y.velocity -= 2.0 / 7.0 * u;
+    y.spin += 5.0 / (7.0 * ball_.radius) * cross(wall.inward, u);
+    y.work += work;
+    y.lost += before + work - energy(t, y);
+  }
+
   double energy(double t, const Rest& y) const {  // [J] kinetic, laboratory axes
     const Vec3 v = y.velocity + jar_->motion().ride(t).velocity;
     return 0.5 * ball_.mass * squared(v) + 0.5 * ball_.inertia * squared(y.spin);

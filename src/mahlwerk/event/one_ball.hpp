@@ -193,7 +193,7 @@ class OneBall final : public scene::Engine {
     return over_in * change < 0.5 * press;
   }
 
-  /// Contact begins: what normal speed is left is lost, and with unlimited friction the slip too.
+  /// Contact begins: what normal speed is left is lost.
   void settle(int face) {
     Passing p = now_.ball;
     Seat seat{1, {face, face}, Grip::rolling, {}};
@@ -206,10 +206,7 @@ class OneBall final : public scene::Engine {
       const Wall wall =
           jar_.wall(seat.face[static_cast<std::size_t>(i)], p.position, now_.time, body_.radius);
       const Vec3 n = -wall.inward, glide = p.velocity - wall.velocity;
-      const Vec3 slip = across(glide + body_.radius * cross(spin_, n), n);
-      const bool sticks = seat.count == 1 && std::isinf(rules_.lasting_friction);
-      const Vec3 impulse = -body_.mass * (dot(glide, n) * n + (sticks ? 2.0 / 7.0 : 0.0) * slip);
-      work += push(impulse, wall, p);
+      work += push(-body_.mass * dot(glide, n) * n, wall, p);
     }
     account_.wall_work += work;
     account_.lost_lasting += before + work - kinetic(p.velocity + now_.ride.velocity);

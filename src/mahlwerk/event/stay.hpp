@@ -75,14 +75,16 @@ class Stay {
     if (seat_.count == 1 && regrip(t)) rate_ = rate(t, now_, forces_);
     if (let_go(t)) return Verdict::released;
 
-    double h = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
+    const double wanted = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
+    double h = wanted;
     Stride s = stride(rate, t, now_, rate_, h, ball_.radius);
     while (!(s.error <= 1)) {
       h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
       s = stride(rate, t, now_, rate_, h, ball_.radius);
     }
-    const double grown = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
-    if (h == step_ || grown < step_) step_ = grown;  // not after a step cut short for other reasons
+    if (h < wanted ||
+        wanted == step_)  // a step cut short for other reasons says nothing about the error
+      step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (leaves(t + h, s)) {
       h = moment_of_leaving(rate, t, h);
       s = stride(rate, t, now_, rate_, h, ball_.radius);
@@ -108,6 +110,7 @@ class Stay {
     const double mu = rules_.lasting_friction;
     const bool slips = norm(contact_.slip(seat_.face[0], t, now_)) > sticking_speed;
     seat_.grip = mu == 0 || (slips && std::isfinite(mu)) ? Grip::sliding : Grip::rolling;
+    if (seat_.grip == Grip::rolling) contact_.stick(seat_.face[0], t, now_);
     contact_.seat_exactly(seat_, t, now_);
   }
 
@@ -123,10 +126,9 @@ class Stay {
       return true;
     }
     if (seat_.grip == Grip::sliding && needed <= most && norm(forces_.slip) <= sticking_speed) {
-      const double before = contact_.energy(t, now_);
       seat_.grip = Grip::rolling;
+      contact_.stick(seat_.face[0], t, now_);
       contact_.seat_exactly(seat_, t, now_);
-      now_.lost += before - contact_.energy(t, now_);
       return true;
     }
     return false;
@@ -139,15 +141,22 @@ class Stay {
     if (speed <= sticking_speed) return geometry::never;
     const double slowing =
         3.5 * dot(forces_.wanted - forces_.drag, forces_.slip) / speed;  // [m/s2]
-    return slowing > 0 ? 0.98 * speed / slowing : geometry::never;
+    return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 
-  /// Steps end where the curvature jumps, for across it the derivative is not smooth.
+  /// Steps end where the curvature jumps, for across it the derivative is not smooth. The way there
+  /// is nearly straight only when it is short, so a long one is not gone at once.
   double until_crease(double t) const {
+    constexpr double short_way = 1e-5;  // [s]
     double soonest = geometry::never;
-    for (int i = 0; i < seat_.count; ++i)
-      soonest = std::min(soonest, jar_->until_crease(seat_.face[static_cast<std::size_t>(i)],
-                                                     {now_.position, now_.velocity}, t));
+    for (int i = 0; i < seat_.count; ++i) {
+      const int face = seat_.face[static_cast<std::size_t>(i)];
+      double time = jar_->until_crease(face, {now_.position, now_.velocity}, t);
+      if (time < step_)  // halfway the velocity is the mean one
+        time = jar_->until_crease(face,
+                                  {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
+      soonest = std::min(soonest, time > short_way ? 0.9 * time : time);
+    }
     return std::max(soonest, least_step());
   }
 
