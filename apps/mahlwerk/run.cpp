@@ -40,13 +40,13 @@ struct Job {
   }
 };
 
+/// results/ and the name of the folder or file the user gave, with each case's name if there are
+/// several.
 fs::path default_place(const std::string& target, const fs::path& file, bool several) {
   const fs::path whole = fs::weakly_canonical(fs::path(target));
-  const bool named_folder = fs::is_directory(whole);
-  const fs::path name = named_folder ? whole.filename()
-                        : file.parent_path().empty() || file.stem() != "case"
-                            ? file.stem()
-                            : fs::weakly_canonical(file).parent_path().filename();
+  const bool by_file = !fs::is_directory(whole) && file.stem() != "case";
+  const fs::path name =
+      by_file ? file.stem() : (fs::is_directory(whole) ? whole : whole.parent_path()).filename();
   return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
 }
 
@@ -114,24 +114,25 @@ std::string trouble(const std::vector<results::Outcome>& outcomes) {
   return "";
 }
 
+/// The defaults nobody has calibrated, in a line; empty if the case rests on none.
+std::string uncalibrated(const cases::Case& what) {
+  std::string line;
+  for (const cases::Origin& origin : what.origins)
+    if (origin.assumed && origin.source.find("uncalibrated") != std::string::npos)
+      line += fmt::format("{}{} = {}", line.empty() ? "" : ", ", origin.key, origin.value);
+  return line.empty() ? "" : "assumed, not calibrated: " + line + "\n\n";
+}
+
 void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
   const fs::path place = job.folder->wanted();
-  fmt::print("{}\n\n", job.what.title);
-  if (job.sweeps()) {
-    fmt::print("{}\n", report::campaign_table(campaign_of(job, outcomes)));
-  } else {
-    fmt::print("{}\n",
-               report::table(results::summarise(outcomes.front()), job.what.observe.threshold));
-    std::string assumed;
-    for (const cases::Origin& origin : job.points.front().origins)
-      if (origin.assumed && origin.source.find("uncalibrated") != std::string::npos)
-        assumed += fmt::format("{}{} = {}", assumed.empty() ? "" : ", ", origin.key, origin.value);
-    if (!assumed.empty()) fmt::print("assumed, not calibrated: {}\n\n", assumed);
-  }
+  const bool sweeps = job.sweeps();
+  const std::string table =
+      sweeps ? report::campaign_table(campaign_of(job, outcomes))
+             : report::table(results::summarise(outcomes.front()), job.what.observe.threshold);
+  fmt::print("{}\n\n{}\n{}", job.what.title, table, uncalibrated(job.points.front()));
   fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / (job.sweeps() ? "campaign.html" : "report.html")).string());
-  fmt::print("numbers:  {}\n\n",
-             (place / (job.sweeps() ? "campaign.csv" : "summary.json")).string());
+  fmt::print("report:   {}\n", (place / (sweeps ? "campaign.html" : "report.html")).string());
+  fmt::print("numbers:  {}\n\n", (place / (sweeps ? "campaign.csv" : "summary.json")).string());
 }
 
 void print_json(const std::vector<Job>& jobs) {
@@ -144,9 +145,8 @@ void print_json(const std::vector<Job>& jobs) {
   fmt::print("{}\n", list.dump(2));
 }
 
-}  // namespace
-
-int run(const Request& request) {
+/// All cases read, and all their places found free, before anything is computed.
+std::vector<Job> prepare_all(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> files = case_files(request.target);
   std::vector<Job> jobs;
@@ -157,38 +157,30 @@ int run(const Request& request) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
+  return jobs;
+}
 
+/// The points of all jobs, in order, computed together.
+std::vector<results::Outcome> compute(const Request& request, const std::vector<Job>& jobs) {
   std::vector<cases::Case> points;
   std::vector<results::CollisionFile*> kept;
-  for (Job& job : jobs) {
+  for (const Job& job : jobs) {
     points.insert(points.end(), job.points.begin(), job.points.end());
     for (const auto& file : job.kept) kept.push_back(file.get());
   }
-  catch_ctrl_c();
-  std::vector<results::Outcome> outcomes;
-  {
-    ProgressLine line(request.quiet);
-    campaign::Options options;
-    options.threads = request.threads;
-    options.stop = &stop_wanted();
-    options.progress = [&](const campaign::Progress& p) { line.show(p); };
-    options.records = [&](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
-      if (kept[point] == nullptr) return nullptr;
-      return std::make_unique<results::CollisionLog>(*kept[point], replicate);
-    };
-    outcomes = campaign::run(points, options);
-  }
-  auto next = outcomes.begin();
-  for (Job& job : jobs) {
-    const std::vector<results::Outcome> mine(next,
-                                             next + static_cast<std::ptrdiff_t>(job.points.size()));
-    next += static_cast<std::ptrdiff_t>(job.points.size());
-    write(job, mine);
-    if (!request.quiet && !request.json) tell(job, mine);
-  }
-  if (request.json) print_json(jobs);
-  if (!request.quiet && !request.json)
-    fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
+  ProgressLine line(request.quiet);
+  campaign::Options options;
+  options.threads = request.threads;
+  options.stop = &stop_wanted();
+  options.progress = [&](const campaign::Progress& p) { line.show(p); };
+  options.records = [&](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
+    if (kept[point] == nullptr) return nullptr;
+    return std::make_unique<results::CollisionLog>(*kept[point], replicate);
+  };
+  return campaign::run(points, options);
+}
+
+int how_it_ended(const std::vector<results::Outcome>& outcomes) {
   if (const std::string why = trouble(outcomes); !why.empty()) {
     fmt::print(stderr, "stopped: {}\nWhat was computed until then is kept.\n", why);
     return stopped_by_physics;
@@ -199,6 +191,26 @@ int run(const Request& request) {
     return interrupted;
   }
   return fine;
+}
+
+}  // namespace
+
+int run(const Request& request) {
+  const std::vector<Job> jobs = prepare_all(request);
+  catch_ctrl_c();
+  const std::vector<results::Outcome> outcomes = compute(request, jobs);
+  const bool talks = !request.quiet && !request.json;
+  auto next = outcomes.begin();
+  for (const Job& job : jobs) {
+    const auto end = next + static_cast<std::ptrdiff_t>(job.points.size());
+    const std::vector<results::Outcome> mine(next, end);
+    next = end;
+    write(job, mine);
+    if (talks) tell(job, mine);
+  }
+  if (request.json) print_json(jobs);
+  if (talks) fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
+  return how_it_ended(outcomes);
 }
 
 }  // namespace mahlwerk::app

@@ -22,9 +22,9 @@ constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
 
 /// Turning by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
 inline Rotation turning(const Vec3& axis, double angle) {
-  const auto [s, c] = sin_cos(angle);
+  const SinCos of = sin_cos(angle);
   const auto turned = [&](const Vec3& a) {
-    return c * a + s * cross(axis, a) + (1 - c) * dot(axis, a) * axis;
+    return of.cos * a + of.sin * cross(axis, a) + (1 - of.cos) * dot(axis, a) * axis;
   };
   return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
 }
