@@ -76,9 +76,10 @@ report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>
   std::vector<std::string> keys;
   for (const auto& [key, values] : job.what.sweep) keys.push_back(key);
   report::Campaign made{.title = job.what.title, .swept = {}, .points = {}};
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+  for (const results::Outcome& outcome : outcomes) {
+    const std::size_t i = made.points.size();
     report::Point point{
-        .values = {}, .quantities = results::summarise(outcomes[i]), .folder = job.below(i)};
+        .values = {}, .quantities = results::summarise(outcome), .folder = job.below(i)};
     // The product of all values, the last key running fastest, as campaign::points makes it.
     std::size_t rest = i;
     for (auto key = job.what.sweep.rbegin(); key != job.what.sweep.rend(); ++key) {
