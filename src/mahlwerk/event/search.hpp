@@ -67,15 +67,23 @@ template <class S, class M>
   Instant now = start;
   for (std::int64_t steps = 1;; ++steps) {
     double clear = geometry::never;
+    int nearest = -1;  // of the faces the ball nears
     for (int face = 0; face < S::faces; ++face) {
       if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
       const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
       if (look.gap <= 2 * ball.margin && look.closing > 0 &&
           (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed))
         return {now, face, steps};
+      if (look.closing > 0 && look.time < clear) nearest = face;
       clear = std::min(clear, look.time);
     }
+    const double before = now.time;
     now.time += std::max(clear, ball.least_step(norm(now.ball.velocity)));
+    if (now.time == before) {  // nearer than the clock can tell: this is the touch
+      if (nearest >= 0 && closing_speed(jar, nearest, now, ball) > rounding_speed)
+        return {now, nearest, steps};
+      now.time = std::nextafter(before, geometry::never);
+    }
     now.ride = jar.motion().ride(now.time);
     now.ball = flight.passing(now.time, jar.gravity(), now.ride);
     if (!(now.time < until)) return {now, -1, steps};
