@@ -6,6 +6,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/search.hpp"
+#include "mahlwerk/scene/chamber.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 
@@ -99,6 +100,22 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   stays_below("deepest penetration before the touch found [m]", deepest, 1e-14,
               "dense sampling, 400 looks a flight");
   stays_below("largest gap at the touch [m]", furthest, 1e-14, "twice the margin");
+}
+
+/// A shaker far beyond any real one, a thousand seconds after its clock began: a step of the clock
+/// is longer than the way through the margin. The run must still end, and its balance close.
+TEST(Search, ends_where_the_clock_can_tell_no_more) {
+  const kinematics::ArcShaker shaker{.frequency = 1000, .arm = 0.15, .swing = 0.05};
+  const scene::Chamber mill{
+      geometry::Capsule{0.02, 0.025}, shaker, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
+  event::Rules rules = rules_a();
+  rules.bounce = {0.9, 0, 0.3};
+  const auto engine = event::one_ball(mill, ball_a({}, {0.05, 0.02, 0.03}), rules, 1000);
+  Recorder recorder;
+  engine->advance(0.3, recorder);
+  EXPECT_GT(recorder.all.size(), 1000U);
+  stays_below("worst collision's balance, relative", engine->account().worst_collision, 1e-9,
+              "evt.8");
 }
 
 }  // namespace
