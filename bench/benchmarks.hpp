@@ -17,6 +17,7 @@ struct Row {
 };
 
 std::vector<Row> one_ball();
+std::vector<Row> fluid();
 
 struct Benchmark {
   std::string_view name, about;
@@ -25,6 +26,7 @@ struct Benchmark {
 
 inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
+    Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
 };
 
 double cpu_seconds();

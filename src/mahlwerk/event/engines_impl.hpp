@@ -20,4 +20,14 @@ std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber&
       chamber.motion);
 }
 
+template <class S>
+std::unique_ptr<const Enclosure> enclosure_of(const S& shape, const scene::Chamber& chamber) {
+  return std::visit(
+      [&](const auto& motion) -> std::unique_ptr<const Enclosure> {
+        using M = std::decay_t<decltype(motion)>;
+        return std::make_unique<Enclosed<S, M>>(Jar<S, M>(shape, motion, chamber));
+      },
+      chamber.motion);
+}
+
 }  // namespace mahlwerk::event

@@ -57,31 +57,46 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
+/// What one look at all faces tells.
+struct Glance {
+  double clear = geometry::never;  ///< [s] without a touch, certainly
+  int nearest = -1;                ///< the face that limits it, of those the ball nears
+  int face = -1;                   ///< touched now; < 0: none
+};
+
+template <class S, class M>
+Glance glance(const Jar<S, M>& jar, const Instant& now, const Feeler& ball) {
+  const double radius = ball.radius - ball.margin;
+  Glance seen;
+  for (int face = 0; face < S::faces; ++face) {
+    if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
+    const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
+    if (look.gap <= 2 * ball.margin && look.closing > 0 &&
+        (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed)) {
+      seen.face = face;
+      return seen;
+    }
+    if (look.closing > 0 && look.time < seen.clear) seen.nearest = face;
+    seen.clear = std::min(seen.clear, look.time);
+  }
+  return seen;
+}
+
 /// The first touch of a flight from `start` on, no later than about `until`: the first time at
 /// which a gap is (nearly) closed and shrinking. Steps by times that are certainly free, so no
 /// touch is passed (evt.3 to evt.5).
 template <class S, class M>
 [[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start,
                                   double until, const Feeler& ball) {
-  const double radius = ball.radius - ball.margin;
   Instant now = start;
   for (std::int64_t steps = 1;; ++steps) {
-    double clear = geometry::never;
-    int nearest = -1;  // of the faces the ball nears
-    for (int face = 0; face < S::faces; ++face) {
-      if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
-      const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
-      if (look.gap <= 2 * ball.margin && look.closing > 0 &&
-          (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed))
-        return {now, face, steps};
-      if (look.closing > 0 && look.time < clear) nearest = face;
-      clear = std::min(clear, look.time);
-    }
+    const Glance seen = glance(jar, now, ball);
+    if (seen.face >= 0) return {now, seen.face, steps};
     const double before = now.time;
-    now.time += std::max(clear, ball.least_step(norm(now.ball.velocity)));
+    now.time += std::max(seen.clear, ball.least_step(norm(now.ball.velocity)));
     if (now.time == before) {  // nearer than the clock can tell: this is the touch
-      if (nearest >= 0 && closing_speed(jar, nearest, now, ball) > rounding_speed)
-        return {now, nearest, steps};
+      if (seen.nearest >= 0 && closing_speed(jar, seen.nearest, now, ball) > rounding_speed)
+        return {now, seen.nearest, steps};
       now.time = std::nextafter(before, geometry::never);
     }
     now.ride = jar.motion().ride(now.time);

@@ -71,4 +71,13 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, Course cour
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
+/// After how much [m] along x, y and z a shape repeats itself; infinite where it does not.
+template <class S>
+constexpr Vec3 periods_of(const S& shape) {
+  if constexpr (requires { shape.periods(); })
+    return shape.periods();
+  else
+    return {never, never, never};
+}
+
 }  // namespace mahlwerk::geometry

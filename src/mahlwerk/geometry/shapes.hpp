@@ -6,12 +6,13 @@
 
 #include "mahlwerk/geometry/capsule.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/periodic_box.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
 #include "mahlwerk/geometry/sphere.hpp"
 
 namespace mahlwerk::geometry {
 
 /// The register: every jar shape there is. A new one is its file and its name here.
-using AnyShape = std::variant<Capsule, Cylinder, RoundedCylinder, Sphere>;
+using AnyShape = std::variant<Capsule, Cylinder, RoundedCylinder, Sphere, PeriodicBox>;
 
 }  // namespace mahlwerk::geometry

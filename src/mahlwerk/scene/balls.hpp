@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 
 #include "mahlwerk/base/vec3.hpp"
@@ -16,6 +17,7 @@ struct Ball {
   Vec3 position;       ///< [m]
   Vec3 velocity;       ///< [m/s]
   Vec3 spin;           ///< [rad/s]
+  std::int32_t kind = 0;  ///< which ball set it belongs to
 
   double mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
   double inertia() const { return 0.4 * mass() * radius * radius; }

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/event/calendar.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace mahlwerk::event {
+namespace {
+
+constexpr double per_slice = 4;  // events; few enough to sort by insertion
+constexpr std::int64_t far_away = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
+
+void Calendar::start(std::span<const double> times, double now) {
+  times_.assign(times.begin(), times.end());
+  ring_ = static_cast<std::int64_t>(std::bit_ceil(std::max<std::size_t>(64, 2 * times.size())));
+  buckets_.assign(static_cast<std::size_t>(ring_), -1);
+  pool_.clear();
+  free_ = -1;
+  filed_ = 0;
+  open_.clear();
+  beyond_.clear();
+  slice_ = 0;
+  origin_ = now;
+  per_second_ = rate() / per_slice;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    file(slice_of(times[i]), times[i], static_cast<std::int32_t>(i));
+}
+
+/// Appointments per second in the near future, from when the first tenth of them is over.
+double Calendar::rate() const {
+  std::vector<double> sorted = times_;
+  const auto tenth = sorted.begin() + std::ssize(sorted) / 10;
+  std::ranges::nth_element(sorted, tenth);
+  const double events = static_cast<double>(tenth - sorted.begin() + 1);
+  return std::clamp(events / (*tenth - origin_), 1e-9, 1e15);
+}
+
+std::int64_t Calendar::slice_of(double time) const {
+  const double slice = (time - origin_) * per_second_;
+  return slice < 1e18 ? static_cast<std::int64_t>(slice) : far_away;
+}
+
+void Calendar::schedule(std::int32_t ball, double time) {
+  times_[static_cast<std::size_t>(ball)] = time;
+  file(slice_of(time), time, ball);
+}
+
+void Calendar::file(std::int64_t slice, double time, std::int32_t ball) {
+  if (slice <= slice_) return insert(time, ball);
+  if (slice >= slice_ + ring_) {
+    if (time < std::numeric_limits<double>::infinity()) beyond_.push_back({time, ball, -1});
+    return;
+  }
+  std::int32_t at = free_;
+  if (at >= 0) {
+    free_ = pool_[static_cast<std::size_t>(at)].next;
+  } else {
+    at = static_cast<std::int32_t>(pool_.size());
+    pool_.emplace_back();
+  }
+  std::int32_t& first = buckets_[static_cast<std::size_t>(slice & (ring_ - 1))];
+  pool_[static_cast<std::size_t>(at)] = {time, ball, first};
+  first = at;
+  ++filed_;
+}
+
+void Calendar::insert(double time, std::int32_t ball) {
+  auto at = open_.size();
+  open_.push_back({});
+  for (; at > 0; --at) {
+    const Entry& e = open_[at - 1];
+    if (e.time > time || (e.time == time && e.ball > ball)) break;
+    open_[at] = e;
+  }
+  open_[at] = {time, ball, -1};
+}
+
+Due Calendar::next() {
+  for (;;) {
+    while (!open_.empty()) {
+      const Entry& e = open_.back();
+      if (!stale(e)) return {e.time, e.ball};
+      open_.pop_back();
+    }
+    if (filed_ == 0 && beyond_.empty()) return {std::numeric_limits<double>::infinity(), -1};
+    open_next();
+  }
+}
+
+void Calendar::open_next() {
+  if (filed_ == 0) {  // an empty ring: jump to what waits beyond it
+    std::int64_t first = far_away;
+    for (const Entry& e : beyond_) first = std::min(first, slice_of(e.time));
+    slice_ = first == far_away ? slice_ + ring_ : first - 1;
+    if (first == far_away) {  // later than slices can count: sort them all
+      std::vector<Entry> last;
+      last.swap(beyond_);
+      for (const Entry& e : last)
+        if (!stale(e)) insert(e.time, e.ball);
+      return;
+    }
+    refile();
+  }
+  ++slice_;
+  if ((slice_ & (ring_ - 1)) == 0) refile();
+  std::int32_t& first = buckets_[static_cast<std::size_t>(slice_ & (ring_ - 1))];
+  for (std::int32_t at = first; at >= 0;) {
+    Entry& e = pool_[static_cast<std::size_t>(at)];
+    const std::int32_t next = e.next;
+    if (!stale(e)) open_.push_back(e);
+    e.next = free_;
+    free_ = at;
+    at = next;
+    --filed_;
+  }
+  first = -1;
+  std::ranges::sort(open_, [](const Entry& a, const Entry& b) {
+    return a.time > b.time || (a.time == b.time && a.ball > b.ball);
+  });
+}
+
+void Calendar::refile() {
+  std::vector<Entry> waiting;
+  waiting.swap(beyond_);
+  for (const Entry& e : waiting)
+    if (!stale(e)) file(slice_of(e.time), e.time, e.ball);
+}
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mahlwerk::event {
+
+/// What comes next: a ball and when [s].
+struct Due {
+  double time = 0;
+  std::int32_t ball = -1;  ///< < 0: nothing is due at all
+  bool operator==(const Due&) const = default;
+};
+
+/// One appointment per ball, the earliest first, ties by the ball's number.
+///
+/// Time is cut into slices, a bucket each, in a ring; only the slice that is open is sorted. A new
+/// appointment leaves the old entry where it is: an entry whose time is no longer its ball's is
+/// dropped when its slice opens. What lies beyond the ring waits in a list until the ring comes
+/// round. All of it costs the same whatever the number of balls.
+class Calendar {
+ public:
+  /// Starts anew with an appointment per ball [s], infinite for none. Slices get the width that suits
+  /// these.
+  void start(std::span<const double> times, double now);
+
+  void schedule(std::int32_t ball, double time);
+  Due next();  ///< the earliest; stays until its ball is given another time
+  double time_of(std::int32_t ball) const { return times_[static_cast<std::size_t>(ball)]; }
+  std::span<const double> times() const { return times_; }
+
+ private:
+  struct Entry {
+    double time;
+    std::int32_t ball, next;
+  };
+
+  std::int64_t slice_of(double time) const;
+  double rate() const;
+  void file(std::int64_t slice, double time, std::int32_t ball);
+  void insert(double time, std::int32_t ball);
+  void open_next();
+  void refile();
+  bool stale(const Entry& e) const { return times_[static_cast<std::size_t>(e.ball)] != e.time; }
+
+  std::vector<double> times_;          // [s] by ball
+  std::vector<std::int32_t> buckets_;  // first entry of each, a ring
+  std::vector<Entry> pool_;            // entries of all buckets
+  std::int32_t free_ = -1;             // first unused one
+  std::int64_t filed_ = 0;             // entries in buckets
+  std::vector<Entry> open_;            // the open slice, the earliest last
+  std::vector<Entry> beyond_;          // too late for the ring
+  std::int64_t slice_ = 0, ring_ = 0;  // open slice; number of buckets, a power of two
+  double origin_ = 0, per_second_ = 1;
+};
+
+}  // namespace mahlwerk::event

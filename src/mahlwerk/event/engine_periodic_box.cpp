@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/event/engines_impl.hpp"
+
+namespace mahlwerk::event {
+
+template std::unique_ptr<const Enclosure> enclosure_of(const geometry::PeriodicBox&,
+                                                        const scene::Chamber&);
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/event/many_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/event/guard.hpp"
+
+namespace mahlwerk::event {
+namespace {
+
+constexpr std::size_t chunk = 1024;             // records handed over at a time
+constexpr std::int64_t collisions_between = 8;  // per ball, from one renewal to the next
+constexpr std::int64_t collisions_at_least = 500;
+constexpr double longest_clock = 1;  // [s] beyond it the falling frame gets far away
+
+}  // namespace
+
+void ManyBalls::advance(double time, scene::Observer& observer) {
+  const double until = time + start_;
+  try {
+    for (;;) {
+      horizon_ = until - before_;
+      const Due due = calendar_.next();
+      if (!(due.time < horizon_)) break;
+      now_ = due.time;
+      happen(due.ball);
+      guard();
+      if (finished_.size() >= chunk) hand_over(observer);
+      const auto many = collisions_between * std::ssize(lines_) + collisions_at_least;
+      const auto since = account_.collisions - renewed_collisions_;
+      if (since > many || (since > 0 && now_ - renewed_ > longest_clock)) renew();
+    }
+  } catch (...) {
+    reached_ = mill_time() - start_;
+    hand_over(observer);
+    throw;
+  }
+  reached_ = time;
+  hand_over(observer);
+}
+
+void ManyBalls::happen(std::int32_t ball) {
+  ++events_;
+  const Plan& p = plan_of(ball);
+  if (p.look <= p.meeting)
+    look(ball);
+  else
+    meet(ball);
+}
+
+/// A ball may be near a wall or about to leave its cell. It is followed as long as nobody else's turn
+/// comes.
+void ManyBalls::look(std::int32_t ball) {
+  Plan& p = plan_of(ball);
+  if (p.face >= 0) return hit_wall(ball, p.face);
+  Passing where = passing(ball);
+  if (has_left(where, p.cell)) {
+    change_cell(ball, where);
+    where = passing(ball);
+  }
+  const double left = now_ + leaves(where, p.cell);
+  p.look = left;
+  if (walls_) {
+    calendar_.schedule(ball, at_no_time);
+    const double next = calendar_.next().time, alone = std::min({p.meeting, left, next});
+    const Sighting seen = jar_->look(where, motion_time(now_), motion_time(alone),
+                                     feelers_[line(ball).species]);
+    ++account_.search_steps;
+    const double then = std::max(now_, seen.time - motion_time(0));
+    if (seen.face >= 0 && then < alone && then < horizon_) {
+      now_ = then;
+      return hit_wall(ball, seen.face);
+    }
+    if (seen.face >= 0 || then < left) {
+      p.look = then;
+      p.face = seen.face;
+    }
+  }
+  calendar_.schedule(ball, p.next());
+}
+
+/// Two balls meet, unless the partner has changed its way since that was predicted.
+void ManyBalls::meet(std::int32_t ball) {
+  Plan& p = plan_of(ball);
+  if (line(p.partner).bent == p.partner_bent) return hit_ball(ball, p.partner);
+  p.meeting = at_no_time;
+  plan_meeting(ball, cells_->near(p.cell, near_.data()));
+  calendar_.schedule(ball, p.next());
+}
+
+/// From time to time the clock is turned back, balls that are neighbours in the jar become neighbours
+/// in memory, and the calendar's slices get the width that suits the rate of events.
+void ManyBalls::renew() {
+  const double period = jar_->looks_still() ? jar_->period() : at_no_time;
+  const double shift = std::isfinite(period) ? std::floor(now_ / period) * period : now_;
+  if (shift > 0) move_frame(shift);
+  sort();
+  std::vector<double> times(plans_.size());
+  std::ranges::transform(plans_, times.begin(), &Plan::next);
+  calendar_.start(times, now_);
+  renewed_ = now_;
+  renewed_collisions_ = account_.collisions;
+}
+
+/// A run whose events pile up without end stops with the reason, rather than hang.
+void ManyBalls::guard() {
+  constexpr std::int64_t many = 100'000, each = 20'000;
+  constexpr double soon = 0.01;  // [s]
+  if (events_ - guarded_ < many + each * std::ssize(lines_)) return;
+  if (mill_time() - guarded_since_ < soon * 1e-2)
+    throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
+  guarded_ = events_;
+  guarded_since_ = mill_time();
+}
+
+void ManyBalls::hand_over(scene::Observer& observer) {
+  if (!finished_.empty()) observer.collisions(finished_);
+  finished_.clear();
+}
+
+}  // namespace mahlwerk::event

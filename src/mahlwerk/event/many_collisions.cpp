@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/event/many_balls.hpp"
+
+namespace mahlwerk::event {
+
+void ManyBalls::hit_wall(std::int32_t ball, int face) {
+  bring_to_now(ball);
+  const Species& s = species(line(ball));
+  Turning& turn = turning(ball);
+  const double t = motion_time(now_);
+  const Passing where = passing(ball);
+  const Wall wall = jar_->wall(face, where.position, t, s.radius);
+  const Vec3 n = -wall.inward, glide = where.velocity - wall.velocity;
+  const Touching touch(n, s.mass, glide, s.radius * turn.spin);
+
+  const bool elastic = chatters(turn);
+  const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, elastic);
+  const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
+  const Vec3 impulse = touch.impulse(j);
+  const double before = kinetic(ball, now_);
+  kick(ball, impulse, s.radius * n);
+  const double work = dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
+  account_.wall_work += work;
+  settle_account(loss, kinetic(ball, now_) - before, work, before);
+  if (elastic) account_.contact_time += now_ - turn.last;
+  turn.last = now_;
+  record(ball, ~face, touch, wall.point, j.normal, loss);
+  plan(ball);
+}
+
+void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
+  bring_to_now(ball);
+  bring_to_now(other);
+  if (turning(other).name < turning(ball).name) std::swap(ball, other);
+  const Line &a = line(ball), &b = line(other);
+  const Species &sa = species(a), &sb = species(b);
+  Turning &ta = turning(ball), &tb = turning(other);
+  const Vec3 apart = nearest_image(b.position - a.position, periods_);
+  const Vec3 n = apart / norm(apart), glide = a.velocity - b.velocity;
+  const Touching touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), glide,
+                       sa.radius * ta.spin + sb.radius * tb.spin);
+
+  const bool elastic = chatters(ta) || chatters(tb);
+  const contact::Impulse j = bounce(bounces_.balls(sa.kind, sb.kind), touch, elastic);
+  const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
+  const Vec3 impulse = touch.impulse(j);
+  const double before = kinetic(ball, now_) + kinetic(other, now_);
+  kick(ball, impulse, sa.radius * n);
+  kick(other, -impulse, -sb.radius * n);
+  settle_account(loss, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
+  for (Turning* turn : {&ta, &tb}) {
+    if (chatters(*turn)) account_.contact_time += now_ - turn->last;
+    turn->last = now_;
+  }
+  record(ball, tb.name, touch, passing(ball).position + sa.radius * n, j.normal, loss);
+  plan(ball);
+  plan(other);
+}
+
+/// The TC rule: a ball that has just collided is in lasting contact, and bounces elastically.
+bool ManyBalls::chatters(const Turning& ball) const {
+  return rules_.lasting == Lasting::tc && now_ - ball.last < rules_.contact_time;
+}
+
+contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
+                                   bool elastic) {
+  account_.tc_collisions += elastic ? 1 : 0;
+  ++account_.collisions;
+  contact::BounceRule now = rule;
+  if (elastic) now.restitution = 1;
+  return contact::bounce(now, touch.mass, touch.approach, touch.slip);
+}
+
+/// `arm` [m] from the centre to the contact.
+void ManyBalls::kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
+  Line& l = line(ball);
+  const Species& s = species(l);
+  l.velocity += impulse / s.mass;
+  ++l.bent;
+  turning(ball).spin += cross(arm, impulse) / s.inertia;
+}
+
+void ManyBalls::settle_account(const contact::Loss& loss, double gained, double work, double scale) {
+  account_.lost_normal += loss.normal;
+  account_.lost_tangential += loss.tangential;
+  const double lost = loss.normal + loss.tangential;
+  const double residual = std::abs(gained - work + lost) / (scale + std::abs(work) + lost + 1e-300);
+  if (!(residual <= account_.worst_collision)) account_.worst_collision = residual;
+}
+
+void ManyBalls::record(std::int32_t ball, std::int32_t other, const Touching& touch,
+                       const Vec3& point, double impulse, const contact::Loss& loss) {
+  const double t = mill_time();
+  finished_.push_back({.time = t - start_,
+                       .duration = 0,
+                       .ball = turning(ball).name,
+                       .other = other,
+                       .where = jar_->own(point, t),
+                       .normal = jar_->own(touch.normal, t),
+                       .mass = touch.mass,
+                       .approach = touch.approach,
+                       .slip = touch.slip,
+                       .glide = norm(touch.gliding),
+                       .impulse = impulse,
+                       .lost_normal = loss.normal,
+                       .lost_tangential = loss.tangential});
+}
+
+double ManyBalls::kinetic(std::int32_t ball, double t) const {
+  const auto i = static_cast<std::size_t>(ball);
+  const Species& s = species(lines_[i]);
+  return 0.5 * s.mass * squared(lab_velocity(lines_[i], t)) +
+         0.5 * s.inertia * squared(turnings_[i].spin);
+}
+
+scene::Account ManyBalls::account() const {
+  scene::Account a = account_;
+  const double t = reached_ + start_ - before_;
+  a.time = reached_;
+  a.kinetic = a.potential = 0;
+  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
+    const Line& l = lines_[static_cast<std::size_t>(ball)];
+    a.kinetic += kinetic(ball, t);
+    const Vec3 place = l.at(t) + epoch_.centre + t * (epoch_.velocity + 0.5 * t * gravity_);
+    a.potential -= species(l).mass * dot(gravity_, place);
+  }
+  return a;
+}
+
+std::vector<scene::Ball> ManyBalls::balls() const {
+  const double t = reached_ + start_ - before_;
+  const Drift d = drift_at(t);
+  std::vector<scene::Ball> list(lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Line& l = lines_[i];
+    const Species& s = species(l);
+    list[static_cast<std::size_t>(turnings_[i].name)] = {
+        s.radius, s.density, l.at(t) - d.place, l.velocity - d.velocity, turnings_[i].spin, s.kind};
+  }
+  return list;
+}
+
+}  // namespace mahlwerk::event

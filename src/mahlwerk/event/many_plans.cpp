@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "mahlwerk/event/many_balls.hpp"
+
+namespace mahlwerk::event {
+namespace {
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+Feeler feeler(const Enclosure& jar, double radius) {
+  const auto& limits = jar.limits();
+  const double scale =
+      jar.reach() + jar.offset() +
+      (limits.jerk > 0 ? limits.speed * limits.speed / (norm(limits.acceleration) + 1e-300) : 0.0);
+  return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
+}
+
+/// The box in which centres of balls can be.
+std::unique_ptr<Cells> grid(const Enclosure& jar, double pull, double widest, std::size_t balls) {
+  const bool periodic = jar.periods().x < at_no_time;
+  const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
+  // A ball pulled by unknown forces is looked at too early rather than too late, again and again as
+  // it nears the border: with some slack it has already crossed it at one of those looks.
+  const double slack = (pull > 0 ? 0.02 : 1e-7) * widest;
+  return std::make_unique<Cells>(-0.5 * size, size, periodic, widest + 2 * slack, slack,
+                                 32.0 * static_cast<double>(balls) + 64);
+}
+
+}  // namespace
+
+ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<scene::Ball>& balls,
+                     const Rules& rules, const contact::BounceTable& bounces, double start)
+    : jar_(std::move(jar)),
+      rules_(rules),
+      bounces_(bounces),
+      gravity_(jar_->gravity()),
+      periods_(jar_->periods()),
+      walls_(jar_->faces() > 0),
+      periodic_(periods_.x < at_no_time),
+      pull_(jar_->limits().acceleration + magnitude(gravity_)),
+      start_(start) {
+  const double period = jar_->looks_still() ? jar_->period() : at_no_time;
+  before_ = std::isfinite(period) ? std::floor(start / period) * period : start;
+  now_ = start - before_;
+  epoch_ = jar_->ride(motion_time(0));
+  std::map<std::tuple<double, double, std::int32_t>, std::uint32_t> known;
+  double widest = 0;
+  for (const scene::Ball& ball : balls) {
+    const auto [place, is_new] =
+        known.try_emplace({ball.radius, ball.density, ball.kind}, species_.size());
+    if (is_new) {
+      species_.push_back({ball.radius, ball.mass(), ball.inertia(), ball.density, ball.kind});
+      radii_.push_back(ball.radius);
+      feelers_.push_back(feeler(*jar_, ball.radius));
+      widest = std::max(widest, 2 * ball.radius);
+    }
+    Line line{.position = ball.position, .since = now_, .velocity = ball.velocity, .bent = 0, .species = place->second};
+    const Drift d = drift_at(now_);
+    line.position += d.place;
+    line.velocity += d.velocity;
+    turnings_.push_back({ball.spin, -at_no_time, static_cast<std::int32_t>(lines_.size())});
+    lines_.push_back(line);
+  }
+  plans_.resize(lines_.size());
+  cells_ = grid(*jar_, pull_.whole, widest, lines_.size());
+  fill_cells();
+  plan_all();
+  finished_.reserve(2048);
+  account_ = account();
+  account_.started_with = account_.kinetic + account_.potential;
+}
+
+void ManyBalls::plan_all() {
+  std::vector<double> times;
+  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
+    predict(ball);
+    times.push_back(plan_of(ball).next());
+  }
+  calendar_.start(times, now_);
+}
+
+void ManyBalls::plan(std::int32_t ball) {
+  predict(ball);
+  calendar_.schedule(ball, plan_of(ball).next());
+}
+
+/// All of a ball's future, after its way has changed.
+void ManyBalls::predict(std::int32_t ball) {
+  Plan& p = plan_of(ball);
+  p.meeting = at_no_time;
+  plan_meeting(ball, cells_->near(p.cell, near_.data()));
+  const Passing where = passing(ball);
+  p.face = -1;
+  p.look = now_ + leaves(where, p.cell);
+  if (walls_) {
+    const double t = motion_time(now_);
+    const Sighting seen = jar_->look(where, t, t, feelers_[line(ball).species]);
+    p.look = std::min(p.look, seen.time - motion_time(0));
+    if (seen.face >= 0) p.face = seen.face;
+  }
+}
+
+void ManyBalls::plan_meeting(std::int32_t ball, int candidates) {
+  const Line& me = line(ball);
+  Plan& p = plan_of(ball);
+  const Asking asking{me.at(now_), me.velocity, now_, species(me).radius};
+  const Meeting found =
+      first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)},
+                    radii_.data(), periods_, {p.meeting, p.partner});
+  if (found.time < p.meeting)
+    p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
+}
+
+/// How long a ball certainly stays in its cell [s].
+double ManyBalls::leaves(const Passing& where, std::int32_t cell) const {
+  const Cells::Borders b = cells_->borders(cell);
+  const Vec3 &x = where.position, &v = where.velocity, &a = pull_.most;
+  const auto along = [](double low, double high, double place, double speed, double pull) {
+    const double up = high < at_no_time ? geometry::clear_of_plane(high - place, speed, pull) : at_no_time;
+    const double down = low > -at_no_time ? geometry::clear_of_plane(place - low, -speed, pull) : at_no_time;
+    return std::min(up, down);
+  };
+  return std::min({along(b.low.x, b.high.x, x.x, v.x, a.x), along(b.low.y, b.high.y, x.y, v.y, a.y),
+                   along(b.low.z, b.high.z, x.z, v.z, a.z)});
+}
+
+bool ManyBalls::has_left(const Passing& where, std::int32_t cell) const {
+  return cells_->cell_at(where.position) != cell;  // folded back into a periodic box, it has
+}
+
+void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {
+  Plan& p = plan_of(ball);
+  if (periodic_) bring_to_now(ball);
+  const std::int32_t before = p.cell, cell = cells_->cell_at(where.position);
+  cells_->remove(ball, before);
+  cells_->insert(ball, cell);
+  near_.resize(static_cast<std::size_t>(cells_->most_near()));
+  p.cell = cell;
+  plan_meeting(ball, cells_->newly_near(cell, before, near_.data()));
+}
+
+/// Starts the ball's line anew at this moment, in the box.
+void ManyBalls::bring_to_now(std::int32_t ball) {
+  Line& l = line(ball);
+  l.position = nearest_image(l.at(now_), periods_);
+  l.since = now_;
+}
+
+/// Turns the clock back by `shift` [s] and lets the falling frame start from the jar frame of that
+/// time (evt.25).
+void ManyBalls::move_frame(double shift) {
+  const Drift d = drift_at(shift);
+  for (Line& l : lines_) {
+    l.since -= shift;
+    l.position -= d.place + l.since * d.velocity;
+    l.velocity -= d.velocity;
+  }
+  for (Plan& p : plans_) {
+    p.meeting -= shift;
+    p.look -= shift;
+  }
+  for (Turning& t : turnings_) t.last -= shift;
+  before_ += shift;
+  now_ -= shift;
+  epoch_ = jar_->ride(motion_time(0));
+  drift_ = {};
+}
+
+/// Stores the balls in the order of their cells.
+void ManyBalls::sort() {
+  const auto count = lines_.size();
+  if (count < 512) return;
+  std::vector<std::int32_t> order(count), place(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::int32_t i) { return plan_of(i).cell; });
+  for (std::size_t i = 0; i < count; ++i) place[at(order[i])] = static_cast<std::int32_t>(i);
+  const auto permute = [&](auto& list) {
+    std::remove_reference_t<decltype(list)> sorted;
+    sorted.reserve(count);
+    for (const std::int32_t i : order) sorted.push_back(list[at(i)]);
+    list = std::move(sorted);
+  };
+  permute(lines_);
+  permute(plans_);
+  permute(turnings_);
+  cells_->clear();
+  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
+    Plan& p = plan_of(ball);
+    if (p.partner >= 0) p.partner = place[at(p.partner)];
+    cells_->insert(ball, p.cell);
+  }
+}
+
+void ManyBalls::fill_cells() {
+  cells_->clear();
+  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
+    plan_of(ball).cell = cells_->cell_at(passing(ball).position);
+    cells_->insert(ball, plan_of(ball).cell);
+  }
+  near_.resize(at(cells_->most_near()));
+}
+
+ManyBalls::Drift ManyBalls::drift_at(double t) const {
+  if (!walls_) return {t, {}, {}};
+  const kinematics::Ride ride = jar_->ride(motion_time(t));
+  return {t, ride.centre - epoch_.centre - t * (epoch_.velocity + 0.5 * t * gravity_),
+          ride.velocity - epoch_.velocity - t * gravity_};
+}
+
+const ManyBalls::Drift& ManyBalls::drift() {
+  if (drift_.time != now_) drift_ = drift_at(now_);
+  return drift_;
+}
+
+/// Where a ball is now, in the jar frame.
+Passing ManyBalls::passing(std::int32_t ball) {
+  const Line& l = line(ball);
+  return {nearest_image(l.at(now_) - drift().place, periods_), l.velocity - drift().velocity};
+}
+
+}  // namespace mahlwerk::event

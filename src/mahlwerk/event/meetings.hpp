@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mahlwerk/event/swarm.hpp"
+
+namespace mahlwerk::event {
+
+struct Meeting {
+  double time = at_no_time;
+  std::int32_t partner = -1;
+};
+
+/// A ball at an instant, about to be held against others.
+struct Asking {
+  Vec3 position, velocity;
+  double time, radius;
+};
+
+/// The earliest meeting of `asking` with one of `others` (indices of `lines`) before `best` (evt.24).
+/// `radii` by species; `periods` [m] where the box repeats itself, infinite where it does not.
+Meeting first_meeting(const Asking& asking, std::span<const Line> lines,
+                      std::span<const std::int32_t> others, const double* radii,
+                      const Vec3& periods, Meeting best);
+
+/// `a` as seen from the nearest image.
+inline Vec3 nearest_image(Vec3 a, const Vec3& periods) {
+  const auto fold = [](double x, double period) {
+    if (x > 0.5 * period) return x - period;
+    if (x < -0.5 * period) return x + period;
+    return x;
+  };
+  return {fold(a.x, periods.x), fold(a.y, periods.y), fold(a.z, periods.z)};
+}
+
+}  // namespace mahlwerk::event

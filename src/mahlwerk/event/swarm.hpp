@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "mahlwerk/base/vec3.hpp"
+
+// Many balls as the event engine keeps them: what a prediction of meetings reads fills one cache
+// line.
+namespace mahlwerk::event {
+
+constexpr double at_no_time = std::numeric_limits<double>::infinity();
+
+/// A ball between two of its collisions: a straight line in the falling frame (evt.23).
+struct alignas(64) Line {
+  Vec3 position;           ///< [m] at `since`
+  double since = 0;        ///< [s] on the engine's clock
+  Vec3 velocity;           ///< [m/s]
+  std::uint32_t bent = 0;  ///< how often it has changed: an appointment made before is void
+  std::uint32_t species = 0;
+
+  Vec3 at(double t) const { return position + (t - since) * velocity; }
+};
+static_assert(sizeof(Line) == 64);
+
+/// What a ball is up to next.
+struct Plan {
+  double meeting = at_no_time;  ///< [s] with `partner`, the earliest of its own
+  std::int32_t partner = -1;
+  std::uint32_t partner_bent = 0;  ///< when that was predicted
+  double look = 0;                 ///< [s] until then it certainly touches no wall and has not left
+  std::int32_t face = -1;          ///< that it touches then; < 0: it must be looked at
+  std::int32_t cell = 0;
+
+  double next() const { return meeting < look ? meeting : look; }
+};
+
+/// What only collisions need.
+struct Turning {
+  Vec3 spin;                  ///< [rad/s]
+  double last = -at_no_time;  ///< [s] of its last collision
+  std::int32_t name = 0;      ///< the user's number of it; where it is stored changes
+};
+
+/// Balls of one size, density and set.
+struct Species {
+  double radius = 0, mass = 0, inertia = 0, density = 0;
+  std::int32_t kind = 0;
+};
+
+}  // namespace mahlwerk::event
