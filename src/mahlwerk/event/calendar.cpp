@@ -17,18 +17,33 @@ constexpr std::int64_t far_away = std::numeric_limits<std::int64_t>::max();
 
 void Calendar::start(std::span<const double> times, double now) {
   times_.assign(times.begin(), times.end());
-  ring_ = static_cast<std::int64_t>(std::bit_ceil(std::max<std::size_t>(64, 2 * times.size())));
+  origin_ = now;
+  start_at(rate(), now);
+}
+
+void Calendar::start_at(double rate, double now) {
+  ring_ = static_cast<std::int64_t>(std::bit_ceil(std::max<std::size_t>(64, 2 * times_.size())));
   buckets_.assign(static_cast<std::size_t>(ring_), -1);
   pool_.clear();
   free_ = -1;
   filed_ = 0;
   open_.clear();
   beyond_.clear();
-  slice_ = 0;
+  slice_ = opened_ = 0;
   origin_ = now;
-  per_second_ = rate() / per_slice;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    file(slice_of(times[i]), times[i], static_cast<std::int32_t>(i));
+  per_second_ = std::clamp(rate, 1e-9, 1e15) / per_slice;
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    file(slice_of(times_[i]), times_[i], static_cast<std::int32_t>(i));
+}
+
+/// Slices that turn out far too full or too empty get another width.
+void Calendar::retune() {
+  const std::int64_t enough = std::ssize(times_) + 64;
+  if (opened_ < enough && slice_ < 4 * ring_) return;
+  const double mean = static_cast<double>(opened_) / static_cast<double>(slice_ + 1);
+  if (mean > per_slice / 4 && mean < 4 * per_slice) return;
+  const double now = origin_ + static_cast<double>(slice_) / per_second_;
+  start_at(mean * per_second_, now);
 }
 
 /// Appointments per second in the near future, from when the first tenth of them is over.
@@ -37,7 +52,7 @@ double Calendar::rate() const {
   const auto tenth = sorted.begin() + std::ssize(sorted) / 10;
   std::ranges::nth_element(sorted, tenth);
   const double events = static_cast<double>(tenth - sorted.begin() + 1);
-  return std::clamp(events / (*tenth - origin_), 1e-9, 1e15);
+  return events / (*tenth - origin_);
 }
 
 std::int64_t Calendar::slice_of(double time) const {
@@ -88,6 +103,7 @@ Due Calendar::next() {
       open_.pop_back();
     }
     if (filed_ == 0 && beyond_.empty()) return {std::numeric_limits<double>::infinity(), -1};
+    retune();
     open_next();
   }
 }
@@ -113,6 +129,7 @@ void Calendar::open_next() {
     Entry& e = pool_[static_cast<std::size_t>(at)];
     const std::int32_t next = e.next;
     if (!stale(e)) open_.push_back(e);
+    ++opened_;
     e.next = free_;
     free_ = at;
     at = next;

@@ -40,6 +40,8 @@ class Calendar {
 
   std::int64_t slice_of(double time) const;
   double rate() const;
+  void start_at(double rate, double now);
+  void retune();
   void file(std::int64_t slice, double time, std::int32_t ball);
   void insert(double time, std::int32_t ball);
   void open_next();
@@ -55,6 +57,7 @@ class Calendar {
   std::vector<Entry> beyond_;          // too late for the ring
   std::int64_t slice_ = 0, ring_ = 0;  // open slice; number of buckets, a power of two
   double origin_ = 0, per_second_ = 1;
+  std::int64_t opened_ = 0;  // entries since the start
 };
 
 }  // namespace mahlwerk::event

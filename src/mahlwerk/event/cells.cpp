@@ -23,10 +23,11 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
   const double room = size.x * size.y * size.z;
   side = std::max(side, std::cbrt(room / std::max(most, 1.0)));
   const auto count = [&](double width) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, 1000.0));
+    return static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, mask + 1.0));
   };
   counts_ = {count(size.x), count(size.y), count(size.z)};
   side_ = {size.x / counts_[0], size.y / counts_[1], size.z / counts_[2]};
+  per_side_ = {1 / side_.x, 1 / side_.y, 1 / side_.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int32_t n = counts_[axis];
     for (std::int32_t i = 0; i < n; ++i) {
@@ -39,98 +40,91 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
   slots_.assign(at((this->count() + 1) * capacity_ + 4), -1);
 }
 
-std::int32_t Cells::cell_at(const Vec3& place) const {
-  const Vec3 p = place - low_;
-  const auto index = [](double x, double side, std::int32_t n) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(x / side), 0.0, n - 1.0));
+Cell Cells::cell_at(const Vec3& spot) const {
+  const Vec3 p = spot - low_;
+  const auto index = [](double x, double per_side, std::int32_t n) {
+    return std::clamp(static_cast<std::int32_t>(std::max(x, 0.0) * per_side), 0, n - 1);
   };
-  return (index(p.z, side_.z, counts_[2]) * counts_[1] + index(p.y, side_.y, counts_[1])) *
-             counts_[0] +
-         index(p.x, side_.x, counts_[0]);
-}
-
-std::array<std::int32_t, 3> Cells::split(std::int32_t cell) const {
-  const std::int32_t row = cell / counts_[0];
-  return {cell % counts_[0], row % counts_[1], row / counts_[1]};
+  return index(p.x, per_side_.x, counts_[0]) | index(p.y, per_side_.y, counts_[1]) << bits |
+         index(p.z, per_side_.z, counts_[2]) << (2 * bits);
 }
 
 void Cells::clear() {
   std::fill(filled_.begin(), filled_.end(), 0);
 }
 
-void Cells::insert(std::int32_t ball, std::int32_t cell) {
-  std::int32_t& n = filled_[at(cell + 1)];
+void Cells::insert(std::int32_t ball, Cell cell) {
+  const std::int32_t where = place(cell);
+  std::int32_t& n = filled_[at(where)];
   if (n == capacity_) grow();
-  slots_[at((cell + 1) * capacity_ + n)] = ball;
+  slots_[at(where * capacity_ + n)] = ball;
   ++n;
 }
 
-void Cells::remove(std::int32_t ball, std::int32_t cell) {
-  std::int32_t* const first = &slots_[at((cell + 1) * capacity_)];
-  std::int32_t& n = filled_[at(cell + 1)];
-  std::int32_t* const place = std::find(first, first + n, ball);
-  *place = first[--n];
+void Cells::remove(std::int32_t ball, Cell cell) {
+  const std::int32_t where = place(cell);
+  std::int32_t* const first = &slots_[at(where * capacity_)];
+  std::int32_t& n = filled_[at(where)];
+  *std::find(first, first + n, ball) = first[n - 1];
+  --n;
 }
 
 void Cells::grow() {
   std::vector<std::int32_t> roomy(at((count() + 1) * 2 * capacity_ + 4), -1);
-  for (std::int32_t cell = 0; cell <= count(); ++cell)
-    std::copy_n(&slots_[at(cell * capacity_)], filled_[at(cell)], &roomy[at(cell * 2 * capacity_)]);
+  for (std::int32_t place = 0; place <= count(); ++place)
+    std::copy_n(&slots_[at(place * capacity_)], filled_[at(place)],
+                &roomy[at(place * 2 * capacity_)]);
   slots_ = std::move(roomy);
   capacity_ *= 2;
 }
 
-int Cells::copy(std::int32_t cell, std::int32_t* out, int n) const {
-  const std::int32_t* const from = &slots_[at(cell * capacity_)];
-  const std::int32_t many = filled_[at(cell)];
+int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
+  const std::int32_t* const from = &slots_[at(place * capacity_)];
+  const std::int32_t many = filled_[at(place)];
   std::copy_n(from, 4, out + n);  // without asking how many: four places are one move
   for (std::int32_t i = 4; i < many; ++i) out[n + i] = from[i];
   return n + many;
 }
 
-int Cells::near(std::int32_t cell, std::int32_t* out) const {
+int Cells::near(Cell cell, std::int32_t* out) const {
   const auto [x, y, z] = split(cell);
-  const std::array<std::int32_t, 3> xs{before_[0][at(x)], x, after_[0][at(x)]};
+  const std::int32_t left = before_[0][at(x)], right = after_[0][at(x)];
   int n = 0;
   for (const std::int32_t layer : {before_[2][at(z)], z, after_[2][at(z)]}) {
     if (layer < 0) continue;
     for (const std::int32_t row : {before_[1][at(y)], y, after_[1][at(y)]}) {
       if (row < 0) continue;
-      const std::int32_t base = (layer * counts_[1] + row) * counts_[0] + 1;
-      for (const std::int32_t column : xs)
-        n = copy(column < 0 ? nowhere : base + column, out, n);
+      const std::int32_t first = place(0, row, layer);
+      n = copy(left < 0 ? 0 : first + left, out, n);
+      n = copy(first + x, out, n);
+      n = copy(right < 0 ? 0 : first + right, out, n);
     }
   }
   return n;
 }
 
-int Cells::newly_near(std::int32_t cell, std::int32_t before, std::int32_t* out) const {
+int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   const auto now = split(cell), was = split(before);
   std::array<std::array<std::int32_t, 3>, 3> along{};
-  int moved = -1, moves = 0;
+  int moves = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    along[axis] = {before_[axis][at(now[axis])], now[axis], after_[axis][at(now[axis])]};
+    const std::int32_t down = before_[axis][at(now[axis])], up = after_[axis][at(now[axis])];
+    along[axis] = {down, now[axis], up};
     if (now[axis] == was[axis]) continue;
-    moved = static_cast<int>(axis);
     ++moves;
+    if (was[axis] == down) along[axis] = {up, -1, -1};  // only the layer ahead is new
+    if (was[axis] == up) along[axis] = {down, -1, -1};
   }
   if (moves != 1) return near(cell, out);
-  auto& across = along[static_cast<std::size_t>(moved)];
-  const std::int32_t from = was[static_cast<std::size_t>(moved)];
-  if (across[0] == from)
-    across = {across[2], -1, -1};  // only the layer ahead is new
-  else if (across[2] == from)
-    across = {across[0], -1, -1};
   int n = 0;
   for (const std::int32_t layer : along[2])
     for (const std::int32_t row : along[1])
       for (const std::int32_t column : along[0])
-        if (layer >= 0 && row >= 0 && column >= 0)
-          n = copy((layer * counts_[1] + row) * counts_[0] + column + 1, out, n);
+        if (layer >= 0 && row >= 0 && column >= 0) n = copy(place(column, row, layer), out, n);
   return n;
 }
 
-Cells::Borders Cells::borders(std::int32_t cell) const {
+Cells::Borders Cells::borders(Cell cell) const {
   const auto [x, y, z] = split(cell);
   const auto least = [&](std::int32_t i, std::int32_t n, double low, double side) {
     return n == 1 || (!periodic_ && i == 0) ? -unbounded : low + i * side - slack_;

@@ -10,6 +10,9 @@
 
 namespace mahlwerk::event {
 
+/// A cell's number: its three indices in ten bits each, so that none needs a division.
+using Cell = std::int32_t;
+
 /// A grid of cells at rest in the jar frame. Balls that can touch are in the same cell or in cells
 /// next to each other; a ball belongs to its cell until it is `slack` beyond its border.
 class Cells {
@@ -18,15 +21,15 @@ class Cells {
   /// are at least `side` wide; there are at most about `most` of them.
   Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack, double most);
 
-  std::int32_t cell_at(const Vec3& place) const;  ///< places outside count to the nearest cell
+  Cell cell_at(const Vec3& place) const;  ///< places outside count to the nearest cell
   void clear();
-  void insert(std::int32_t ball, std::int32_t cell);
-  void remove(std::int32_t ball, std::int32_t cell);
+  void insert(std::int32_t ball, Cell cell);
+  void remove(std::int32_t ball, Cell cell);
 
   /// The balls in and next to `cell` into `out`, which must hold `most_near()`; returns how many.
-  int near(std::int32_t cell, std::int32_t* out) const;
+  int near(Cell cell, std::int32_t* out) const;
   /// Of those, the ones that are not near the neighbour `before` of `cell`.
-  int newly_near(std::int32_t cell, std::int32_t before, std::int32_t* out) const;
+  int newly_near(Cell cell, Cell before, std::int32_t* out) const;
   int most_near() const { return 27 * capacity_ + 4; }
 
   /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where
@@ -34,18 +37,29 @@ class Cells {
   struct Borders {
     Vec3 low, high;
   };
-  Borders borders(std::int32_t cell) const;
+  Borders borders(Cell cell) const;
 
-  std::int32_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
 
  private:
-  std::array<std::int32_t, 3> split(std::int32_t cell) const;
+  static constexpr int bits = 10;
+  static constexpr std::int32_t mask = (1 << bits) - 1;
+  static std::array<std::int32_t, 3> split(Cell cell) {
+    return {cell & mask, (cell >> bits) & mask, cell >> (2 * bits)};
+  }
+  /// Where a cell's balls are kept; place 0 stays empty and stands for "outside".
+  std::int32_t place(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return (z * counts_[1] + y) * counts_[0] + x + 1;
+  }
+  std::int32_t place(Cell cell) const {
+    const auto [x, y, z] = split(cell);
+    return place(x, y, z);
+  }
+  std::int32_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
   void grow();
-  int copy(std::int32_t cell, std::int32_t* out, int n) const;
+  int copy(std::int32_t place, std::int32_t* out, int n) const;
 
-  static constexpr std::int32_t nowhere = 0;  // an empty cell that stands for "outside"
 
-  Vec3 low_, side_;
+  Vec3 low_, side_, per_side_;
   double slack_;
   bool periodic_;
   std::array<std::int32_t, 3> counts_{};

@@ -111,10 +111,10 @@ void ManyBalls::predict(std::int32_t ball) {
 void ManyBalls::plan_meeting(std::int32_t ball, int candidates) {
   const Line& me = line(ball);
   Plan& p = plan_of(ball);
-  const Asking asking{me.at(now_), me.velocity, now_, species(me).radius};
+  const Asking asking{me.at(now_), me.velocity, now_, species(me).radius, ball};
   const Meeting found =
       first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)},
-                    radii_.data(), periods_, {p.meeting, p.partner});
+                    radii_, periods_, {p.meeting, p.partner});
   if (found.time < p.meeting)
     p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
 }
@@ -124,9 +124,13 @@ double ManyBalls::leaves(const Passing& where, std::int32_t cell) const {
   const Cells::Borders b = cells_->borders(cell);
   const Vec3 &x = where.position, &v = where.velocity, &a = pull_.most;
   const auto along = [](double low, double high, double place, double speed, double pull) {
-    const double up = high < at_no_time ? geometry::clear_of_plane(high - place, speed, pull) : at_no_time;
-    const double down = low > -at_no_time ? geometry::clear_of_plane(place - low, -speed, pull) : at_no_time;
-    return std::min(up, down);
+    double ahead = high - place, behind = place - low;
+    if (speed < 0) std::swap(ahead, behind);
+    speed = std::abs(speed);
+    if (pull == 0) return speed > 0 ? std::max(ahead, 0.0) / speed : at_no_time;
+    const double to = ahead < at_no_time ? geometry::clear_of_plane(ahead, speed, pull) : at_no_time;
+    if (behind >= ahead) return to;  // not reached before the border ahead
+    return std::min(to, geometry::clear_of_plane(behind, -speed, pull));
   };
   return std::min({along(b.low.x, b.high.x, x.x, v.x, a.x), along(b.low.y, b.high.y, x.y, v.y, a.y),
                    along(b.low.z, b.high.z, x.z, v.z, a.z)});

@@ -4,39 +4,114 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+// One text, compiled for what the machine has; the same bits from all of them. GCC's clones crash
+// under the thread sanitizer, and clang 14 cannot link them.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+#define MAHLWERK_CLONES __attribute__((target_clones("default", "avx2", "avx512f"), flatten))
+#else
+#define MAHLWERK_CLONES
+#endif
 
 namespace mahlwerk::event {
 namespace {
 
-template <bool periodic>
-Meeting first(const Asking& me, std::span<const Line> lines, std::span<const std::int32_t> others,
-              const double* radii, const Vec3& periods, Meeting best) {
-  double soonest = best.time - me.time;
-  for (const std::int32_t other : others) {
-    const Line& line = lines[static_cast<std::size_t>(other)];
-    Vec3 r = me.position - line.at(me.time);
-    if constexpr (periodic) r = nearest_image(r, periods);
-    const Vec3 u = me.velocity - line.velocity;
-    const double reach = me.radius + radii[line.species];
-    const double b = dot(r, u), u2 = squared(u), gap = squared(r) - reach * reach;
-    const double d = b * b - u2 * gap;
-    if (!((b < 0) & (d > 0))) continue;
-    const double time = std::max(gap, 0.0) / (std::sqrt(d) - b);
-    if (time < soonest) {
-      soonest = time;
-      best = {me.time + time, other};
+constexpr std::size_t lanes = 4;
+using Four = double __attribute__((vector_size(32)));
+using FourIndices = std::int64_t __attribute__((vector_size(32)));
+using Rows = Four[lanes];
+
+/// Four rows of four numbers into four columns.
+[[gnu::always_inline]] inline void transpose(Rows& a) {
+  const Four low01 = __builtin_shufflevector(a[0], a[1], 0, 4, 2, 6);
+  const Four high01 = __builtin_shufflevector(a[0], a[1], 1, 5, 3, 7);
+  const Four low23 = __builtin_shufflevector(a[2], a[3], 0, 4, 2, 6);
+  const Four high23 = __builtin_shufflevector(a[2], a[3], 1, 5, 3, 7);
+  a[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+  a[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+  a[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+  a[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+}
+
+[[gnu::always_inline]] inline void fold(Four& x, double period) {
+  const Four zero{}, one = zero + period;
+  x -= x > 0.5 * period ? one : zero;
+  x += x < -0.5 * period ? one : zero;
+}
+
+/// The earliest of four lanes at a time; a lane's earliest is told by its time since now.
+struct Soonest {
+  Four time;
+  FourIndices partner;
+};
+
+template <bool periodic, bool one_size>
+[[gnu::always_inline]] inline Meeting first(const Asking& me, const Line* lines,
+                                            std::span<const std::int32_t> others,
+                                            const double* radii, const Vec3& periods,
+                                            const Meeting& best) {
+  const Four zero{};
+  Soonest soonest{zero + (best.time - me.time), FourIndices{} + best.partner};
+  Four reach = zero + (me.radius + radii[0]);
+  for (std::size_t k = 0; k < others.size(); k += lanes) {
+    Rows p, v;
+    std::int64_t index[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) {
+      index[l] = k + l < others.size() ? others[k + l] : me.self;  // nobody meets himself
+      const Line& line = lines[index[l]];
+      static_assert(offsetof(Line, velocity) == sizeof(Four));
+      std::memcpy(&p[l], &line.position, sizeof(Four));  // x, y, z, since
+      std::memcpy(&v[l], &line.velocity, sizeof(Four));  // x, y, z, something else
+      if constexpr (!one_size) reach[l] = me.radius + radii[line.species];
     }
+    FourIndices who;
+    std::memcpy(&who, index, sizeof who);
+    transpose(p);
+    transpose(v);
+    const Four passed = me.time - p[3];
+    Four x = me.position.x - (p[0] + passed * v[0]), y = me.position.y - (p[1] + passed * v[1]),
+         z = me.position.z - (p[2] + passed * v[2]);
+    if constexpr (periodic) {
+      fold(x, periods.x);
+      fold(y, periods.y);
+      fold(z, periods.z);
+    }
+    const Four ux = me.velocity.x - v[0], uy = me.velocity.y - v[1], uz = me.velocity.z - v[2];
+    const Four b = x * ux + y * uy + z * uz, u2 = ux * ux + uy * uy + uz * uz;
+    const Four gap = x * x + y * y + z * z - reach * reach;
+    Four d = b * b - u2 * gap;
+    const FourIndices meets = (b < zero) & (d > zero);
+    d = d > zero ? d : zero;
+    Four root;
+    for (std::size_t l = 0; l < lanes; ++l) root[l] = std::sqrt(d[l]);
+    const Four time = (gap > zero ? gap : zero) / (root - b);
+    const FourIndices sooner = meets & (time < soonest.time);
+    soonest.time = sooner ? time : soonest.time;
+    soonest.partner = sooner ? who : soonest.partner;
   }
-  return best;
+  Meeting found = best;
+  double least = best.time - me.time;
+  for (std::size_t l = 0; l < lanes; ++l) {
+    if (!(soonest.time[l] < least)) continue;
+    least = soonest.time[l];
+    found = {me.time + least, static_cast<std::int32_t>(soonest.partner[l])};
+  }
+  return found;
 }
 
 }  // namespace
 
-Meeting first_meeting(const Asking& asking, std::span<const Line> lines,
-                      std::span<const std::int32_t> others, const double* radii,
-                      const Vec3& periods, Meeting best) {
-  if (periods.x < at_no_time) return first<true>(asking, lines, others, radii, periods, best);
-  return first<false>(asking, lines, others, radii, periods, best);
+MAHLWERK_CLONES Meeting first_meeting(const Asking& me, std::span<const Line> lines,
+                                      std::span<const std::int32_t> others,
+                                      std::span<const double> radii, const Vec3& periods,
+                                      const Meeting& best) {
+  const bool periodic = periods.x < at_no_time, one_size = radii.size() == 1;
+  if (periodic && one_size)
+    return first<true, true>(me, lines.data(), others, radii.data(), periods, best);
+  if (periodic) return first<true, false>(me, lines.data(), others, radii.data(), periods, best);
+  if (one_size) return first<false, true>(me, lines.data(), others, radii.data(), periods, best);
+  return first<false, false>(me, lines.data(), others, radii.data(), periods, best);
 }
 
 }  // namespace mahlwerk::event

@@ -18,13 +18,14 @@ struct Meeting {
 struct Asking {
   Vec3 position, velocity;
   double time, radius;
+  std::int32_t self;  ///< its own index
 };
 
 /// The earliest meeting of `asking` with one of `others` (indices of `lines`) before `best` (evt.24).
 /// `radii` by species; `periods` [m] where the box repeats itself, infinite where it does not.
 Meeting first_meeting(const Asking& asking, std::span<const Line> lines,
-                      std::span<const std::int32_t> others, const double* radii,
-                      const Vec3& periods, Meeting best);
+                      std::span<const std::int32_t> others, std::span<const double> radii,
+                      const Vec3& periods, const Meeting& best);
 
 /// `a` as seen from the nearest image.
 inline Vec3 nearest_image(Vec3 a, const Vec3& periods) {
