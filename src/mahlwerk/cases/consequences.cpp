@@ -28,7 +28,14 @@ double largest(const M& motion, Of of) {
 }
 
 double jar_radius(const Jar& jar) {
-  return std::visit([](const auto& s) { return 0.5 * s.diameter; }, jar.shape);
+  return std::visit(
+      [](const auto& s) {
+        if constexpr (requires { s.diameter; })
+          return 0.5 * s.diameter;
+        else
+          return s.inradius();
+      },
+      jar.shape);
 }
 double jar_reach(const Jar& jar) {
   return std::visit([](const auto& s) { return s.reach(); }, jar.shape);

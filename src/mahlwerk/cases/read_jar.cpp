@@ -18,6 +18,10 @@ constexpr bool has_height = requires(S s) {
   s.height;
 };
 template <class S>
+constexpr bool is_round = requires(S s) {
+  s.diameter;
+};
+template <class S>
 constexpr bool has_fillet = requires(S s) {
   s.fillet;
 };
@@ -70,7 +74,7 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
 }
 
 template <class S>
-void read_shape(Section& in, S& shape) {
+void read_round(Section& in, S& shape) {
   constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
   const bool by_volume = in.one_of({follows, "volume"}) == "volume";
   double S::*size = nullptr;
@@ -86,7 +90,22 @@ void read_shape(Section& in, S& shape) {
   if (size != nullptr) size_from_volume(in, shape, follows, size);
 }
 
+template <class S>
+void read_shape(Section& in, S& shape) {
+  if constexpr (!is_round<S>) {
+    for (const auto& field : S::fields()) shape.*field.value = in.value(Wanted(field));
+  } else {
+    read_round(in, shape);
+  }
+}
+
 }  // namespace
+
+Jar unread_jar() {
+  geometry::Sphere nothing;
+  nothing.diameter = unread;
+  return {.model = "", .material = "", .shape = nothing};
+}
 
 Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) {
   Jar jar;
@@ -96,7 +115,7 @@ Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) 
   jar.model = model.name;
   if (const auto material = in.text("material")) jar.material = *material;
   if (!choose_model(jar.shape, model.kind)) {
-    std::visit([](auto& s) { s.diameter = unread; }, jar.shape);
+    jar.shape = unread_jar().shape;
     return jar;
   }
   std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);

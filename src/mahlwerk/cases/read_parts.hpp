@@ -26,6 +26,7 @@ struct Model {
 Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
                  const Catalogue& catalogue);
 
+Jar unread_jar();  ///< stands for one that could not be read
 Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings);
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
                                 Findings& findings);

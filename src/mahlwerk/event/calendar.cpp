@@ -48,7 +48,7 @@ void Calendar::retune() {
 
 /// Appointments per second in the near future, from when the first tenth of them is over.
 double Calendar::rate() const {
-  std::vector<double> sorted = times_;
+  std::vector<double> sorted(times_.begin(), times_.end());
   const auto tenth = sorted.begin() + std::ssize(sorted) / 10;
   std::ranges::nth_element(sorted, tenth);
   const double events = static_cast<double>(tenth - sorted.begin() + 1);

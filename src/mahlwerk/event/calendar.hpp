@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "mahlwerk/base/roomy.hpp"
+
 namespace mahlwerk::event {
 
 /// What comes next: a ball and when [s].
@@ -29,6 +31,11 @@ class Calendar {
 
   void schedule(std::int32_t ball, double time);
   Due next();  ///< the earliest; stays until its ball is given another time
+  /// Who comes after `later` others, if that is known already; < 0: it is not.
+  std::int32_t coming(std::ptrdiff_t later) const {
+    const auto place = std::ssize(open_) - 1 - later;
+    return place < 0 ? -1 : open_[static_cast<std::size_t>(place)].ball;
+  }
   double time_of(std::int32_t ball) const { return times_[static_cast<std::size_t>(ball)]; }
   std::span<const double> times() const { return times_; }
 
@@ -48,9 +55,9 @@ class Calendar {
   void refile();
   bool stale(const Entry& e) const { return times_[static_cast<std::size_t>(e.ball)] != e.time; }
 
-  std::vector<double> times_;          // [s] by ball
-  std::vector<std::int32_t> buckets_;  // first entry of each, a ring
-  std::vector<Entry> pool_;            // entries of all buckets
+  RoomyVector<double> times_;          // [s] by ball
+  RoomyVector<std::int32_t> buckets_;  // first entry of each, a ring
+  RoomyVector<Entry> pool_;            // entries of all buckets
   std::int32_t free_ = -1;             // first unused one
   std::int64_t filed_ = 0;             // entries in buckets
   std::vector<Entry> open_;            // the open slice, the earliest last

@@ -70,7 +70,7 @@ void Cells::remove(std::int32_t ball, Cell cell) {
 }
 
 void Cells::grow() {
-  std::vector<std::int32_t> roomy(at((count() + 1) * 2 * capacity_ + 4), -1);
+  RoomyVector<std::int32_t> roomy(at((count() + 1) * 2 * capacity_ + 4), -1);
   for (std::int32_t place = 0; place <= count(); ++place)
     std::copy_n(&slots_[at(place * capacity_)], filled_[at(place)],
                 &roomy[at(place * 2 * capacity_)]);
@@ -84,6 +84,17 @@ int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
   std::copy_n(from, 4, out + n);  // without asking how many: four places are one move
   for (std::int32_t i = 4; i < many; ++i) out[n + i] = from[i];
   return n + many;
+}
+
+void Cells::fetch(Cell cell) const {
+  const auto [x, y, z] = split(cell);
+  for (const std::int32_t layer : {before_[2][at(z)], z, after_[2][at(z)]})
+    for (const std::int32_t row : {before_[1][at(y)], y, after_[1][at(y)]}) {
+      if (layer < 0 || row < 0) continue;
+      const std::int32_t middle = place(x, row, layer);
+      __builtin_prefetch(&filled_[at(middle)]);
+      __builtin_prefetch(&slots_[at(middle * capacity_)]);
+    }
 }
 
 int Cells::near(Cell cell, std::int32_t* out) const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 namespace mahlwerk::event {
@@ -30,6 +31,8 @@ class Cells {
   int near(Cell cell, std::int32_t* out) const;
   /// Of those, the ones that are not near the neighbour `before` of `cell`.
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
+  /// Sends for what `near` will read.
+  void fetch(Cell cell) const;
   int most_near() const { return 27 * capacity_ + 4; }
 
   /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where
@@ -65,8 +68,8 @@ class Cells {
   std::array<std::int32_t, 3> counts_{};
   std::array<std::vector<std::int32_t>, 3> before_, after_;  // neighbours along each axis, or -1
   int capacity_ = 4;                                         // balls a cell can hold
-  std::vector<std::int32_t> filled_;                         // how many it holds
-  std::vector<std::int32_t> slots_;                          // which, `capacity_` places a cell
+  RoomyVector<std::int32_t> filled_;                         // how many it holds
+  RoomyVector<std::int32_t> slots_;                          // which, `capacity_` places a cell
 };
 
 }  // namespace mahlwerk::event

@@ -12,7 +12,7 @@ namespace mahlwerk::event {
 namespace {
 
 constexpr std::size_t chunk = 1024;             // records handed over at a time
-constexpr std::int64_t collisions_between = 8;  // per ball, from one renewal to the next
+constexpr std::int64_t collisions_between = 2;  // per ball, from one renewal to the next
 constexpr std::int64_t collisions_at_least = 500;
 constexpr double longest_clock = 1;  // [s] beyond it the falling frame gets far away
 
@@ -26,6 +26,7 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
       const Due due = calendar_.next();
       if (!(due.time < horizon_)) break;
       now_ = due.time;
+      fetch_ahead();
       happen(due.ball);
       guard();
       if (finished_.size() >= chunk) hand_over(observer);
@@ -40,6 +41,25 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
   }
   reached_ = time;
   hand_over(observer);
+}
+
+/// Whose turn comes soon is in memory somewhere far away: it is sent for in time.
+void ManyBalls::fetch_ahead() const {
+  if (const std::int32_t later = calendar_.coming(3); later >= 0) {
+    const auto i = static_cast<std::size_t>(later);
+    __builtin_prefetch(&plans_[i]);
+    __builtin_prefetch(&lines_[i]);
+    __builtin_prefetch(&turnings_[i]);
+  }
+  if (const std::int32_t soon = calendar_.coming(1); soon >= 0) {
+    const Plan& p = plans_[static_cast<std::size_t>(soon)];
+    if (p.partner >= 0) {
+      __builtin_prefetch(&lines_[static_cast<std::size_t>(p.partner)]);
+      __builtin_prefetch(&plans_[static_cast<std::size_t>(p.partner)]);
+      __builtin_prefetch(&turnings_[static_cast<std::size_t>(p.partner)]);
+    }
+    cells_->fetch(p.cell);
+  }
 }
 
 void ManyBalls::happen(std::int32_t ball) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/contact/bounce_table.hpp"
+#include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/event/calendar.hpp"
 #include "mahlwerk/event/cells.hpp"
 #include "mahlwerk/event/enclosure.hpp"
@@ -55,6 +56,7 @@ class ManyBalls final : public scene::Engine {
 
   // many_balls.cpp: what happens next
   void happen(std::int32_t ball);
+  void fetch_ahead() const;
   void look(std::int32_t ball);
   void meet(std::int32_t ball);
   void renew();
@@ -105,10 +107,11 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::Pull pull_;
+  double rest_speed_;  // [m/s] slower than this no chattering ball leaves
 
-  std::vector<Line> lines_;
-  std::vector<Plan> plans_;
-  std::vector<Turning> turnings_;
+  RoomyVector<Line> lines_;
+  RoomyVector<Plan> plans_;
+  RoomyVector<Turning> turnings_;
   std::vector<Species> species_;
   std::vector<double> radii_;     // [m] by species
   std::vector<Feeler> feelers_;   // by species

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -66,12 +67,14 @@ bool ManyBalls::chatters(const Turning& ball) const {
   return rules_.lasting == Lasting::tc && now_ - ball.last < rules_.contact_time;
 }
 
+/// A chattering ball leaves at `rest_speed_` at least: it comes back no sooner than a quarter of t_c
+/// later, however hard it is pressed, so the clock goes on (evt.27).
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    bool elastic) {
   account_.tc_collisions += elastic ? 1 : 0;
   ++account_.collisions;
   contact::BounceRule now = rule;
-  if (elastic) now.restitution = 1;
+  if (elastic) now.restitution = std::max(1.0, rest_speed_ / touch.approach);
   return contact::bounce(now, touch.mass, touch.approach, touch.slip);
 }
 

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The event engine for many balls: against the engine for one, against conservation laws.
+#include "many_balls.hpp"
+
+#include "one_ball.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk {
+namespace {
+
+using namespace tests;
+
+TEST(ManyBalls, one_of_them_goes_the_way_of_the_engine_for_one) {
+  scene::Ball ball = ball_a({0.001, 0, 0.002}, {0.05, 0.02, 0.1}, {3, 2, 1});
+  event::Rules rules = rules_a();
+  rules.lasting = event::Lasting::tc;
+  const auto one = event::one_ball(mill_a(), ball, rules);
+  const auto many = event::many_balls(mill_a(), {ball}, rules, {1, 1, rules.bounce});
+  Recorder a, b;
+  one->advance(0.5, a);
+  many->advance(0.5, b);
+  ASSERT_GE(a.all.size(), 20U);
+  ASSERT_GE(b.all.size(), 20U);
+  // Two ways to the same touch differ by the margin of 1e-12 R; chaos multiplies by a few a bounce.
+  for (std::size_t i = 0; i < 6; ++i) {
+    states("time of a collision [s]", b.all[i].time, a.all[i].time, 1e-11, "engine for one ball");
+    states("its approach [m/s]", b.all[i].approach, a.all[i].approach, 1e-9, "engine for one ball");
+  }
+}
+
+TEST(ManyBalls, elastic_gas_conserves_momentum_and_energy) {
+  const double side = side_of(8, 0.2);
+  const auto engine = gas(lattice(8, 0.2), side, {1, 1, INFINITY});
+  const auto sum = [&] {
+    Vec3 p{};
+    for (const scene::Ball& b : engine->balls()) p += b.mass() * b.velocity;
+    return p;
+  };
+  const Vec3 before = sum();
+  const double energy = engine->account().kinetic;
+  Counter counter;
+  engine->advance(200, counter);
+  stays_below("events without", -static_cast<double>(counter.count), -1e5, "enough to tell");
+  stays_below("momentum gained", norm(sum() - before), 512 * 1e-13, "rounding of 1e5 collisions");
+  states("energy", engine->account().kinetic / energy, 1, 1e-11, "rounding of 1e5 collisions");
+  stays_below("deepest overlap over R", deepest_overlap(engine->balls(), side), 1e-12, "issue");
+}
+
+TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
+  const scene::Chamber mill{geometry::Capsule{0.03, 0.02}, shaken(20, 0.015), {}, {0, 0, -gravity}};
+  std::vector<scene::Ball> balls;
+  for (int i = 0; i < 27; ++i)
+    balls.push_back({0.002 + 0.0002 * (i % 3), 7850, Vec3{0.0055 * (i % 3 - 1), 0.0055 * (i / 3 % 3 - 1), 0.0055 * (i / 9 - 1)}, {}, {}});
+  event::Rules rules;
+  rules.lasting = event::Lasting::tc;
+  const auto engine = event::many_balls(mill, balls, rules, {1, 1, {0.9, 0.3, 0.3}});
+  Counter counter;
+  for (int i = 1; i <= 100; ++i) {
+    engine->advance(0.02 * i, counter);
+    const auto now = engine->balls();
+    ASSERT_LE(deepest_overlap(now), 1e-11);
+    for (const scene::Ball& b : now)
+      ASSERT_GE(std::get<geometry::Capsule>(mill.shape).gap(0, b.position).distance - b.radius, -1e-12 * 0.05);
+  }
+  const scene::Account a = engine->account();
+  std::printf("%ld collisions, tc %ld, contact %g, worst %g\n", a.collisions, a.tc_collisions, a.contact_time/27/2, a.worst_collision);
+  stays_below("collision balance", a.worst_collision, 1e-12, "");
+  stays_below("run balance", std::abs(a.residual()) / a.wall_work, 1e-11, "");
+}
+
+}  // namespace
+}  // namespace mahlwerk
