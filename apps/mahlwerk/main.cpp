@@ -36,6 +36,13 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
     sub.add_option("--out", request.out,
                    "folder for the results (default: results/ and the name of the case)");
     sub.add_flag("--force", request.force, "replace results that are there");
+    sub.add_option("--checkpoint", request.checkpoint,
+                   "keep the state of the run every so many seconds, beside the results, so that "
+                   "--resume can go on from there")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber);
+    sub.add_flag("--resume", request.resume,
+                 "go on with a run that was ended, from its last kept state");
     sub.add_option("--threads", request.threads,
                    "how many replicates run at a time (default: all cores)")
         ->check(CLI::Range(1, 4096));

@@ -62,7 +62,7 @@ Job prepare(const Request& request, const fs::path& file, bool several,
   const fs::path place = !request.out ? default_place(request.target, file, several)
                          : several    ? *request.out / file.stem()
                                       : *request.out;
-  job.folder = std::make_unique<results::Folder>(place, request.force);
+  job.folder = std::make_unique<results::Folder>(place, request.force || request.resume);
   for (std::size_t i = 0; i < job.points.size(); ++i)
     job.kept.push_back(job.points[i].observe.collisions
                            ? std::make_unique<results::CollisionFile>(
@@ -161,8 +161,33 @@ std::vector<Job> prepare_all(const Request& request) {
   return jobs;
 }
 
+/// Where the states of a run are kept: beside its results. Nothing if nobody asked for it.
+std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
+                                                 const std::vector<Job>& jobs) {
+  if (!request.checkpoint && !request.resume) return nullptr;
+  std::string what = fmt::format("version {}\n", version());
+  std::size_t replicates = 0;
+  for (const Job& job : jobs)
+    for (const cases::Case& point : job.points) {
+      if (point.observe.collisions)
+        throw InputError(Fault{point.file, "a run that keeps every collision cannot be gone on with",
+                               "write collisions = false, or leave out --checkpoint and --resume",
+                               "bad-checkpoint"});
+      what += cases::write(point);
+      replicates += static_cast<std::size_t>(point.run.replicates);
+    }
+  fs::path place = jobs.front().folder->wanted();
+  if (jobs.size() > 1) place = place.parent_path();
+  constexpr double usual = 60;  // [s]
+  auto made = std::make_unique<campaign::Checkpoint>(place.string() + ".checkpoint", what,
+                                                     replicates, request.checkpoint.value_or(usual));
+  if (request.resume) made->load();
+  return made;
+}
+
 /// The points of all jobs, in order, computed together.
-std::vector<results::Outcome> compute(const Request& request, const std::vector<Job>& jobs) {
+std::vector<results::Outcome> compute(const Request& request, const std::vector<Job>& jobs,
+                                      campaign::Checkpoint* checkpoint) {
   std::vector<cases::Case> points;
   std::vector<results::CollisionFile*> kept;
   for (const Job& job : jobs) {
@@ -173,6 +198,7 @@ std::vector<results::Outcome> compute(const Request& request, const std::vector<
   campaign::Options options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
+  options.checkpoint = checkpoint;
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
   options.records = [&](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
     if (kept[point] == nullptr) return nullptr;
@@ -198,8 +224,9 @@ int how_it_ended(const std::vector<results::Outcome>& outcomes) {
 
 int run(const Request& request) {
   const std::vector<Job> jobs = prepare_all(request);
+  const auto kept = checkpoint(request, jobs);
   catch_ctrl_c();
-  const std::vector<results::Outcome> outcomes = compute(request, jobs);
+  const std::vector<results::Outcome> outcomes = compute(request, jobs, kept.get());
   const bool talks = !request.quiet && !request.json;
   auto next = outcomes.begin();
   for (const Job& job : jobs) {
@@ -211,7 +238,10 @@ int run(const Request& request) {
   }
   if (request.json) print_json(jobs);
   if (talks) fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
-  return how_it_ended(outcomes);
+  const int ended = how_it_ended(outcomes);
+  if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");
+  if (kept && ended == fine) kept->remove();
+  return ended;
 }
 
 }  // namespace mahlwerk::app

@@ -12,24 +12,6 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr int stretches = 200;  // a run's time series has this many rows, however long it is
-
-/// What is counted, and, if asked for, kept.
-class Ears final : public scene::Observer {
- public:
-  Ears(observe::Tally& tally, scene::Observer* also) : tally_(&tally), also_(also) {}
-  void collisions(std::span<const scene::Collision> finished) override {
-    if (!counting) return;
-    tally_->collisions(finished);
-    if (also_ != nullptr) also_->collisions(finished);
-  }
-  bool counting = false;
-
- private:
-  observe::Tally* tally_;
-  scene::Observer* also_;
-};
-
 event::Rules rules(const cases::Contact& c) {
   const auto lasting = c.lasting == cases::Lasting::roll ? event::Lasting::roll
                        : c.lasting == cases::Lasting::tc ? event::Lasting::tc
@@ -61,54 +43,76 @@ results::Window window(double end, const scene::Account& a, const scene::Account
 
 }  // namespace
 
+/// What is counted, and, if asked for, kept.
+class Replica::Ears final : public scene::Observer {
+ public:
+  explicit Ears(Replica& replica) : replica_(replica) {}
+  void collisions(std::span<const scene::Collision> finished) override {
+    if (replica_.stretch_ == 0) return;
+    replica_.result_.tally.collisions(finished);
+    if (replica_.keeper_) replica_.keeper_->collisions(finished);
+  }
+
+ private:
+  Replica& replica_;
+};
+
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
   return event::one_ball(cases::chamber(what), cases::starting_balls(what, index).front(),
                          rules(what.contact));
 }
 
-results::Replicate replicate(const cases::Case& what, int index, const Told& told,
-                             std::unique_ptr<scene::Observer> keeper) {
-  results::Replicate result(what.observe.threshold);
-  Ears ears(result.tally, keeper.get());
-  const auto running = engine(what, index);
-  result.account = result.at_settled = running->account();
-  // Goes on to `time` in portions of about a twentieth of a second of work, so that somebody can
-  // end it; false once somebody or physics has. How it is cut changes no bit.
-  double portion = 1e-3;  // [s] simulated
-  const auto advance = [&](double time) {
-    while (result.complete && result.account.time < time) {
-      using Clock = std::chrono::steady_clock;
-      const Clock::time_point began = Clock::now();
-      const scene::Account before = result.account;
-      try {
-        running->advance(std::min(time, before.time + portion), ears);
-      } catch (const RunError& e) {
-        result.stopped = e.what();
-      }
-      const double worked = std::chrono::duration<double>(Clock::now() - began).count();
-      portion = std::max(1e-9, portion * (worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1));
-      const scene::Account& now = result.account = running->account();
-      const bool wanted =
-          told(now.time - before.time, static_cast<double>(now.collisions - before.collisions),
-               now.worst_collision);
-      result.complete = wanted && result.stopped.empty();
-    }
-    return result.complete;
-  };
-  const auto settle = what.run.settle;
-  const bool settled = settle <= 0 || advance(settle);
-  scene::Account last = result.at_settled = result.account;
-  if (!settled) return result;
-  ears.counting = true;
-  for (int i = 1; i <= stretches; ++i) {
-    const observe::Sums all = result.tally.all, above = result.tally.above;
-    const double end = what.run.time * i / stretches;
-    const bool on = advance(settle + end);
-    result.windows.push_back(window(end, last, result.account, all, above, result.tally));
-    last = result.account;
-    if (!on) break;
+Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper)
+    : what_(&what),
+      keeper_(std::move(keeper)),
+      result_(what.observe.threshold),
+      engine_(engine(what, index)),
+      stretch_(what.run.settle > 0 ? 0 : 1) {
+  last_ = result_.account = result_.at_settled = engine_->account();
+}
+
+void Replica::go_on() {
+  using Clock = std::chrono::steady_clock;
+  const auto& run = what_->run;
+  const double end = run.settle + run.time * stretch_ / stretches;
+  const Clock::time_point began = Clock::now();
+  Ears ears(*this);
+  try {
+    engine_->advance(std::min(end, result_.account.time + portion_), ears);
+  } catch (const RunError& e) {
+    result_.stopped = e.what();
   }
-  return result;
+  const double worked = std::chrono::duration<double>(Clock::now() - began).count();
+  portion_ = std::max(1e-9, portion_ * (worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1));
+  result_.account = engine_->account();
+  if (result_.account.time < end && result_.stopped.empty()) return;
+  if (stretch_ == 0)
+    result_.at_settled = result_.account;
+  else
+    result_.windows.push_back(window(result_.account.time - run.settle, last_, result_.account, all_, above_,
+                                     result_.tally));
+  last_ = result_.account;
+  all_ = result_.tally.all;
+  above_ = result_.tally.above;
+  ++stretch_;
+}
+
+results::Replicate Replica::result() const {
+  results::Replicate given = result_;
+  given.complete = stretch_ > stretches && given.stopped.empty();
+  if (given.complete) return given;
+  if (stretch_ == 0) given.at_settled = given.account;
+  else if (given.account.time > last_.time)
+    given.windows.push_back(window(given.account.time - what_->run.settle, last_, given.account, all_, above_, given.tally));
+  return given;
+}
+
+void Replica::carry(Archive& archive) {
+  results::Replicate& r = result_;
+  r.tally.carry(archive);
+  archive(r.windows)(r.account)(r.at_settled)(r.stopped)(r.cpu_seconds);
+  archive(stretch_)(last_)(all_)(above_);
+  engine_->carry(archive);
 }
 
 }  // namespace mahlwerk::campaign

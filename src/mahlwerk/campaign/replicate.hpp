@@ -2,23 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <memory>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
 namespace mahlwerk::campaign {
 
-/// Told after every stretch of time: seconds simulated and collisions since the last call, and the
-/// worst relative residual of a collision's energy balance. Returns false to end the replicate
-/// early.
-using Told = std::function<bool(double simulated, double collisions, double residual)>;
+/// One replicate of a case in the making: settles, then counts, stretch by stretch.
+class Replica {
+ public:
+  /// `keeper` gets every counted record.
+  Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr);
 
-/// One replicate of a case: settles, then counts, stretch by stretch. `keeper` gets every counted
-/// record.
-results::Replicate replicate(const cases::Case& what, int index, const Told& told,
-                             std::unique_ptr<scene::Observer> keeper = nullptr);
+  bool done() const { return stretch_ > stretches || !result_.stopped.empty(); }
+  /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
+  void go_on();
+  const scene::Account& account() const { return result_.account; }
+  double& cpu_seconds() { return result_.cpu_seconds; }  ///< for whoever measures it
+  /// What it has given so far.
+  results::Replicate result() const;
+  /// Writes the state to `archive`, or takes it from there (scene::Engine::carry).
+  void carry(Archive& archive);
+
+  static constexpr int stretches = 200;  ///< rows of the time series, however long the run is
+
+ private:
+  class Ears;
+
+  const cases::Case* what_;
+  std::unique_ptr<scene::Observer> keeper_;
+  results::Replicate result_;
+  std::unique_ptr<scene::Engine> engine_;
+  int stretch_ = 0;         // 0: settling
+  scene::Account last_;     // when the stretch began
+  observe::Sums all_, above_;  // then
+  double portion_ = 1e-3;   // [s] simulated
+};
 
 /// The engine of one replicate at its start.
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index);

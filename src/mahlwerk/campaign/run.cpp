@@ -95,16 +95,22 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   Teller teller(options, wanted);
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
   in_parallel(options.threads, jobs.size(), [&](std::size_t i) {
-    const auto told = [&](double time, double collisions, double residual) {
-      teller.add(time, collisions, residual);
-      return !stopped();
-    };
     const Job& job = jobs[i];
-    const double cpu = thread_cpu_seconds();
-    auto& place = outcomes[job.point].replicates[static_cast<std::size_t>(job.replicate)];
-    place = replicate(points[job.point], job.replicate, told,
-                      options.records ? options.records(job.point, job.replicate) : nullptr);
-    place.cpu_seconds = thread_cpu_seconds() - cpu;
+    Replica replica(points[job.point], job.replicate,
+                    options.records ? options.records(job.point, job.replicate) : nullptr);
+    if (options.checkpoint != nullptr) options.checkpoint->restore(i, replica);
+    const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
+    while (!replica.done() && !stopped()) {
+      const scene::Account before = replica.account();
+      replica.go_on();
+      const scene::Account& now = replica.account();
+      replica.cpu_seconds() = thread_cpu_seconds() - cpu;
+      teller.add(now.time - before.time, static_cast<double>(now.collisions - before.collisions),
+                 now.worst_collision);
+      if (options.checkpoint != nullptr && options.checkpoint->due(i)) options.checkpoint->keep(i, replica);
+    }
+    if (options.checkpoint != nullptr) options.checkpoint->keep(i, replica);
+    outcomes[job.point].replicates[static_cast<std::size_t>(job.replicate)] = replica.result();
   });
   for (results::Outcome& outcome : outcomes) {
     outcome.interrupted = stopped();

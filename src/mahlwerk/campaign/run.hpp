@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "mahlwerk/campaign/checkpoint.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -28,6 +29,7 @@ struct Options {
   const std::atomic<bool>* stop = nullptr;        ///< set: end cleanly, keep what was computed
   std::function<void(const Progress&)> progress;  ///< never from two threads at once
   Records records;
+  Checkpoint* checkpoint = nullptr;  ///< where states are kept, and taken from
 };
 
 /// Runs every replicate of every case, several at a time; the result does not depend on how many.

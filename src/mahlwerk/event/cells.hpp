@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
@@ -33,6 +34,7 @@ class Cells {
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
   /// Sends for what `near` will read.
   void fetch(Cell cell) const;
+  void carry(Archive& archive) { archive(capacity_)(filled_)(slots_); }
   int most_near() const { return 27 * capacity_ + 4; }
 
   /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where

@@ -118,9 +118,7 @@ void ManyBalls::renew() {
   const double shift = std::isfinite(period) ? std::floor(now_ / period) * period : now_;
   if (shift > 0) move_frame(shift);
   sort();
-  std::vector<double> times(plans_.size());
-  std::ranges::transform(plans_, times.begin(), &Plan::next);
-  calendar_.start(times, now_);
+  start_calendar();
   renewed_ = now_;
   renewed_collisions_ = account_.collisions;
 }
@@ -134,6 +132,23 @@ void ManyBalls::guard() {
     throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
   guarded_ = events_;
   guarded_since_ = mill_time();
+}
+
+void ManyBalls::carry(Archive& archive) {
+  archive(lines_)(plans_)(turnings_);
+  archive(now_)(before_)(epoch_)(reached_)(events_)(renewed_collisions_)(renewed_);
+  archive(guarded_)(guarded_since_)(account_);
+  cells_->carry(archive);
+  if (!archive.reading()) return;
+  drift_ = {};
+  near_.resize(static_cast<std::size_t>(cells_->most_near()));
+  start_calendar();
+}
+
+void ManyBalls::start_calendar() {
+  std::vector<double> times(plans_.size());
+  std::ranges::transform(plans_, times.begin(), &Plan::next);
+  calendar_.start(times, now_);
 }
 
 void ManyBalls::hand_over(scene::Observer& observer) {

@@ -27,6 +27,7 @@ class ManyBalls final : public scene::Engine {
   void advance(double time, scene::Observer& observer) override;
   scene::Account account() const override;
   std::vector<scene::Ball> balls() const override;
+  void carry(Archive& archive) override;
 
  private:
   /// Where the jar frame is in the falling frame.
@@ -60,6 +61,7 @@ class ManyBalls final : public scene::Engine {
   void look(std::int32_t ball);
   void meet(std::int32_t ball);
   void renew();
+  void start_calendar();
   void guard();
   void hand_over(scene::Observer& observer);
 

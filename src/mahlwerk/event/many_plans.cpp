@@ -80,12 +80,8 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
 }
 
 void ManyBalls::plan_all() {
-  std::vector<double> times;
-  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
-    predict(ball);
-    times.push_back(plan_of(ball).next());
-  }
-  calendar_.start(times, now_);
+  for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) predict(ball);
+  start_calendar();
 }
 
 void ManyBalls::plan(std::int32_t ball) {

@@ -88,6 +88,12 @@ class OneBall final : public scene::Engine {
     return {{body_.radius, density, p.position, p.velocity, staying_ ? stay_.now().spin : spin_}};
   }
 
+  void carry(Archive& archive) override {
+    archive(flight_)(spin_)(staying_)(now_)(before_)(reached_)(rebound_)(last_);
+    archive(guarded_)(guarded_since_)(account_);
+    stay_.carry(archive);
+  }
+
  private:
   static constexpr std::size_t chunk = 256;
 

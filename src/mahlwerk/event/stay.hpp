@@ -98,6 +98,8 @@ class Stay {
     return touches_other(t) ? Verdict::touched : Verdict::staying;
   }
 
+  void carry(Archive& archive) { archive(seat_)(now_)(rate_)(forces_)(known_)(step_); }
+
   const Rest& now() const { return now_; }
   Rest& now() { return now_; }
   const Seat& seat() const { return seat_; }

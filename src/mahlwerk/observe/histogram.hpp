@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "mahlwerk/base/archive.hpp"
+
 namespace mahlwerk::observe {
 
 /// Counts in logarithmic bins, four per octave, edges 2^(k/4): fixed memory, exact merging.
@@ -28,6 +30,7 @@ class LogHistogram {
     bin.sum += value;
   }
   void merge(const LogHistogram& other);
+  void carry(Archive& archive) { archive(bins_); }
 
   /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter
   /// is found by comparing its mantissa with the three edges inside an octave.

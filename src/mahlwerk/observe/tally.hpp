@@ -33,6 +33,8 @@ class Tally : public scene::Observer {
   explicit Tally(double threshold) : threshold_(threshold) {}
   void collisions(std::span<const scene::Collision> finished) override;
 
+  void carry(Archive& archive);
+
   double threshold() const { return threshold_; }  // [m/s] on u_n
   Sums all, above;                                 // above: u_n >= threshold
   LogHistogram energy_normal, energy_contact_point, energy_centre, energy_lost;  // [J]

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -25,6 +26,10 @@ class Engine {
 
   /// The balls at the time reached, in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
+
+  /// Writes the state reached to `archive`, or takes it from there; an engine made from the same case
+  /// then goes on as if nothing had happened, to the bit.
+  virtual void carry(Archive& archive) = 0;
 };
 
 }  // namespace mahlwerk::scene
