@@ -87,6 +87,7 @@ class ManyBalls final : public scene::Engine {
   contact::Impulse bounce(const contact::BounceRule& rule, const Touching& touch, bool elastic);
   void kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
   bool chatters(const Turning& ball) const;
+  void count_contact(Turning& ball);
   void settle_account(const contact::Loss& loss, double gained, double work, double scale);
   void record(std::int32_t ball, std::int32_t other, const Touching& touch, const Vec3& point,
               double impulse, const contact::Loss& loss);

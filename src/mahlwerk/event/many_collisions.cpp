@@ -27,8 +27,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double work = dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
   account_.wall_work += work;
   settle_account(loss, kinetic(ball, now_) - before, work, before);
-  if (elastic) account_.contact_time += now_ - turn.last;
-  turn.last = now_;
+  count_contact(turn);
   record(ball, ~face, touch, wall.point, j.normal, loss);
   plan(ball);
 }
@@ -53,10 +52,8 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   kick(ball, impulse, sa.radius * n);
   kick(other, -impulse, -sb.radius * n);
   settle_account(loss, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
-  for (Turning* turn : {&ta, &tb}) {
-    if (chatters(*turn)) account_.contact_time += now_ - turn->last;
-    turn->last = now_;
-  }
+  count_contact(ta);
+  count_contact(tb);
   record(ball, tb.name, touch, passing(ball).position + sa.radius * n, j.normal, loss);
   plan(ball);
   plan(other);
@@ -67,8 +64,15 @@ bool ManyBalls::chatters(const Turning& ball) const {
   return rules_.lasting == Lasting::tc && now_ - ball.last < rules_.contact_time;
 }
 
+/// The time since a ball's last collision was time in contact if it was short (man.5).
+void ManyBalls::count_contact(Turning& ball) {
+  const double flight = now_ - ball.last;
+  if (flight < 5 * rules_.contact_time) account_.contact_time += flight;
+  ball.last = now_;
+}
+
 /// A chattering ball leaves at `rest_speed_` at least: it comes back no sooner than a quarter of t_c
-/// later, however hard it is pressed, so the clock goes on (evt.27).
+/// later, however hard it is pressed, so the clock goes on (man.4).
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    bool elastic) {
   account_.tc_collisions += elastic ? 1 : 0;

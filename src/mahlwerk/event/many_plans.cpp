@@ -156,7 +156,7 @@ void ManyBalls::bring_to_now(std::int32_t ball) {
 }
 
 /// Turns the clock back by `shift` [s] and lets the falling frame start from the jar frame of that
-/// time (evt.25).
+/// time (man.3).
 void ManyBalls::move_frame(double shift) {
   const Drift d = drift_at(shift);
   for (Line& l : lines_) {

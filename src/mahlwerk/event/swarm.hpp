@@ -14,7 +14,7 @@ namespace mahlwerk::event {
 
 constexpr double at_no_time = std::numeric_limits<double>::infinity();
 
-/// A ball between two of its collisions: a straight line in the falling frame (evt.23).
+/// A ball between two of its collisions: a straight line in the falling frame (man.1).
 struct alignas(64) Line {
   Vec3 position;           ///< [m] at `since`
   double since = 0;        ///< [s] on the engine's clock
