@@ -67,7 +67,8 @@ bool ManyBalls::chatters(const Turning& ball) const {
 /// The time since a ball's last collision was time in contact if it was short (man.5).
 void ManyBalls::count_contact(Turning& ball) {
   const double flight = now_ - ball.last;
-  if (flight < 5 * rules_.contact_time) account_.contact_time += flight;
+  if (rules_.lasting == Lasting::tc && flight < 5 * rules_.contact_time)
+    account_.contact_time += flight;
   ball.last = now_;
 }
 
