@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -133,11 +134,15 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
   double volume = 0;
   for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
   const double jar = jar_volume(c.jar);
-  if (!(volume > densest * jar)) return;
+  std::set<double> sizes;
+  for (const BallSet& set : c.balls) sizes.insert(set.diameter);
+  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
+  if (!(volume > most * jar)) return;
   found.push_back(
       {place_of(c, "balls.1.count"),
        fmt::format("the balls ({}) fill more than {} % of the jar ({}), the densest packing",
-                   show_rounded(volume, "m3"), 100 * densest, show_rounded(jar, "m3")),
+                   show_rounded(volume, "m3"), show_rounded(100 * most, ""),
+                   show_rounded(jar, "m3")),
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
 }
 
