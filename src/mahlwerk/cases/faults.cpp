@@ -49,10 +49,8 @@ class ValueCheck {
     if (n < 1 || n > most) fault(key, fmt::format("{} = {} must be from 1 to {}", key, n, most));
   }
   void fault(const std::string& key, std::string what) {
-    found.push_back(
-        {place_of(c_, key), std::move(what),
-         "see docs/formats.md, \"Contact\", and `mahlwerk describe NAME` for values in use",
-         "out-of-range"});
+    found.push_back({place_of(c_, key), std::move(what),
+                     "see docs/cases.md for the values of a case", "out-of-range"});
   }
 
   std::vector<Fault> found;
