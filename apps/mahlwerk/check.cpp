@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/pairs.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -57,10 +59,47 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   return c;
 }
 
+std::string in_words(const contact::BounceRule& rule) {
+  const contact::Restitution& e = rule.restitution;
+  using Law = contact::Restitution::Law;
+  std::string words = fmt::format("restitution {}", show_rounded(e.value(), ""));
+  if (e.law() == Law::viscoelastic)
+    words += fmt::format(" at {}, viscoelastic", show_rounded(e.speed(), "m/s"));
+  if (e.law() == Law::tabulated)
+    words = fmt::format(
+        "restitution {} at {} to {} at {}, tabulated", show_rounded(e.points().front().second, ""),
+        show_rounded(e.points().front().first, "m/s"), show_rounded(e.points().back().second, ""),
+        show_rounded(e.points().back().first, "m/s"));
+  words += fmt::format(", tangential {}", show_rounded(rule.tangential_restitution, ""));
+  return words + (std::isfinite(rule.friction)
+                      ? fmt::format(", friction {}", show_rounded(rule.friction, ""))
+                      : ", no friction limit");
+}
+
+/// Who bounces by which rule, where a case makes differences.
+void print_pairs(const cases::Case& what) {
+  if (what.contact.pairs.empty()) return;
+  const contact::BounceTable table = cases::bounce_table(what);
+  const std::vector<std::string> faces = cases::face_names(what.jar.shape);
+  const auto line = [](const std::string& one, const std::string& other,
+                       const contact::BounceRule& rule) {
+    fmt::print("  {:<38} {}\n", one + " on " + other, in_words(rule));
+  };
+  fmt::print("\nbounces:\n");
+  for (int i = 0; i < table.kinds(); ++i) {
+    const std::string set = fmt::format("balls.{}", i + 1);
+    for (int j = i; j < table.kinds(); ++j)
+      line(set, fmt::format("balls.{}", j + 1), table.balls(i, j));
+    for (int face = 0; face < table.faces(); ++face)
+      line(set, "jar." + faces[static_cast<std::size_t>(face)], table.wall(i, face));
+  }
+}
+
 void print(const Checked& c, const std::filesystem::path& file) {
   fmt::print("{}: fine\n\n", file.string());
   for (const cases::Consequence& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
+  print_pairs(c.what);
   std::string assumed;
   for (const cases::Origin& origin : c.what.origins)
     if (origin.assumed)

@@ -88,6 +88,17 @@ TEST_F(Program, keeping_every_record_changes_no_trajectory) {
   EXPECT_EQ(text("out/replicates.csv"), text("kept/replicates.csv"));
 }
 
+TEST_F(Program, check_shows_the_rule_of_each_pair) {
+  const fs::path example = fs::path(MAHLWERK_HOME) / "examples/01-one-ball/case.toml";
+  fs::copy_file(example, here_ / "case.toml");
+  std::ofstream(here_ / "case.toml", std::ios::app)
+      << "\n[[contact.pairs]]\nbetween = [\"balls\", \"jar\"]\nrestitution = 0.123\n";
+  const Ended e = mahlwerk("check case.toml");
+  EXPECT_EQ(e.code, 0) << e.said;
+  for (const char* line : {"balls.1 on jar.wall", "restitution 0.123, tangential 0.9"})
+    EXPECT_NE(e.said.find(line), std::string::npos) << e.said;
+}
+
 TEST_F(Program, an_existing_result_is_refused_unless_forced) {
   EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
   const std::string before = text("out/summary.json");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
@@ -18,6 +19,9 @@ scene::Chamber chamber(const Case& c);
 /// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Depends on the seed and
 /// the replicate alone.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
+
+/// Who bounces off whom by which rule: a kind for each ball set, the faces of the jar.
+contact::BounceTable bounce_table(const Case& c);
 
 /// One thing that follows from a case before it is run.
 struct Consequence {

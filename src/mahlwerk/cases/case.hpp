@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -55,9 +56,18 @@ enum class Lasting {
   none   ///< nothing; the Zeno guard stops the run
 };
 
+/// A rule of its own for those who are named: ball sets ("balls.2", "balls"), faces of the jar
+/// ("jar.side", "jar"), or whatever is of a material ("steel").
+struct PairRule {
+  std::array<std::string, 2> between;
+  contact::BounceRule rule;
+  bool operator==(const PairRule&) const = default;
+};
+
 struct Contact {
   std::string law = "hertz-mindlin";  ///< of the soft engine
   contact::BounceRule rule;           ///< friction infinite: paper A's constant e_t
+  std::vector<PairRule> pairs;        ///< exceptions from `rule`; the last that fits a pair counts
   double lasting_friction = 0;        ///< mu of lasting contacts of the event engine
   double rolling_friction = 0;        ///< mu_r
   Lasting lasting = Lasting::roll;

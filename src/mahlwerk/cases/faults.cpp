@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
+#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
@@ -46,8 +49,8 @@ class ValueCheck {
     if (n < 1 || n > most) fault(key, fmt::format("{} = {} must be from 1 to {}", key, n, most));
   }
   void fault(const std::string& key, std::string what) {
-    found.push_back({place_of(c_, key), std::move(what), "see the manual's list of case values",
-                     "out-of-range"});
+    found.push_back({place_of(c_, key), std::move(what),
+                     "see docs/cases.md for the values of a case", "out-of-range"});
   }
 
   std::vector<Fault> found;
@@ -56,13 +59,19 @@ class ValueCheck {
   const Case& c_;
 };
 
+void check_rule(ValueCheck& check, const std::string& section, const contact::BounceRule& rule) {
+  check.number(section + "restitution", rule.restitution.value(), restitution_range, "");
+  check.number(section + "tangential_restitution", rule.tangential_restitution, tangential_range,
+               "");
+  if (!(rule.friction >= 0))  // infinite: no Coulomb limit
+    check.fault(section + "friction", section + "friction must be at least 0");
+}
+
 void check_contact(ValueCheck& check, const Contact& contact) {
   check.word("contact.law", contact.law, contact_laws());
-  check.number("contact.restitution", contact.rule.restitution, restitution_range, "");
-  check.number("contact.tangential_restitution", contact.rule.tangential_restitution,
-               tangential_range, "");
-  if (!(contact.rule.friction >= 0))  // infinite: no Coulomb limit
-    check.fault("contact.friction", "contact.friction must be at least 0");
+  check_rule(check, "contact.", contact.rule);
+  for (std::size_t i = 0; i < contact.pairs.size(); ++i)
+    check_rule(check, fmt::format("contact.pairs.{}.", i + 1), contact.pairs[i].rule);
   check.fields("contact.", contact, contact_fields());
 }
 
@@ -123,21 +132,51 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
   double volume = 0;
   for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
   const double jar = jar_volume(c.jar);
-  if (!(volume > densest * jar)) return;
+  std::set<double> sizes;
+  for (const BallSet& set : c.balls) sizes.insert(set.diameter);
+  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
+  if (!(volume > most * jar)) return;
   found.push_back(
       {place_of(c, "balls.1.count"),
        fmt::format("the balls ({}) fill more than {} % of the jar ({}), the densest packing",
-                   show_rounded(volume, "m3"), 100 * densest, show_rounded(jar, "m3")),
+                   show_rounded(volume, "m3"), show_rounded(100 * most, ""),
+                   show_rounded(jar, "m3")),
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
+}
+
+/// Names that mean nobody, and pairs that never meet. Silent where the jar or its balls could not
+/// be read.
+void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
+  if (c.balls.empty() || std::isnan(jar_volume(c.jar))) return;
+  const std::vector<std::string> known = party_names(c);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
+    const auto& [one, other] = c.contact.pairs[i].between;
+    if (one.empty() && other.empty()) continue;  // reported where it was read
+    const std::string place = place_of(c, fmt::format("contact.pairs.{}.between", i + 1));
+    const Party a = party(one, c), b = party(other, c);
+    for (const auto& [name, who] : {std::pair{&one, &a}, std::pair{&other, &b}}) {
+      if (!who->nobody()) continue;
+      const std::string near = nearest_word(*name, known);
+      found.push_back({place, fmt::format("nothing in the case is called \"{}\"", *name),
+                       (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) +
+                           fmt::format("known: {}", listed(known)),
+                       "unknown-name"});
+    }
+    if (!a.nobody() && !b.nobody() && a.kinds.empty() && b.kinds.empty())
+      found.push_back({place, fmt::format("\"{}\" and \"{}\" are both the jar", one, other),
+                       "name balls as one of the two", "no-such-pair"});
+  }
 }
 
 }  // namespace
 
 std::vector<Fault> misfits(const Case& c) {
   std::vector<Fault> found;
+  pairs_of_nobody(c, found);
+  const std::size_t so_far = found.size();
   balls_too_large(c, found);
   fillet_too_large(c, found);
-  if (found.empty()) too_many_balls(c, found);
+  if (found.size() == so_far) too_many_balls(c, found);
   return found;
 }
 
@@ -152,10 +191,10 @@ std::vector<Fault> engine_faults(const Case& c) {
     return {{place_of(c, "run.engine"), "the soft engine is not part of this version",
              "write engine = \"event\"", "engine-missing"}};
   const std::int64_t count = balls_count(c.balls);
-  if (count <= 1) return {};
-  return {{place_of(c, c.balls.size() > 1 ? "balls.2.count" : "balls.1.count"),
-           fmt::format("the event engine of this version carries one ball, the case has {}", count),
-           "write count = 1 in a single [[balls]]", "one-ball-only"}};
+  if (count <= 1 || c.contact.lasting != Lasting::roll) return {};
+  return {{place_of(c, "contact.lasting"),
+           fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
+           "write lasting = \"tc\"", "roll-one-ball"}};
 }
 
 }  // namespace mahlwerk::cases

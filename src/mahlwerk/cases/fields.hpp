@@ -67,6 +67,13 @@ const std::vector<std::string>& engines();
 /// "roll", "tc", "none", in the order of Lasting.
 const std::vector<std::string>& lasting_words();
 
+/// "constant", "viscoelastic", "tabulated", in the order of contact::Restitution::Law.
+const std::vector<std::string>& restitution_laws();
+
+std::string table_text(const contact::Restitution& tabulated);  ///< as a case writes it
+std::string between_text(const PairRule& pair);                 ///< as a case writes it
+std::string in_quotes(std::string_view text);                   ///< as a TOML string
+
 /// The vertical and the horizontal axis a jar can be mounted along.
 std::string axis_word(const Vec3& axis);  ///< empty for any other
 

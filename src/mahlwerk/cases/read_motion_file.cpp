@@ -100,9 +100,10 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
   try {
     return kinematics::Tabulated(std::move(samples), axis);
   } catch (const std::invalid_argument& error) {
-    findings.faults.push_back({file, error.what(),
-                               "see the rules for measured motions in the manual",
-                               "bad-motion-file"});
+    findings.faults.push_back(
+        {file, error.what(),
+         "see docs/errors.md, \"bad-motion-file\", for the rules of measured motions",
+         "bad-motion-file"});
     return {};
   }
 }

@@ -35,7 +35,11 @@ Mill read_mill(const Node* table, const Case& c, const std::string& folder,
                const Catalogue& catalogue, Findings& findings);
 Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const Catalogue& catalogue,
                    Findings& findings);
-Contact read_contact(const Node* table, Findings& findings);
+Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findings& findings);
+/// How a bounce ends; what is not said is that of `all`, or a default where it is null.
+contact::BounceRule read_rule(Section& in, const contact::BounceRule* all);
+std::vector<PairRule> read_pairs(const Node* list, const contact::BounceRule& all,
+                                 Findings& findings);
 Run read_run(const Node* table, Findings& findings);
 Observe read_observe(const Node* table, Findings& findings);
 

@@ -63,7 +63,7 @@ std::string Section::dotted(std::string_view key) const {
 
 std::string Section::heading() const {
   if (name_.empty()) return "the case";
-  const auto dot = name_.find('.');
+  const auto dot = name_.rfind('.');  // "balls.2", "contact.pairs.1"
   return dot == std::string::npos ? fmt::format("[{}]", name_)
                                   : fmt::format("[[{}]]", name_.substr(0, dot));
 }

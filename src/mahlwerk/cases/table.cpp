@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::string_view ball_sets = "balls";  // the one list of tables in a case
+constexpr std::string_view ball_sets = "balls";  // the one section that is a list of tables
 
 void fill(Node& node, const toml::node& from, const std::string& file);
 
@@ -72,8 +72,9 @@ Node& member(Node& table, std::string_view key) {
   return table.members.back().value;
 }
 
-/// Which ball set a key names, cutting its number, counted from 1, off; the first without one.
-std::optional<std::size_t> ball_set(std::size_t sets, std::vector<std::string_view>& rest) {
+/// Which entry of a list a key names, cutting its number, counted from 1, off; the first without
+/// one.
+std::optional<std::size_t> entry_of(std::size_t entries, std::vector<std::string_view>& rest) {
   std::size_t number = 1;
   if (rest.size() > 1) {
     const char* end = rest[0].data() + rest[0].size();
@@ -81,8 +82,31 @@ std::optional<std::size_t> ball_set(std::size_t sets, std::vector<std::string_vi
     if (error != std::errc{} || stop != end) return std::nullopt;
     rest.erase(rest.begin());
   }
-  if (number < 1 || number > sets) return std::nullopt;
+  if (number < 1 || number > entries) return std::nullopt;
   return number - 1;
+}
+
+/// The table that what is left of a key names, going down from a section through lists of tables
+/// and cutting off what was used; null where an entry of the list `list` is missing.
+template <class N>
+N* descend(N* table, std::vector<std::string_view>& rest, std::string& list) {
+  while (table->kind == Node::Kind::list || rest.size() > 1) {
+    if (table->kind == Node::Kind::list) {
+      const auto entry = entry_of(table->items.size(), rest);
+      if (!entry) {
+        list = fmt::format("{} in the case: {}", list, table->items.size());
+        return nullptr;
+      }
+      table = &table->items[*entry];
+    } else {
+      N* below = table->find(rest.front());
+      if (below == nullptr || below->kind != Node::Kind::list) return table;
+      list = fmt::format("entries of `{}`", rest.front());
+      table = below;
+      rest.erase(rest.begin());
+    }
+  }
+  return table;
 }
 
 /// The section a key of several parts names, made if it is not there.
@@ -148,13 +172,10 @@ bool holds(const Node& root, std::string_view key) {
     table = root.find(parts.front());
     if (table == nullptr) return false;
     parts.erase(parts.begin());
-    if (table->kind == Node::Kind::list) {
-      const auto set = ball_set(table->items.size(), parts);
-      if (!set) return false;
-      table = &table->items[*set];
-    }
+    std::string ignored;
+    table = descend(table, parts, ignored);
   }
-  return parts.size() == 1 && table->find(parts.front()) != nullptr;
+  return table != nullptr && parts.size() == 1 && table->find(parts.front()) != nullptr;
 }
 
 std::string put(Node& root, std::string_view key, Node value) {
@@ -165,13 +186,10 @@ std::string put(Node& root, std::string_view key, Node value) {
   if (parts.size() > 1) {
     table = &section_for(root, parts.front(), value.where);
     parts.erase(parts.begin());
-    if (table->kind == Node::Kind::list) {
-      const auto set = ball_set(table->items.size(), parts);
-      if (!set)
-        return fmt::format("there is nothing that \"{}\" could name; ball sets in the case: {}",
-                           key, table->items.size());
-      table = &table->items[*set];
-    }
+    std::string list = "ball sets";  // the only section that is a list
+    table = descend(table, parts, list);
+    if (table == nullptr)
+      return fmt::format("there is nothing that \"{}\" could name; {}", key, list);
   }
   if (parts.size() != 1 || table->kind != Node::Kind::table)
     return fmt::format("there is nothing that \"{}\" could name", key);

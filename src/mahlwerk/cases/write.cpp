@@ -13,23 +13,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// A TOML string; control characters are escaped, so a text cannot leave its line.
-std::string in_quotes(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      out += fmt::format("\\u{:04X}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
-
 /// A comment's text on one line.
 std::string one_line(std::string text) {
   std::ranges::replace_if(
@@ -112,16 +95,32 @@ void write_powder(Writer& out, const Powder& powder) {
   if (powder.density) out.number("density", *powder.density, "kg/m3");
 }
 
+void write_rule(Writer& out, const contact::BounceRule& rule) {
+  const contact::Restitution& e = rule.restitution;
+  using Law = contact::Restitution::Law;
+  out.word("restitution_law", restitution_laws()[static_cast<std::size_t>(e.law())]);
+  if (e.law() == Law::tabulated)
+    out.line("restitution_table", table_text(e));
+  else
+    out.number("restitution", e.value(), "");
+  if (e.law() == Law::viscoelastic) out.number("restitution_speed", e.speed(), "m/s");
+  const bool coulomb = std::isfinite(rule.friction);
+  out.word("bounce", coulomb ? "walton" : "constant");
+  out.number("tangential_restitution", rule.tangential_restitution, "");
+  if (coulomb) out.number("friction", rule.friction, "");
+}
+
 void write_contact(Writer& out, const Contact& contact) {
-  const bool coulomb = std::isfinite(contact.rule.friction);
   out.section("[contact]", "contact.");
   out.word("law", contact.law);
-  out.number("restitution", contact.rule.restitution, "");
-  out.word("bounce", coulomb ? "walton" : "constant");
-  out.number("tangential_restitution", contact.rule.tangential_restitution, "");
-  if (coulomb) out.number("friction", contact.rule.friction, "");
+  write_rule(out, contact.rule);
   out.fields(contact, contact_fields());
   out.word("lasting", lasting_words()[static_cast<std::size_t>(contact.lasting)]);
+  for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
+    out.section("[[contact.pairs]]", fmt::format("contact.pairs.{}.", i + 1));
+    out.line("between", between_text(contact.pairs[i]));
+    write_rule(out, contact.pairs[i].rule);
+  }
 }
 
 void write_sweep(Writer& out, const std::map<std::string, std::vector<std::string>>& sweep) {

@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/contact/restitution.hpp"
 
 // Instantaneous collisions of rough spheres: impulse in, impulse out, nothing else.
 namespace mahlwerk::contact {
 
 /// How a collision ends. Paper A: constant e_n and e_t, friction without limit. Walton: the same
-/// below the Coulomb limit `friction` (mu), sliding above it.
+/// below the Coulomb limit `friction` (mu), sliding above it. e_n may depend on the speed.
 struct BounceRule {
-  double restitution = 1;             ///< e_n in [0, 1]
+  Restitution restitution = 1;        ///< e_n in [0, 1]
   double tangential_restitution = 1;  ///< e_t in [-1, 1]: 1 smooth, 0 no slip, -1 perfectly rough
   double friction = INFINITY;         ///< mu >= 0; infinite: no Coulomb limit (paper A)
   bool operator==(const BounceRule&) const = default;
@@ -27,10 +28,15 @@ struct Impulse {
 };
 
 /// For solid spheres, `mass` [kg] effective, `approach` u_n and `slip` |u_t| in m/s (evt.6, evt.7).
-inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip) {
-  const double normal = mass * (1 + rule.restitution) * approach;
+/// `restitution` takes the place of the rule's, for an engine that has a reason of its own.
+inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip,
+                      double restitution) {
+  const double normal = mass * (1 + restitution) * approach;
   const double sticking = 2.0 / 7.0 * mass * (1 - rule.tangential_restitution) * slip;
   return {normal, std::min(sticking, rule.friction * normal)};
+}
+inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip) {
+  return bounce(rule, mass, approach, slip, rule.restitution.at(approach));
 }
 
 /// What the collision dissipates [J], from the velocities before and the impulses (evt.8).

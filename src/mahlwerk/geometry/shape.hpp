@@ -71,9 +71,10 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, Course cour
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// After how much [m] along x, y and z a shape repeats itself; infinite where it does not.
+/// How far apart the images of a ball lie along each axis [m]: a shape without walls across an axis
+/// repeats itself along it and says so by `periods()`; infinite for all others.
 template <class S>
-constexpr Vec3 periods_of(const S& shape) {
+Vec3 periods_of(const S& shape) {
   if constexpr (requires { shape.periods(); })
     return shape.periods();
   else

@@ -12,11 +12,11 @@ namespace mahlwerk::scene {
 /// A solid sphere and how it moves, in the jar frame (axes of the laboratory, origin at the jar's
 /// centre).
 struct Ball {
-  double radius = 0;   ///< [m]
-  double density = 0;  ///< [kg/m3]
-  Vec3 position;       ///< [m]
-  Vec3 velocity;       ///< [m/s]
-  Vec3 spin;           ///< [rad/s]
+  double radius = 0;      ///< [m]
+  double density = 0;     ///< [kg/m3]
+  Vec3 position;          ///< [m]
+  Vec3 velocity;          ///< [m/s]
+  Vec3 spin;              ///< [rad/s]
   std::int32_t kind = 0;  ///< which ball set it belongs to
 
   double mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }

@@ -240,12 +240,14 @@ TEST(CaseFaults, what_no_engine_of_this_version_runs_can_still_be_read) {
   ASSERT_EQ(soft.size(), 1U);
   EXPECT_EQ(soft[0].where, "case.toml:18");
   EXPECT_EQ(soft[0].code, "engine-missing");
-  for (const char* engine : {"event", "auto"}) {
-    const auto many = engine_faults(read_sample(planetary, {{"run.engine", engine}}));
+  for (const std::string engine : {"event", "auto"}) {
+    EXPECT_TRUE(engine_faults(read_sample(planetary, {{"run.engine", engine}})).empty());
+    const auto many = engine_faults(
+        read_sample(with(planetary, "friction", "lasting = \"roll\""), {{"run.engine", engine}}));
     ASSERT_EQ(many.size(), 1U);
-    EXPECT_EQ(many[0].where, "case.toml:7");
-    EXPECT_EQ(many[0].what, "the event engine of this version carries one ball, the case has 5");
-    EXPECT_EQ(many[0].code, "one-ball-only");
+    EXPECT_EQ(many[0].where, "case.toml:16");
+    EXPECT_EQ(many[0].what, "lasting = \"roll\" carries one ball, the case has 5");
+    EXPECT_EQ(many[0].code, "roll-one-ball");
   }
   EXPECT_TRUE(engine_faults(read_sample(vial, {{"run.engine", "auto"}})).empty());
 }
@@ -340,6 +342,15 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.balls.clear(); }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.rule.restitution = 2; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.rule.friction = NAN; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.pairs.push_back({{"balls", "jar"}, {2, 0, 0}}); }), out);
+  EXPECT_EQ(codes([](Case& c) {
+              c.contact.pairs.push_back({{"balls", "jar"}, {1, 2, -1}});
+            }),
+            (Codes{"out-of-range", "out-of-range"}));
+  EXPECT_EQ(codes([](Case& c) {
+              c.contact.pairs.push_back({{"balls", "lid"}, {1, 0, 0}});
+            }),
+            Codes{"unknown-name"});
   EXPECT_EQ(codes([](Case& c) { c.run.time = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.engine = "fast"; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.replicates = 0; }), out);

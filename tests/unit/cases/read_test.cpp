@@ -73,6 +73,7 @@ TEST(ReadCase, every_value_has_its_origin) {
                           "powder.density",
                           "powder.size",
                           "contact.law",
+                          "contact.restitution_law",
                           "contact.bounce",
                           "contact.friction",
                           "contact.tangential_restitution",

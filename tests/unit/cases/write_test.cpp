@@ -109,7 +109,8 @@ class AnyCase {
     draw_contact(c.contact);
     c.run = {flip() ? "event" : "soft", size(), size(), whole(10000), size(), size()};
     c.observe = {size(), flip()};
-    if (flip()) c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
+    if (c.contact.rule.restitution.points().empty() && flip())
+      c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
     if (flip()) c.sweep["title"] = {"12 mm", "a \"b\"", "true"};
     return c;
   }
@@ -148,9 +149,21 @@ class AnyCase {
       powder.material = "tic";
     }
   }
+  contact::Restitution draw_restitution() {
+    if (flip()) return random_.uniform();
+    if (flip()) return contact::Restitution::viscoelastic(random_.uniform(), size());
+    contact::Restitution::Points points{{size(), random_.uniform()}};
+    while (flip()) points.emplace_back(points.back().first + size(), random_.uniform());
+    return contact::Restitution::tabulated(points);
+  }
+  contact::BounceRule draw_rule() {
+    return {draw_restitution(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
+  }
   void draw_contact(Contact& contact) {
     contact.law = flip() ? "hertz-tsuji" : "jkr";
-    contact.rule = {random_.uniform(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
+    contact.rule = draw_rule();
+    if (flip()) contact.pairs.push_back({{"balls.1", "jar"}, draw_rule()});
+    if (flip()) contact.pairs.push_back({{"balls", "balls.1"}, draw_rule()});
     contact.lasting_friction = size();
     contact.rolling_friction = size();
     contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;

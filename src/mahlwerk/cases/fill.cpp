@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/places.hpp"
+#include "mahlwerk/cases/push_apart.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr double gap = 1e-3;  // between balls placed one by one, of the distance at touch
+
+/// A charge being placed, the largest balls first.
+class Charge {
+ public:
+  Charge(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random)
+      : shape_(shape), sets_(sets), random_(random), order_(sets.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::stable_sort(order_, std::greater(), [&](auto i) { return sets[i].diameter; });
+    count_ = static_cast<std::size_t>(balls_count(sets));
+    room_.periods = std::visit([](const auto& s) { return geometry::periods_of(s); }, shape);
+    for (const std::size_t i : order_) {
+      const Vec3& box = places_.emplace_back(shape, 0.5 * sets[i].diameter).box();
+      room_.half = {std::max(room_.half.x, box.x), std::max(room_.half.y, box.y),
+                    std::max(room_.half.z, box.z)};
+    }
+  }
+
+  void place() {
+    if (place_one_by_one()) return;
+    const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
+    left_ = sweeps(3000, 4e8);
+    for (int start = 0; start < starts && left_ > 0; ++start) {
+      if (start > 0) place_one_by_one();
+      for (const double smaller : {gap, 0.1 * gap, 1e-3 * gap})
+        if (pushed(smaller)) return;
+    }
+    throw full();
+  }
+
+  /// By set, in the order of the case.
+  std::vector<scene::Ball> balls() const {
+    std::vector<std::size_t> from(sets_.size());  // first of each set among those placed
+    std::size_t before = 0;
+    for (const std::size_t i : order_) {
+      from[i] = before;
+      before += static_cast<std::size_t>(sets_[i].count);
+    }
+    std::vector<scene::Ball> all;
+    all.reserve(count_);
+    for (std::size_t i = 0; i < sets_.size(); ++i)
+      for (std::size_t n = 0; n < static_cast<std::size_t>(sets_[i].count); ++n)
+        all.push_back({.radius = 0.5 * sets_[i].diameter,
+                       .density = sets_[i].density,
+                       .position = placed_[from[i] + n].place,
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(i)});
+    return all;
+  }
+
+ private:
+  /// Each at a random place that is free of those before. False if some found none: they are left
+  /// where they overlap.
+  bool place_one_by_one() {
+    placed_.clear();
+    placed_.reserve(count_);
+    std::vector<Grid> grids;
+    std::size_t crowded = 0;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const BallSet& set = sets_[order_[k]];
+      const double radius = 0.5 * set.diameter;
+      grids.emplace_back(room_, set.diameter * (1 + gap), static_cast<std::size_t>(set.count));
+      for (std::int64_t n = 0; n < set.count; ++n) {
+        Vec3 p = places_[k].draw(random_);
+        bool found = free(p, radius, grids);
+        for (int tries = tries_left(crowded); !found && tries > 0; --tries) {
+          p = places_[k].draw(random_);
+          found = free(p, radius, grids);
+        }
+        crowded += found ? 0 : 1;
+        grids.back().add(static_cast<int>(placed_.size()), p);
+        placed_.push_back({p, radius});
+      }
+    }
+    return crowded == 0;
+  }
+  /// Many where there are few balls; few once it is clear that pushing must follow.
+  int tries_left(std::size_t crowded) const {
+    if (crowded > 0) return 20;
+    return static_cast<int>(std::clamp(2e7 / static_cast<double>(count_), 200.0, 1e5));
+  }
+  bool free(const Vec3& p, double radius, const std::vector<Grid>& grids) const {
+    return std::ranges::all_of(grids, [&](const Grid& grid) {
+      return grid.around(p, [&](int i) {
+        const Placed& o = placed_[static_cast<std::size_t>(i)];
+        return norm(room_.between(p, o.place)) >= (1 + gap) * (radius + o.radius);
+      });
+    });
+  }
+
+  bool pushed(double smaller) {
+    if (left_ <= 0) return false;
+    const Pushed end = push_apart(placed_, shape_, room_, smaller, left_);
+    left_ -= end.moves;
+    largest_ = std::max(largest_, end.largest);
+    typical_ = std::max(typical_, end.typical);
+    return end.free;
+  }
+  /// A bound on the work, in moves of single balls: at least so many sweeps over all.
+  std::int64_t sweeps(double least, double moves) const {
+    return static_cast<std::int64_t>(std::max(least * static_cast<double>(count_), moves));
+  }
+
+  /// What is said when there is no room, with the filling that there is room for.
+  InputError full() {
+    double size = largest_;
+    double hope = 0.995 * std::min(typical_, 1.0);
+    for (int tries = 8; tries > 0 && hope > size; --tries, hope *= 0.985)
+      if (fits(hope)) size = hope;
+    const double jar = std::visit([](const auto& s) { return s.volume(); }, shape_);
+    double filling = 0;
+    for (const BallSet& set : sets_)
+      filling += static_cast<double>(set.count) * ball_volume(set) / jar;
+    return InputError(Fault{
+        "balls",
+        fmt::format("{} balls that fill {:.1f} % of the jar do not fit in at random: {:.1f} % was "
+                    "reached",
+                    count_, 100 * filling, 100 * filling * size * size * size),
+        "give fewer or smaller balls or a larger jar", "too-many-balls"});
+  }
+  /// Whether balls so much smaller can be pushed apart.
+  bool fits(double size) {
+    std::vector<Placed> smaller = placed_;
+    for (Placed& b : smaller) b.radius *= size;
+    return push_apart(smaller, shape_, room_, 1e-6, sweeps(300, 5e7)).free;
+  }
+
+  const geometry::AnyShape& shape_;
+  const std::vector<BallSet>& sets_;
+  Random& random_;
+  std::vector<std::size_t> order_;  // of sets, largest balls first
+  std::size_t count_ = 0;
+  Room room_;
+  std::vector<Places> places_;  // for each set, in that order
+  std::vector<Placed> placed_;
+  std::int64_t left_ = 0;  // of the work
+  double largest_ = 0, typical_ = 0;
+};
+
+}  // namespace
+
+std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
+                              Random& random) {
+  Charge charge(shape, sets, random);
+  charge.place();
+  return charge.balls();
+}
+
+}  // namespace mahlwerk::cases

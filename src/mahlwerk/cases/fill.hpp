@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/scene/balls.hpp"
+
+namespace mahlwerk::cases {
+
+/// All balls of a case, set by set, at random places where they touch nothing; positions in the
+/// jar's own axes, at rest. One after the other where that works, the largest first; a denser
+/// charge is pushed apart from a random start. Throws InputError "too-many-balls" where neither
+/// does.
+std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
+                              Random& random);
+
+}  // namespace mahlwerk::cases

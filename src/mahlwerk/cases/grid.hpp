@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "mahlwerk/base/vec3.hpp"
+
+namespace mahlwerk::cases {
+
+/// The box the centres of balls lie in, and how it repeats itself.
+struct Room {
+  Vec3 half;     ///< [m] half its sides
+  Vec3 periods;  ///< [m] infinite along an axis that does not repeat
+
+  /// From `a` to the nearest image of `b`.
+  Vec3 between(const Vec3& a, const Vec3& b) const {
+    const Vec3 d = b - a;
+    return {nearest(d.x, periods.x), nearest(d.y, periods.y), nearest(d.z, periods.z)};
+  }
+  /// The image of `p` that lies in the box.
+  Vec3 home(const Vec3& p) const { return between({}, p); }
+
+ private:
+  static double nearest(double d, double period) {
+    return std::abs(d) <= 0.5 * period ? d : d - period * std::round(d / period);
+  }
+};
+
+/// Points sorted into cells, to find those near a place. Cells are at least `reach` wide, and not
+/// many more than the points they are meant for.
+class Grid {
+ public:
+  Grid(const Room& room, double reach, std::size_t points) : room_(&room) {
+    const std::array<double, 3> half{room.half.x, room.half.y, room.half.z};
+    const std::array<double, 3> period{room.periods.x, room.periods.y, room.periods.z};
+    const double most =
+        std::cbrt(8 * half[0] * half[1] * half[2] / static_cast<double>(points + 8));
+    for (std::size_t i = 0; i < 3; ++i) {
+      low_[i] = -half[i];
+      round_[i] = std::isfinite(period[i]);
+      n_[i] = std::max(1, static_cast<int>(std::min(1024.0, 2 * half[i] / std::max(reach, most))));
+      scale_[i] = half[i] > 0 ? n_[i] / (2 * half[i]) : 0.0;
+    }
+    first_.assign(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
+                      static_cast<std::size_t>(n_[2]),
+                  none);
+  }
+
+  void add(int point, const Vec3& p) {
+    const auto c = cell(p);
+    const std::size_t at = index(c[0], c[1], c[2]);
+    if (static_cast<std::size_t>(point) >= next_.size())
+      next_.resize(static_cast<std::size_t>(point) + 1, none);
+    next_[static_cast<std::size_t>(point)] = first_[at];
+    first_[at] = point;
+  }
+
+  /// Calls `visit` with every point within `reach` of `p` and some more, until it returns false.
+  template <class Visit>
+  bool around(const Vec3& p, Visit visit) const {
+    const auto c = cell(p);
+    std::array<std::array<int, 3>, 3> near{};
+    std::array<int, 3> many{};
+    for (std::size_t i = 0; i < 3; ++i) many[i] = neighbours(i, c[i], near[i]);
+    for (int x = 0; x < many[0]; ++x)
+      for (int y = 0; y < many[1]; ++y)
+        for (int z = 0; z < many[2]; ++z)
+          for (int at = first_[index(near[0][x], near[1][y], near[2][z])]; at != none;
+               at = next_[static_cast<std::size_t>(at)])
+            if (!visit(at)) return false;
+    return true;
+  }
+
+ private:
+  static constexpr int none = -1;
+
+  std::array<int, 3> cell(const Vec3& place) const {
+    const Vec3 p = room_->home(place);
+    const std::array<double, 3> x{p.x, p.y, p.z};
+    std::array<int, 3> c{};
+    for (std::size_t i = 0; i < 3; ++i)
+      c[i] = static_cast<int>(std::clamp((x[i] - low_[i]) * scale_[i], 0.0, n_[i] - 1.0));
+    return c;
+  }
+  /// The cells beside `c` along axis `i` and itself, each once.
+  int neighbours(std::size_t i, int c, std::array<int, 3>& near) const {
+    int many = 0;
+    for (int d = -1; d <= 1; ++d) {
+      int at = c + d;
+      if (round_[i]) at = (at + n_[i]) % n_[i];
+      if (at < 0 || at >= n_[i]) continue;
+      if (std::find(near.begin(), near.begin() + many, at) == near.begin() + many)
+        near[static_cast<std::size_t>(many++)] = at;
+    }
+    return many;
+  }
+  std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(x) * static_cast<std::size_t>(n_[1]) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(n_[2]) +
+           static_cast<std::size_t>(z);
+  }
+
+  const Room* room_;
+  std::array<double, 3> low_{}, scale_{};
+  std::array<int, 3> n_{};
+  std::array<bool, 3> round_{};
+  std::vector<int> first_, next_;
+};
+
+}  // namespace mahlwerk::cases

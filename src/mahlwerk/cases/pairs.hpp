@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/cases/case.hpp"
+
+// Who is meant by a name in [[contact.pairs]].
+namespace mahlwerk::cases {
+
+/// Ball sets and faces of the jar, both counted from 0.
+struct Party {
+  std::vector<int> kinds, faces;
+  bool nobody() const { return kinds.empty() && faces.empty(); }
+};
+
+Party party(std::string_view name, const Case& c);
+std::vector<std::string> party_names(const Case& c);  ///< all that mean somebody
+
+std::vector<std::string> face_names(const geometry::AnyShape& shape);
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How a bounce ends: what [contact] and each of [[contact.pairs]] say about it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using contact::BounceRule;
+using contact::Restitution;
+using Law = Restitution::Law;
+
+constexpr std::string_view inherited = "as [contact] says";
+
+Wanted with_default(Wanted wanted, double standard, std::string_view source) {
+  wanted.standard = standard;
+  wanted.source = source;
+  return wanted;
+}
+
+const Wanted& restitution_value() {
+  static const Wanted wanted("restitution", "", restitution_range,
+                             "normal speed after over before a bounce");
+  return wanted;
+}
+
+/// One row of a table, speed and value; nothing after a fault.
+std::optional<std::pair<double, double>> read_row(Section& in, const Node& row) {
+  if (row.kind != Node::Kind::list || row.items.size() != 2) {
+    in.fault(row, "a row of `restitution_table` is a speed and a value",
+             "write it as [\"1 m/s\", 0.8]", "wrong-type");
+    return std::nullopt;
+  }
+  const double speed = in.quantity(
+      row.items[0], {"restitution_table", "m/s", positive, "speed of approach, then restitution"});
+  const double value = in.quantity(row.items[1], {"restitution_table", "", restitution_range,
+                                                  "speed of approach, then restitution"});
+  if (std::isnan(speed) || std::isnan(value)) return std::nullopt;
+  return std::pair{speed, value};
+}
+
+Restitution read_table(Section& in, const Node& at) {
+  Restitution::Points points;
+  bool sound = at.kind == Node::Kind::list && !at.items.empty();
+  if (!sound)
+    in.fault(at, "`restitution_table` must be a list of rows",
+             "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]", "wrong-type");
+  else
+    for (const Node& row : at.items) {
+      const auto point = read_row(in, row);
+      sound = sound && point;
+      if (!point) continue;
+      if (!points.empty() && point->first <= points.back().first) {
+        in.fault(row, "the speeds of `restitution_table` do not rise",
+                 "sort the rows by speed, each once", "out-of-range");
+        sound = false;
+      }
+      points.push_back(*point);
+    }
+  if (!sound) return unread;
+  const Restitution made = Restitution::tabulated(std::move(points));
+  in.note("restitution_table", table_text(made), &at);
+  return made;
+}
+
+/// The word under `restitution_law`; what is given decides where it is not said.
+Law read_law(Section& in, std::string_view given, const Restitution* all) {
+  Choice choice{"restitution_law", restitution_laws(), "constant", "the same at every speed"};
+  if (given == "restitution_table") {
+    choice.standard = "tabulated";
+    choice.source = "a restitution_table is given";
+  } else if (all != nullptr && !(given == "restitution" && all->law() == Law::tabulated)) {
+    choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
+    choice.source = inherited;
+  }
+  const std::string word = in.choice(choice);
+  const auto at = std::ranges::find(restitution_laws(), word);
+  return at == restitution_laws().end() ? Law::constant
+                                        : static_cast<Law>(at - restitution_laws().begin());
+}
+
+/// A key that a law has no use for.
+void refuse(Section& in, std::string_view key, std::string_view law, std::string_view remedy) {
+  if (const Node* at = in.find(key); at != nullptr)
+    in.fault(*at, fmt::format("{} has no meaning under restitution_law = \"{}\"", key, law),
+             std::string(remedy), "too-much");
+}
+
+Restitution read_tabulated(Section& in, const Restitution* all) {
+  refuse(in, "restitution_speed", "tabulated", "remove it");
+  if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
+  if (all != nullptr && all->law() == Law::tabulated) {
+    in.note_default("restitution_table", table_text(*all), inherited);
+    return *all;
+  }
+  in.missing("restitution_table", "speeds of approach with their restitution",
+             "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]");
+  return unread;
+}
+
+Restitution read_viscoelastic(Section& in, double value, const Restitution* all) {
+  refuse(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
+  Wanted speed("restitution_speed", "m/s", positive, "the speed at which `restitution` holds");
+  if (all != nullptr && all->law() == Law::viscoelastic)
+    speed = with_default(speed, all->speed(), inherited);
+  const double at = in.value(speed);
+  if (const Node* zero = in.find("restitution"); value == 0 && zero != nullptr)
+    in.fault(*zero, "a viscoelastic restitution is above 0", "give a restitution above 0",
+             "out-of-range");
+  else if (value == 0)
+    in.missing("restitution", "a viscoelastic one is above 0", "give a restitution above 0");
+  return std::isnan(value) || std::isnan(at) || value == 0 ? Restitution(unread)
+                                                           : Restitution::viscoelastic(value, at);
+}
+
+Restitution read_restitution(Section& in, const Restitution* all) {
+  const std::string_view given = in.one_of({"restitution", "restitution_table"});
+  const Law law = read_law(in, given, all);
+  if (law == Law::tabulated) {
+    if (given == "restitution") refuse(in, given, "tabulated", "remove it, or restitution_law");
+    return read_tabulated(in, all);
+  }
+  Wanted wanted = with_default(restitution_value(), 0.8,
+                               "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
+  if (all != nullptr && all->law() != Law::tabulated)
+    wanted = with_default(wanted, all->value(), inherited);
+  const double value = in.value(wanted);
+  if (law == Law::viscoelastic) return read_viscoelastic(in, value, all);
+  if (given == "restitution_table")
+    refuse(in, given, "constant", "write restitution_law = \"tabulated\"");
+  refuse(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
+  return value;
+}
+
+/// "constant" or "walton", and why if it is not said.
+std::string read_bounce(Section& in, const BounceRule* all) {
+  const bool friction = in.gives("friction");
+  Choice choice{"bounce",
+                {"constant", "walton"},
+                "walton",
+                "sticking below the Coulomb limit, sliding above it"};
+  if (!friction && all != nullptr) {
+    choice.standard = std::isfinite(all->friction) ? "walton" : "constant";
+    choice.source = inherited;
+  } else if (!friction && in.gives("tangential_restitution")) {
+    choice.standard = "constant";
+    choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
+  }
+  return in.choice(choice);
+}
+
+}  // namespace
+
+BounceRule read_rule(Section& in, const BounceRule* all) {
+  BounceRule rule;
+  rule.restitution = read_restitution(in, all ? &all->restitution : nullptr);
+  const std::string bounce = read_bounce(in, all);
+  Wanted tangential = with_default(
+      {"tangential_restitution", "", tangential_range,
+       "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough"},
+      0, bounce == "constant" ? "no slip after a bounce" : "no slip below the Coulomb limit");
+  if (all != nullptr) tangential = with_default(tangential, all->tangential_restitution, inherited);
+  rule.tangential_restitution = in.value(tangential);
+  if (bounce == "constant") {
+    if (const Node* friction = in.find("friction"))
+      in.fault(*friction, "friction has no meaning under bounce = \"constant\"",
+               "remove friction, or write bounce = \"walton\"", "too-much");
+    return rule;
+  }
+  Wanted friction =
+      with_default({"friction", "", not_negative, "Coulomb's friction coefficient mu"}, 0.3,
+                   "uncalibrated, 0.1-0.6");
+  if (all != nullptr && std::isfinite(all->friction))
+    friction = with_default(friction, all->friction, inherited);
+  rule.friction = in.value(friction);
+  return rule;
+}
+
+std::vector<PairRule> read_pairs(const Node* list, const BounceRule& all, Findings& findings) {
+  std::vector<PairRule> pairs;
+  if (list == nullptr) return pairs;
+  const auto is_table = [](const Node& n) { return n.kind == Node::Kind::table; };
+  if (list->kind != Node::Kind::list || !std::ranges::all_of(list->items, is_table)) {
+    findings.faults.push_back({list->where, "`contact.pairs` must be a list of sections",
+                               "write [[contact.pairs]] and its values below", "wrong-type"});
+    return pairs;
+  }
+  for (const Node& item : list->items) {
+    Section in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
+    PairRule pair;
+    constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
+    const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
+    const Node* between = in.find("between");
+    if (between == nullptr) {
+      in.missing("between", "the two the rule is for", std::string(form));
+    } else if (between->items.size() != 2 || !std::ranges::all_of(between->items, is_text)) {
+      in.fault(*between, "`between` must name two", std::string(form), "wrong-type");
+    } else {
+      pair.between = {between->items[0].text, between->items[1].text};
+      in.note("between", between_text(pair), between);
+    }
+    pair.rule = read_rule(in, &all);
+    in.close();
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+}  // namespace mahlwerk::cases
