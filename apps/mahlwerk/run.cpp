@@ -131,6 +131,8 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
       sweeps ? report::campaign_table(campaign_of(job, outcomes))
              : report::table(results::summarise(outcomes.front()), job.what.observe.threshold);
   fmt::print("{}\n\n{}\n{}", job.what.title, table, uncalibrated(job.points.front()));
+  if (!sweeps)
+    for (const std::string& note : outcomes.front().notes) fmt::print("{}\n\n", note);
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / (sweeps ? "campaign.html" : "report.html")).string());
   fmt::print("numbers:  {}\n\n", (place / (sweeps ? "campaign.csv" : "summary.json")).string());

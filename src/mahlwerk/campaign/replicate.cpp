@@ -18,6 +18,7 @@ event::Rules rules(const cases::Contact& c) {
                                                          : event::Lasting::none;
   return {
       .bounce = c.rule,
+      .faces = {},
       .lasting_friction = c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
       .rolling_friction = c.rolling_friction,
       .lasting = lasting,
@@ -58,8 +59,14 @@ class Replica::Ears final : public scene::Observer {
 };
 
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
-  return event::one_ball(cases::chamber(what), cases::starting_balls(what, index).front(),
-                         rules(what.contact));
+  const scene::Chamber mill = cases::chamber(what);
+  const std::vector<scene::Ball> balls = cases::starting_balls(what, index);
+  const contact::BounceTable bounces = cases::bounce_table(what);
+  event::Rules treatment = rules(what.contact);
+  if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);
+  for (int face = 0; face < bounces.faces(); ++face)
+    treatment.faces.push_back(bounces.wall(0, face));
+  return event::one_ball(mill, balls.front(), treatment);
 }
 
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper)

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/engine_choice.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 
 namespace mahlwerk::campaign {
@@ -87,7 +88,9 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
     wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
     outcomes.push_back(
-        {.what = what, .replicates = {count, results::Replicate(what.observe.threshold)}});
+        {.what = what,
+         .replicates = {count, results::Replicate(what.observe.threshold)},
+         .notes = {}});
   }
   if (!wrong.empty()) throw InputError(std::move(wrong));
 
@@ -117,6 +120,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     outcome.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     for (const results::Replicate& r : outcome.replicates) outcome.cpu_seconds += r.cpu_seconds;
+    if (!stopped()) outcome.notes = notes_on(outcome);
   }
   return outcomes;
 }

@@ -78,9 +78,9 @@ contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touchi
                                    bool elastic) {
   account_.tc_collisions += elastic ? 1 : 0;
   ++account_.collisions;
-  contact::BounceRule now = rule;
-  if (elastic) now.restitution = std::max(1.0, rest_speed_ / touch.approach);
-  return contact::bounce(now, touch.mass, touch.approach, touch.slip);
+  const double e = elastic ? std::max(1.0, rest_speed_ / touch.approach)
+                           : rule.restitution.at(touch.approach);
+  return contact::bounce(rule, touch.mass, touch.approach, touch.slip, e);
 }
 
 /// `arm` [m] from the centre to the contact.

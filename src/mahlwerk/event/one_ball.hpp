@@ -136,13 +136,13 @@ class OneBall final : public scene::Engine {
     const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
     const double slip = norm(slipping);
 
-    double e = rules_.bounce.restitution.at(approach);
+    double e = rules_.wall(face).restitution.at(approach);
     if (rules_.lasting == Lasting::tc && mill_time() - last_ < rules_.contact_time) {
       e = 1;
       ++account_.tc_collisions;
     }
     const contact::Impulse j =
-        contact::bounce(rules_.bounce, m, approach, slip, e);        // (evt.6), (evt.7)
+        contact::bounce(rules_.wall(face), m, approach, slip, e);    // (evt.6), (evt.7)
     const contact::Loss loss = contact::loss(j, m, approach, slip);  // (evt.8)
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
 
@@ -193,7 +193,7 @@ class OneBall final : public scene::Engine {
     const Passing& p = now_.ball;
     const double press = stay_.contact().press(face, now_.time, p.position, p.velocity);
     if (press <= 0) return false;
-    const double e = rules_.bounce.restitution.at(rebound_);
+    const double e = rules_.wall(face).restitution.at(rebound_);
     const double over_in = 2 * rebound_ / (press * (1 - e));  // [s]
     const double change =
         jar_.limits().jerk + jar_.limits().spin * press + press * norm(p.velocity) / body_.radius;

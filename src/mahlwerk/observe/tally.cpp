@@ -34,6 +34,7 @@ double impact_angle(double approach, double slip) {
 
 void Sums::add(const scene::Collision& c, double angle_of_c) {
   ++count;
+  between_balls += c.other >= 0 ? 1 : 0;
   energy_normal += c.energy_normal();
   energy_contact_point += c.energy_contact_point();
   energy_centre += c.energy_centre();
@@ -45,6 +46,7 @@ void Sums::add(const scene::Collision& c, double angle_of_c) {
 
 void Sums::merge(const Sums& o) {
   count += o.count;
+  between_balls += o.between_balls;
   energy_normal += o.energy_normal;
   energy_contact_point += o.energy_contact_point;
   energy_centre += o.energy_centre;

@@ -17,6 +17,7 @@ double impact_angle(double approach, double slip);
 /// Sums over collisions; divide by `count` for means.
 struct Sums {
   std::int64_t count = 0;
+  std::int64_t between_balls = 0;  ///< the others are with the jar
   double energy_normal = 0, energy_contact_point = 0, energy_centre = 0, lost = 0;  // [J]
   double approach = 0, slip = 0;                                                    // [m/s]
   double angle = 0;                                                                 // [rad]

@@ -125,6 +125,8 @@ std::string report_page(const Outcome& outcome, std::string_view version) {
   const std::string& given = outcome.what.title;
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
   body += warning_box(outcome);
+  for (const std::string& note : outcome.notes)
+    body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(note));
   body += quantity_table(outcome, list);
   if (!results::averaged(outcome).empty()) {
     body += "<h2>How hard</h2>\n";

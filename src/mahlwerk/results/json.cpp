@@ -31,6 +31,7 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"title", outcome.what.title},
           {"seed", outcome.what.seed},
           {"engine", outcome.what.run.engine},
+          {"notes", outcome.notes},
           {"threshold", outcome.what.observe.threshold},
           {"complete", whole},
           {"interrupted", outcome.interrupted && !whole},

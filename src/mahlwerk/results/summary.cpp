@@ -101,6 +101,30 @@ const std::vector<Measure>& rates() {
   return list;
 }
 
+double between_balls(const Sums& sums, const Replicate& r) {
+  return share(static_cast<double>(sums.between_balls), r.time());
+}
+double with_jar(const Sums& sums, const Replicate& r) {
+  return share(static_cast<double>(sums.count - sums.between_balls), r.time());
+}
+
+/// Rates by partner, where there are several balls.
+const std::vector<Measure>& partners() {
+  static const std::vector<Measure> list{
+      {"collision_rate_between_balls", "1/s", "collisions of balls with balls per second, each once",
+       [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.all, r); }},
+      {"collision_rate_between_balls_above_threshold", "1/s",
+       "those with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.above, r); }},
+      {"collision_rate_with_jar", "1/s", "collisions of balls with the jar per second",
+       [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.all, r); }},
+      {"collision_rate_with_jar_above_threshold", "1/s",
+       "those with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.above, r); }},
+  };
+  return list;
+}
+
 const std::vector<Measure>& powers() {
   static const std::vector<Measure> list{
       {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
@@ -238,6 +262,7 @@ bool complete(const Outcome& outcome) {
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate) {
   Gathering gathering(outcome, replicate);
   gathering.add(rates());
+  if (balls(outcome.what) > 1) gathering.add(partners());
   for (const CollisionMean& m : collision_means()) gathering.add(m);
   gathering.add(powers());
   if (has_tc(outcome)) gathering.add(tc_share());

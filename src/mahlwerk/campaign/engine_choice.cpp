@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/engine_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/replicate.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+struct Nobody final : scene::Observer {
+  void collisions(std::span<const scene::Collision>) override {}
+};
+
+double balls(const cases::Case& what) {
+  double count = 0;
+  for (const cases::BallSet& set : what.balls) count += static_cast<double>(set.count);
+  return count;
+}
+
+double contact_share(const scene::Account& from, const scene::Account& to, double balls) {
+  const double time = (to.time - from.time) * balls;
+  return time > 0 ? (to.contact_time - from.contact_time) / time : 0;
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.0f} %", 100 * share);
+}
+
+constexpr std::string_view soft_is_missing =
+    "for such a charge the soft engine is advised; it is not part of this version. Power, dose and "
+    "energetic collisions are sound, counts of all collisions and forces inside the bed are not";
+
+}  // namespace
+
+Pilot pilot(const cases::Case& what) {
+  constexpr int parts = 20;
+  constexpr std::chrono::milliseconds patience{300};
+  const double whole = std::min(0.5, 0.1 * (what.run.settle + what.run.time));
+  const auto began = std::chrono::steady_clock::now();
+  const auto trial = engine(what, 0);
+  Nobody nobody;
+  std::vector<scene::Account> seen{trial->account()};
+  try {
+    for (int i = 1; i <= parts; ++i) {
+      trial->advance(whole * i / parts, nobody);
+      seen.push_back(trial->account());
+      if (std::chrono::steady_clock::now() - began > patience) break;
+    }
+  } catch (const RunError&) {  // the run itself will say so
+  }
+  const scene::Account &middle = seen[seen.size() / 2], &end = seen.back();
+  return {end.time, contact_share(middle, end, balls(what))};
+}
+
+std::vector<std::string> notes_on(const results::Outcome& outcome) {
+  const cases::Case& what = outcome.what;
+  const bool chosen = what.run.engine == "auto";
+  if (balls(what) == 1) {
+    if (!chosen) return {};
+    return {"engine: event, chosen by auto: one ball flies, bounces, rolls and slides exactly"};
+  }
+  std::vector<std::string> notes;
+  if (chosen) {
+    const Pilot p = pilot(what);
+    const std::string found = fmt::format("in a pilot run of {:.3g} s the balls were in contact {} of the time, ", p.time, percent(p.share));
+    notes.push_back("engine: event, chosen by auto: " + found +
+                    (p.share <= most_contact
+                         ? fmt::format("no more than the {} up to which it is advised", percent(most_contact))
+                         : std::string(soft_is_missing)));
+  }
+  double time = 0, contact = 0;
+  for (const results::Replicate& r : outcome.replicates) {
+    time += r.time() * balls(what);
+    contact += r.account.contact_time - r.at_settled.contact_time;
+  }
+  const double share = time > 0 ? contact / time : 0;
+  if (share > most_contact && notes.empty())
+    notes.push_back(fmt::format("The balls were in contact {} of the time, more than {}: {}.",
+                                percent(share), percent(most_contact), soft_is_missing));
+  return notes;
+}
+
+}  // namespace mahlwerk::campaign
