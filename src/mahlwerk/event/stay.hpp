@@ -71,8 +71,9 @@ class Stay {
     const auto rate = [this](double at, const Rest& y, Reaction& forces) {
       return contact_.rate(seat_, at, y, forces);
     };
+    if (seat_.count == 1 && seat_.grip == Grip::creeping && apart(t)) begin(seat_, t, now_);
     if (!known_) rate_ = rate(t, now_, forces_);
-    if (seat_.count == 1 && regrip(t)) rate_ = rate(t, now_, forces_);
+    if (seat_.grip != Grip::creeping && regrip(t)) rate_ = rate(t, now_, forces_);
     if (let_go(t)) return Verdict::released;
 
     const double wanted = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
@@ -95,7 +96,7 @@ class Stay {
     forces_ = s.forces;
     known_ = true;
     contact_.seat_exactly(seat_, t, now_);
-    return touches_other(t) ? Verdict::touched : Verdict::staying;
+    return bounces_off_other(t) ? Verdict::touched : Verdict::staying;
   }
 
   const Rest& now() const { return now_; }
@@ -136,7 +137,7 @@ class Stay {
 
   /// A ball whose slip is coming to rest nears that moment from this side (evt.14).
   double slide_limit() const {
-    if (seat_.count == 2 || seat_.grip != Grip::sliding) return geometry::never;
+    if (seat_.grip != Grip::sliding) return geometry::never;
     const double speed = norm(forces_.slip);
     if (speed <= sticking_speed) return geometry::never;
     const double slowing =
@@ -149,8 +150,8 @@ class Stay {
   double until_crease(double t) const {
     constexpr double short_way = 1e-5;  // [s]
     double soonest = geometry::never;
-    for (int i = 0; i < seat_.count; ++i) {
-      const int face = seat_.face[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < seat_.count; ++i) {
+      const int face = seat_.face[i];
       double time = jar_->until_crease(face, {now_.position, now_.velocity}, t);
       if (time < step_)  // halfway the velocity is the mean one
         time = jar_->until_crease(face,
@@ -162,46 +163,80 @@ class Stay {
 
   double least_step() const { return feeler_.least_step(norm(now_.velocity)); }
 
-  bool rests_on(int face) const {
-    return seat_.face[0] == face || (seat_.count == 2 && seat_.face[1] == face);
-  }
-  double clear_of_others(double t) const {
-    double clear = geometry::never;
+  /// Calls `look(face)` for every face that the ball could touch besides those it rests on.
+  template <class Look>
+  void for_each_other(const Look& look) const {
     for (int face = 0; face < jar_->shape().faces; ++face)
-      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius))
-        clear = std::min(clear, std::max(outlook(face, t, now_).time, least_step()));
+      if (!seat_.has(face) && jar_->shape().meets(face, ball_.radius)) look(face);
+  }
+
+  /// A step in which no other face is touched, or so slowly that it would be no bounce: a ball that
+  /// has just left a face must not crawl away from it.
+  double clear_of_others(double t) const {
+    const double slowly = rules_.lasting_speed / jar_->most_pull(norm(now_.velocity));
+    double clear = geometry::never;
+    for_each_other([&](int face) {
+      clear = std::min(clear, std::max({outlook(face, t, now_).time, least_step(), slowly}));
+    });
     return clear;
   }
-  bool touches_other(double t) const {
-    for (int face = 0; face < jar_->shape().faces; ++face) {
-      if (rests_on(face) || !jar_->shape().meets(face, ball_.radius)) continue;
+
+  /// Whether the ball is so far from all faces but its own that it no longer has to creep.
+  bool apart(double t) const {
+    bool apart = true;
+    for_each_other([&](int face) {
+      apart = apart && outlook(face, t, now_).gap > 1e-3 * ball_.radius;
+    });
+    return apart;
+  }
+
+  /// Whether another face is touched fast enough to bounce. One touched slower holds the ball from
+  /// now on too, or lets it go as soon as its reaction is known.
+  bool bounces_off_other(double t) {
+    bool bounces = false;
+    for_each_other([&](int face) {
       const geometry::Outlook look = outlook(face, t, now_);
-      if (look.gap <= 2 * feeler_.margin && look.closing > 0) return true;
-    }
-    return false;
+      if (look.gap <= 2 * feeler_.margin && look.closing > 0 && !joined(face, t)) bounces = true;
+    });
+    return bounces;
+  }
+
+  /// The face is touched; if slowly, what is left of the normal speed is lost and the face joins.
+  bool joined(int face, double t) {
+    const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
+    const double closing = dot(wall.velocity - now_.velocity, wall.inward);
+    if (closing >= rules_.lasting_speed || seat_.count == Seat::most) return false;
+    const Vec3 change = closing * wall.inward;
+    const double before = contact_.energy(t, now_);
+    const double work =
+        ball_.mass * dot(change, jar_->motion().ride(t).velocity + wall.velocity);
+    now_.velocity += change;
+    now_.work += work;
+    now_.lost += before + work - contact_.energy(t, now_);
+    seat_.join(face);
+    known_ = false;
+    return true;
   }
   geometry::Outlook outlook(int face, double t, const Rest& y) const {
     return jar_->outlook(face, {y.position, y.velocity}, t, ball_.radius - feeler_.margin);
   }
 
-  /// The wall would have to pull. From an edge the ball leaves one face and may stay on the other.
+  /// The wall would have to pull. Where several hold the ball it leaves the one that would have to
+  /// pull most, and may stay on the others.
   bool let_go(double t) {
-    if (seat_.count == 1) return forces_.press[0] < 0;
-    if (forces_.press[0] >= 0 && forces_.press[1] >= 0) return false;
-    const int kept = forces_.press[0] < forces_.press[1] ? seat_.face[1] : seat_.face[0];
-    begin({1, {kept, kept}, Grip::rolling, {}}, t, now_);
-    rate_ = contact_.rate(seat_, t, now_, forces_);
-    return forces_.press[0] < 0;
+    while (forces_.pulls(seat_)) {
+      if (seat_.count == 1) return true;
+      seat_.leave(forces_.least(seat_));
+      rate_ = contact_.rate(seat_, t, now_, forces_);
+    }
+    return false;
   }
 
   /// Whether a step ends with a wall that pulls or with the ball through another face.
   bool leaves(double t, const Stride& s) const {
-    if (s.forces.press[0] < 0 || (seat_.count == 2 && s.forces.press[1] < 0)) return true;
-    for (int face = 0; face < jar_->shape().faces; ++face)
-      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius) &&
-          outlook(face, t, s.end).gap < 0)
-        return true;
-    return false;
+    bool through = false;
+    for_each_other([&](int face) { through = through || outlook(face, t, s.end).gap < 0; });
+    return through || s.forces.pulls(seat_);
   }
 
   /// The length of the step at whose end the ball has just left, by bisection: `leaves` is no
