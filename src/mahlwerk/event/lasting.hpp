@@ -34,7 +34,6 @@ struct Seat {
   std::size_t count = 0;
   std::array<int, most> face{};
   Grip grip = Grip::rolling;
-  Vec3 slide;  ///< unit direction of the slip when sliding begins from rest
 
   bool has(int which) const {
     for (std::size_t i = 0; i < count; ++i)
@@ -157,6 +156,15 @@ class LastingContact {
   }
 
  private:
+  // [m/s] so slow a slip has no sharp direction: a ball that begins to slide would turn it at once
+  // however short the step.
+  static constexpr double hardly_slips = 1e-5;
+
+  /// Unit direction of a slip, less where it is not fast against `slow`.
+  static Vec3 along(const Vec3& slip, double slow) {
+    return slip / std::sqrt(squared(slip) + slow * slow);
+  }
+
   /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball
   /// hardly turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double press) const {
@@ -184,11 +192,8 @@ class LastingContact {
         across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n),
                n);
     Vec3 drag = wanted;
-    if (seat.grip == Grip::sliding) {  // (evt.14)
-      const double speed = norm(slip), mu = rules_.lasting_friction;
-      const Vec3 along = speed > 1e-9 ? slip / speed : seat.slide;
-      drag = mu == 0 ? Vec3{} : -(mu * std::max(press, 0.0)) * along;
-    }
+    if (seat.grip == Grip::sliding)  // (evt.14)
+      drag = -(rules_.lasting_friction * std::max(press, 0.0)) * along(slip, hardly_slips);
     forces = {{press}, wanted, drag, slip};
     const Vec3 push = press * n + drag;  // per mass
     return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
@@ -200,7 +205,7 @@ class LastingContact {
   /// conditions, friction at each made smooth over a creeping speed (evt.17).
   Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
                const Vec3& field, Reaction& forces) const {
-    constexpr double creep = 1e-3;        // [m/s] below it friction is viscous
+    constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
     constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.20)
     const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
     const Vec3 w = jar_->motion().spin(t);
@@ -213,7 +218,7 @@ class LastingContact {
       p.wanted[i] = hold.bend - dot(field, n[i]);
       wall[i] = cross(w, y.position - r * n[i]);
       slip[i] = across(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
-      grip[i] = -(mu / std::sqrt(squared(slip[i]) + creep * creep)) * slip[i];
+      grip[i] = -mu * along(slip[i], creep);
     }
     for (std::size_t i = 0; i < seat.count; ++i)
       for (std::size_t j = 0; j < seat.count; ++j)

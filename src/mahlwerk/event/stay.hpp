@@ -123,7 +123,6 @@ class Stay {
     const double most = mu * std::max(forces_.press[0], 0.0), needed = norm(forces_.wanted);
     if (seat_.grip == Grip::rolling && needed > most) {
       seat_.grip = Grip::sliding;
-      seat_.slide = -1.0 / needed * forces_.wanted;
       return true;
     }
     if (seat_.grip == Grip::sliding && needed <= most && norm(forces_.slip) <= sticking_speed) {
