@@ -76,7 +76,8 @@ class Stay {
     if (seat_.grip != Grip::creeping && regrip(t)) rate_ = rate(t, now_, forces_);
     if (let_go(t)) return Verdict::released;
 
-    const double wanted = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
+    const double crease = until_crease(t);
+    const double wanted = std::min({step_, slide_limit(), clear_of_others(t), crease});
     double h = wanted;
     Stride s = stride(rate, t, now_, rate_, h, ball_.radius);
     while (!(s.error <= 1)) {
@@ -94,7 +95,7 @@ class Stay {
     now_ = s.end;
     rate_ = s.rate;
     forces_ = s.forces;
-    known_ = true;
+    known_ = h < crease;  // beyond it the derivative is another
     contact_.seat_exactly(seat_, t, now_);
     return bounces_off_other(t) ? Verdict::touched : Verdict::staying;
   }
@@ -144,10 +145,11 @@ class Stay {
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 
-  /// Steps end where the curvature jumps, for across it the derivative is not smooth. The way there
-  /// is nearly straight only when it is short, so a long one is not gone at once.
+  /// Steps end where the curvature jumps, for across it the derivative is not smooth: just before,
+  /// and after one of at most `short_way` just beyond. The way there is nearly straight only when
+  /// it is short, so a long one is not gone at once.
   double until_crease(double t) const {
-    constexpr double short_way = 1e-5;  // [s]
+    constexpr double short_way = 1e-8;  // [s]
     double soonest = geometry::never;
     for (std::size_t i = 0; i < seat_.count; ++i) {
       const int face = seat_.face[i];
@@ -155,7 +157,7 @@ class Stay {
       if (time < step_)  // halfway the velocity is the mean one
         time = jar_->until_crease(face,
                                   {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
-      soonest = std::min(soonest, time > short_way ? 0.9 * time : time);
+      soonest = std::min(soonest, time > short_way ? 0.9 * time : time + least_step());
     }
     return std::max(soonest, least_step());
   }
