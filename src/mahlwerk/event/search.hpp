@@ -57,6 +57,16 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
+/// A time in which a ball that flies along a face, neither nearing nor leaving it, does not sink in
+/// by more than a thousand margins, still nothing to its radius: a ball that keeps no normal speed
+/// may skim a wall for as long as it flies.
+template <class S, class M>
+double skims(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
+  const double gap = jar.wall(face, now.ball.position, now.time, ball.radius).gap;
+  const double deeper = std::min(gap, 0.0) - 1e3 * ball.margin;
+  return jar.outlook(face, now.ball, now.time, ball.radius + deeper).time;
+}
+
 /// The first touch of a flight from `start` on, no later than about `until`: the first time at
 /// which a gap is (nearly) closed and shrinking. Steps by times that are certainly free, so no
 /// touch is passed (evt.3 to evt.5).
@@ -70,10 +80,13 @@ template <class S, class M>
     int nearest = -1;  // of the faces the ball nears
     for (int face = 0; face < S::faces; ++face) {
       if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
-      const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
-      if (look.gap <= 2 * ball.margin && look.closing > 0 &&
-          (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed))
-        return {now, face, steps};
+      geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
+      if (look.gap <= 2 * ball.margin) {
+        const double speed = closing_speed(jar, face, now, ball);
+        if (look.closing > 0 && speed > rounding_speed) return {now, face, steps};
+        if (std::abs(speed) <= rounding_speed)
+          look.time = std::max(look.time, skims(jar, face, now, ball));
+      }
       if (look.closing > 0 && look.time < clear) nearest = face;
       clear = std::min(clear, look.time);
     }
