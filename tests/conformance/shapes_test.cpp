@@ -16,6 +16,7 @@
 namespace mahlwerk::tests {
 namespace {
 
+using geometry::Box;
 using geometry::Capsule;
 using geometry::Cylinder;
 using geometry::RoundedCylinder;
@@ -38,6 +39,11 @@ Cylinder sample() {
 template <>
 RoundedCylinder sample() {
   return {0.042, 0.0325, 0.006};
+}
+
+template <>
+Box sample() {
+  return {0.03, 0.042, 0.0325};
 }
 
 template <class Variant>

@@ -34,7 +34,7 @@ TEST(Energy, elastic_runs_conserve_it_over_five_thousand_collisions) {
 struct Mills {
   std::vector<geometry::AnyShape> shapes{vial(0.012), geometry::Cylinder{0.042, 0.0325},
                                          geometry::RoundedCylinder{0.042, 0.0325, 0.006},
-                                         geometry::Sphere{0.03}};
+                                         geometry::Sphere{0.03}, geometry::Box{0.03, 0.04, 0.02}};
   std::vector<kinematics::AnyMotion> motions() const {
     using namespace kinematics;
     Vibration tilted = shaken(15, 0.02);

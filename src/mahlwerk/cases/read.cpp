@@ -162,7 +162,7 @@ class CaseReader {
     if (const Node* jar = section("jar", true)) {
       c_.jar = read_jar(jar, catalogue_, findings_);
     } else {
-      std::visit([](auto& s) { s.diameter = unread; }, c_.jar.shape);
+      std::visit([](auto& s) { s.*s.fields()[0].value = unread; }, c_.jar.shape);
     }
     Node no_balls;
     no_balls.where = file_.generic_string();

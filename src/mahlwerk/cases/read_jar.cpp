@@ -18,6 +18,10 @@ constexpr bool has_height = requires(S s) {
   s.height;
 };
 template <class S>
+constexpr bool is_round = requires(S s) {
+  s.diameter;
+};
+template <class S>
 constexpr bool has_fillet = requires(S s) {
   s.fillet;
 };
@@ -25,7 +29,10 @@ constexpr bool has_fillet = requires(S s) {
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
 double size_for(S shape, double volume) {
-  if constexpr (has_height<S>) {
+  if constexpr (!is_round<S>) {
+    shape.height = 1;
+    return volume / shape.volume();
+  } else if constexpr (has_height<S>) {
     shape.height = 0;
     const double radius = 0.5 * shape.diameter;
     const double height = (volume - shape.volume()) / (std::numbers::pi * radius * radius);
@@ -53,7 +60,7 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
   const Node& at = *in.find("volume");
   const double volume = in.quantity(at, wanted);
   shape.*size = size_for(shape, volume);
-  if constexpr (has_height<S>) {
+  if constexpr (has_height<S> && is_round<S>) {
     const double least = least_volume(shape);
     if (volume < least || (volume == least && !std::is_same_v<S, geometry::Capsule>)) {
       in.fault(at,
@@ -96,7 +103,7 @@ Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) 
   jar.model = model.name;
   if (const auto material = in.text("material")) jar.material = *material;
   if (!choose_model(jar.shape, model.kind)) {
-    std::visit([](auto& s) { s.diameter = unread; }, jar.shape);
+    std::visit([](auto& s) { s.*s.fields()[0].value = unread; }, jar.shape);
     return jar;
   }
   std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);

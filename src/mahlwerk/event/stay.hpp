@@ -236,7 +236,10 @@ class Stay {
   /// Whether a step ends with a wall that pulls or with the ball through another face.
   bool leaves(double t, const Stride& s) const {
     bool through = false;
-    for_each_other([&](int face) { through = through || outlook(face, t, s.end).gap < 0; });
+    for_each_other([&](int face) {
+      const geometry::Outlook look = outlook(face, t, s.end);
+      through = through || (look.gap < 0 && look.closing > 0);
+    });
     return through || s.forces.pulls(seat_);
   }
 

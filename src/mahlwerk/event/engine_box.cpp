@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/event/engines_impl.hpp"
+
+namespace mahlwerk::event {
+
+template std::unique_ptr<scene::Engine> one_ball_in(const geometry::Box&, const scene::Chamber&,
+                                                    const scene::Ball&, const Rules&, double);
+
+}  // namespace mahlwerk::event
