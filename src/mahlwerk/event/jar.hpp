@@ -59,14 +59,6 @@ class Jar {
     return turned(t).back(a);
   }
 
-  /// Bound on the acceleration of a free ball at `speed` against the wall [m/s2].
-  double most_pull(double speed) const {
-    if (looks_still_) return pull_.whole;
-    const double spin = limits_.spin, reach = shape_.reach();
-    return pull_.whole + 2 * spin * (speed + spin * reach) +
-           (spin * spin + limits_.spin_rate) * reach;
-  }
-
   /// What `face` can promise a passing ball. A jar that turns under the ball adds its own
   /// accelerations, so its promise is kept to a twentieth of a radian (evt.4).
   geometry::Outlook outlook(int face, const Passing& p, double t, double radius) const {
@@ -79,7 +71,9 @@ class Jar {
     const Rotation q = turned(t);
     const Vec3 place = q.back(p.position);
     const Vec3 velocity = q.back(p.velocity - cross(motion_.spin(t), p.position));
-    const double most = most_pull(norm(p.velocity) + pull_.whole * horizon);
+    const double speed = norm(p.velocity) + pull_.whole * horizon;
+    const double most = pull_.whole + 2 * spin * (speed + spin * shape_.reach()) +
+                        (spin * spin + limits_.spin_rate) * shape_.reach();
     geometry::Outlook look =
         shape_.outlook(face, {place, velocity, geometry::Pull({most, most, most})}, radius);
     look.time = std::min(look.time, horizon);

@@ -107,6 +107,7 @@ class Stay {
 
  private:
   static constexpr double sticking_speed = 1e-4;  // [m/s] slip below it may come to rest
+  static constexpr double unnoticed = 3e-5;       // [s] in which no mill changes its push much
 
   void choose_grip(double t) {
     const double mu = rules_.lasting_friction;
@@ -172,14 +173,23 @@ class Stay {
   }
 
   /// A step in which no other face is touched, or so slowly that it would be no bounce: a ball that
-  /// has just left a face must not crawl away from it.
+  /// has just left a face, or lies beside it, must not crawl.
   double clear_of_others(double t) const {
-    const double slowly = rules_.lasting_speed / jar_->most_pull(norm(now_.velocity));
     double clear = geometry::never;
     for_each_other([&](int face) {
-      clear = std::min(clear, std::max({outlook(face, t, now_).time, least_step(), slowly}));
+      double time = std::max(outlook(face, t, now_).time, least_step());
+      if (time < unnoticed) time = std::max(time, slowly(face, t));
+      clear = std::min(clear, time);
     });
     return clear;
+  }
+
+  /// A time in which the ball gains less than `lasting_speed` towards a face at twice its present
+  /// acceleration against it [s].
+  double slowly(int face, double t) const {
+    const auto hold = jar_->hold(face, {now_.position, now_.velocity}, t);
+    const double against = std::abs(dot(rate_.velocity, hold.inward) - hold.bend);
+    return rules_.lasting_speed / (2 * against + rules_.lasting_speed / unnoticed);
   }
 
   /// Whether the ball is so far from all faces but its own that it no longer has to creep.
