@@ -40,7 +40,7 @@ Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, doub
   const Rest last = rate(t + h, end, forces);
   const Rest wrong = h * (71.0 / 57600 * a + -71.0 / 16695 * c + 71.0 / 1920 * d +
                           -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
-  constexpr double relative = 1e-7;
+  constexpr double relative = 1e-8;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
   const double error = std::max({norm(wrong.position) / (relative * radius),
                                  norm(wrong.velocity) / (relative * speed),
