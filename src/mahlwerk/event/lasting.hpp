@@ -8,8 +8,8 @@
 #include "mahlwerk/event/jar.hpp"
 #include "mahlwerk/event/rules.hpp"
 
-// A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or creeping
-// where two or three meet (evt.12 to evt.17). The state is that of the jar frame.
+// A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or
+// creeping where two or three meet (evt.12 to evt.17). The state is that of the jar frame.
 namespace mahlwerk::event {
 
 /// A ball in lasting contact, with the work done on it and the energy it lost since contact began.

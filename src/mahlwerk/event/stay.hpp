@@ -195,9 +195,8 @@ class Stay {
   /// Whether the ball is so far from all faces but its own that it no longer has to creep.
   bool apart(double t) const {
     bool apart = true;
-    for_each_other([&](int face) {
-      apart = apart && outlook(face, t, now_).gap > 1e-3 * ball_.radius;
-    });
+    for_each_other(
+        [&](int face) { apart = apart && outlook(face, t, now_).gap > 1e-3 * ball_.radius; });
     return apart;
   }
 
@@ -219,8 +218,7 @@ class Stay {
     if (closing >= rules_.lasting_speed || seat_.count == Seat::most) return false;
     const Vec3 change = closing * wall.inward;
     const double before = contact_.energy(t, now_);
-    const double work =
-        ball_.mass * dot(change, jar_->motion().ride(t).velocity + wall.velocity);
+    const double work = ball_.mass * dot(change, jar_->motion().ride(t).velocity + wall.velocity);
     now_.velocity += change;
     now_.work += work;
     now_.lost += before + work - contact_.energy(t, now_);

@@ -31,8 +31,8 @@ std::vector<Mill> mills() {
   for (const double share : {0.2, 0.5, 0.9, 1.2})
     all.push_back({"tumbling at " + std::to_string(share).substr(0, 3),
                    kinematics::Tumbling{.speed = share * critical}, lying});
-  all.push_back({"planetary",
-                 kinematics::Planetary{.orbit_radius = 0.07, .speed = 40, .ratio = -2}, upright});
+  all.push_back({"planetary", kinematics::Planetary{.orbit_radius = 0.07, .speed = 40, .ratio = -2},
+                 upright});
   all.push_back({"vibration", shaken(12, 0.01), upright});
   all.push_back({"figure eight",
                  kinematics::FigureEight{.frequency = 17.5,
@@ -65,6 +65,7 @@ std::vector<Bounce> bounces() {
     for (const double mu : {0.1, 0.5})
       all.push_back({name + " mu " + std::to_string(mu).substr(0, 3), {e, 0, mu}, mu});
     all.push_back({name + " e_t 0.9", {e, 0.9, INFINITY}, 0.3});
+    all.push_back({name + " mu 1e5", {e, 0, 1e5}, 1e5});
   }
   return all;
 }
@@ -103,6 +104,9 @@ void every_run_ends(const geometry::AnyShape& jar) {
 
 TEST(Grid, no_run_collapses_in_a_flat_cylinder) {
   every_run_ends(geometry::Cylinder{0.05, 0.018});
+}
+TEST(Grid, no_run_collapses_in_a_box) {
+  every_run_ends(geometry::Box{0.05, 0.04, 0.03});
 }
 TEST(Grid, no_run_collapses_in_a_long_cylinder) {
   every_run_ends(geometry::Cylinder{0.05, 0.06});
