@@ -96,7 +96,7 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
   stays_below("worst collision's balance, relative", worst_collision, 1e-9,
               "evt.8, asked of every run");
   stays_below("worst run's balance, relative to the energy turned over", worst_run, 1e-5,
-              "evt.18: 1e-7 a step, 1e4 steps, adding up like a random walk");
+              "evt.18: 1e-8 a step, 1e4 steps, adding up or nearly so");
 }
 
 }  // namespace
