@@ -70,7 +70,7 @@ struct Reaction {
 };
 
 /// The normal forces of a seat: sum_j share_ij press_j = wanted_i. The columns' diagonals dominate
-/// (evt.20), so elimination needs no pivots.
+/// (evt.23), so elimination needs no pivots.
 struct Presses {
   std::size_t count = 0;
   std::array<std::array<double, Seat::most>, Seat::most> share{};
@@ -206,7 +206,7 @@ class LastingContact {
   Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
                const Vec3& field, Reaction& forces) const {
     constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
-    constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.20)
+    constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.23)
     const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, Seat::most> n, wall, slip, grip;  // grip: friction per normal force
