@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The elastic periodic fluid that event-driven codes are measured by: equal smooth spheres, e = 1, no
-// gravity, packing 0.20 and 0.49.
+// The elastic periodic fluid that event-driven codes are measured by: equal smooth spheres, e = 1,
+// no gravity, packing 0.20 and 0.49.
 #include <fmt/format.h>
 
 #include <array>
@@ -30,7 +30,8 @@ std::unique_ptr<scene::Engine> fluid(int n, bool fcc, double packing) {
   Random random(1, 0);
   std::vector<scene::Ball> balls;
   const std::vector<Vec3> base =
-      fcc ? std::vector<Vec3>{{0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}} : std::vector<Vec3>{{0, 0, 0}};
+      fcc ? std::vector<Vec3>{{0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}}
+          : std::vector<Vec3>{{0, 0, 0}};
   Vec3 mean{};
   for (int i = 0; i < n * n * n; ++i)
     for (const Vec3& b : base) {
@@ -39,7 +40,11 @@ std::unique_ptr<scene::Engine> fluid(int n, bool fcc, double packing) {
       Vec3 v;
       for (int k = 0; k < 6; ++k) v += random.direction();
       mean += v;
-      balls.push_back({0.5, 6 / std::numbers::pi, step * (cell + b) - 0.5 * side * Vec3{1, 1, 1} + 0.2 * step * Vec3{1,1,1}, v, {}});
+      balls.push_back({0.5,
+                       6 / std::numbers::pi,
+                       step * (cell + b) - 0.5 * side * Vec3{1, 1, 1} + 0.2 * step * Vec3{1, 1, 1},
+                       v,
+                       {}});
     }
   for (scene::Ball& b : balls) b.velocity -= mean / count;
   event::Rules rules;

@@ -23,8 +23,8 @@ struct Counter final : scene::Observer {
   }
 };
 
-/// n^3 smooth balls of diameter and mass 1 on a lattice in a periodic box, with random velocities of
-/// mean 0 and rms speed 1, and spins to match if `rough`.
+/// n^3 smooth balls of diameter and mass 1 on a lattice in a periodic box, with random velocities
+/// of mean 0 and rms speed 1, and spins to match if `rough`.
 inline std::vector<scene::Ball> lattice(int n, double packing, bool rough = false,
                                         std::uint64_t seed = 1) {
   const int count = n * n * n;
@@ -66,7 +66,9 @@ inline std::unique_ptr<scene::Engine> gas(const std::vector<scene::Ball>& balls,
 /// infinite.
 inline double deepest_overlap(const std::vector<scene::Ball>& balls, double side = INFINITY) {
   double deepest = -INFINITY;
-  const auto fold = [&](double x) { return std::isfinite(side) ? x - side * std::rint(x / side) : x; };
+  const auto fold = [&](double x) {
+    return std::isfinite(side) ? x - side * std::rint(x / side) : x;
+  };
   for (std::size_t i = 0; i < balls.size(); ++i)
     for (std::size_t j = i + 1; j < balls.size(); ++j) {
       const Vec3 r = balls[i].position - balls[j].position;

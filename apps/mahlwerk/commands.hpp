@@ -21,7 +21,7 @@ struct Request {
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;                   ///< 0: all cores
   std::optional<double> checkpoint;  ///< [s] between two states of the run that are kept
   bool resume = false;               ///< go on from the last of them
   bool quiet = false, json = false, force = false;

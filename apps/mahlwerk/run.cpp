@@ -172,17 +172,17 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   for (const Job& job : jobs)
     for (const cases::Case& point : job.points) {
       if (point.observe.collisions)
-        throw InputError(Fault{point.file, "a run that keeps every collision cannot be gone on with",
-                               "write collisions = false, or leave out --checkpoint and --resume",
-                               "bad-checkpoint"});
+        throw InputError(Fault{
+            point.file, "a run that keeps every collision cannot be gone on with",
+            "write collisions = false, or leave out --checkpoint and --resume", "bad-checkpoint"});
       what += cases::write(point);
       replicates += static_cast<std::size_t>(point.run.replicates);
     }
   fs::path place = jobs.front().folder->wanted();
   if (jobs.size() > 1) place = place.parent_path();
   constexpr double usual = 60;  // [s]
-  auto made = std::make_unique<campaign::Checkpoint>(place.string() + ".checkpoint", what,
-                                                     replicates, request.checkpoint.value_or(usual));
+  auto made = std::make_unique<campaign::Checkpoint>(
+      place.string() + ".checkpoint", what, replicates, request.checkpoint.value_or(usual));
   if (request.resume) made->load();
   return made;
 }

@@ -16,8 +16,10 @@
 namespace mahlwerk::tests {
 namespace {
 
+using geometry::Box;
 using geometry::Capsule;
 using geometry::Cylinder;
+using geometry::PeriodicBox;
 using geometry::RoundedCylinder;
 using geometry::Sphere;
 
@@ -40,6 +42,16 @@ RoundedCylinder sample() {
   return {0.042, 0.0325, 0.006};
 }
 
+template <>
+Box sample() {
+  return {0.03, 0.042, 0.0325};
+}
+
+template <>
+PeriodicBox sample() {
+  return {0.03, 0.042, 0.0325};
+}
+
 template <class Variant>
 struct AsTypes;
 template <class... T>
@@ -58,7 +70,12 @@ class Shapes : public ::testing::Test {
     for (int face = 0; face < S::faces; ++face)
       if (radius == 0 || shape.meets(face, radius))
         least = std::min(least, shape.gap(face, p).distance);
-    return least - radius;
+    return std::min(least - radius, to_image(p));
+  }
+  /// From where a shape that repeats itself begins anew.
+  double to_image(const Vec3& p) const {
+    const Vec3 half = 0.5 * geometry::periods_of(shape), at = magnitude(p);
+    return std::min({half.x - at.x, half.y - at.y, half.z - at.z});
   }
   Vec3 anywhere() {
     const double r = shape.reach();
@@ -131,6 +148,7 @@ TYPED_TEST(Shapes, reach_holds_the_jar_and_inradius_the_largest_ball) {
 
 /// The promise the search stands on: no path with bounded acceleration reaches the wall sooner.
 TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
+  if (TypeParam::faces == 0) GTEST_SKIP() << "nothing to touch";
   double deepest = 0, longest = 0;
   for (int i = 0; i < 20000; ++i) {
     const double radius = this->random.uniform(0.05, 0.9) * this->shape.inradius();

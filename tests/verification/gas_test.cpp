@@ -52,16 +52,20 @@ void check_equation_of_state(double packing) {
   seen = {};
   engine->advance(settle + time, seen);
   const double found = 1 + seen.sum / (2 * time * engine->account().kinetic);
-  const double expected = (1 + packing + packing * packing - std::pow(packing, 3)) /
-                          std::pow(1 - packing, 3);
+  const double expected =
+      (1 + packing + packing * packing - std::pow(packing, 3)) / std::pow(1 - packing, 3);
   states("compressibility Z = P V/(N k T)", found, expected, 0.01 * expected,
          "Carnahan and Starling 1969; issue: 1 %");
   states("collisions of a ball per time", 2.0 * static_cast<double>(seen.count) / count / time,
          rate, 0.01 * rate, "Enskog with Carnahan-Starling's contact value");
 }
 
-TEST(Gas, pressure_and_mean_free_time_at_packing_0_20) { check_equation_of_state(0.20); }
-TEST(Gas, pressure_and_mean_free_time_at_packing_0_49) { check_equation_of_state(0.49); }
+TEST(Gas, pressure_and_mean_free_time_at_packing_0_20) {
+  check_equation_of_state(0.20);
+}
+TEST(Gas, pressure_and_mean_free_time_at_packing_0_49) {
+  check_equation_of_state(0.49);
+}
 
 TEST(Gas, speeds_are_maxwells) {
   constexpr int n = 12, looks = 60;
@@ -88,15 +92,17 @@ TEST(Gas, speeds_are_maxwells) {
   const double error = 1 / std::sqrt(samples);
   states("mean speed", speed / samples, std::sqrt(8 * temperature / pi), 6 * 0.42 * error,
          "Maxwell: sqrt(8 T/(pi m))");
-  states("kurtosis <v^4>/<v^2>^2", fourth * samples / (square * square), 5.0 / 3,
-         6 * 1.9 * error, "Maxwell: 5/3");
+  states("kurtosis <v^4>/<v^2>^2", fourth * samples / (square * square), 5.0 / 3, 6 * 1.9 * error,
+         "Maxwell: 5/3");
   for (const double part : parts)
-    states("share of the energy along an axis", part / square, 1.0 / 3, 6 * 0.6 * error, "isotropy");
+    states("share of the energy along an axis", part / square, 1.0 / 3, 6 * 0.6 * error,
+           "isotropy");
 }
 
 TEST(Gas, perfectly_rough_spheres_share_energy_equally) {
   constexpr int n = 10;
-  const auto engine = gas(lattice(n, 0.2, false), side_of(n, 0.2), {1, -1, INFINITY});  // no spin yet
+  const auto engine =
+      gas(lattice(n, 0.2, false), side_of(n, 0.2), {1, -1, INFINITY});  // no spin yet
   Counter counter;
   const double energy = engine->account().kinetic;
   engine->advance(20, counter);
@@ -108,7 +114,8 @@ TEST(Gas, perfectly_rough_spheres_share_energy_equally) {
     ratio += t.rotation / t.translation / looks;
   }
   // A look's ratio scatters by sqrt(2 x 2/(3 x 1000)) = 3.7 %; 200 looks, a third independent.
-  states("T_rot / T_tr", ratio, 1, 3 * 0.037 / std::sqrt(200.0 / 3), "equipartition, e = 1, beta = 1");
+  states("T_rot / T_tr", ratio, 1, 3 * 0.037 / std::sqrt(200.0 / 3),
+         "equipartition, e = 1, beta = 1");
   states("energy", engine->account().kinetic / energy, 1, 1e-10, "rough and elastic: conserved");
 }
 
@@ -126,8 +133,9 @@ TEST(Gas, smooth_cooling_follows_haff) {
   for (const double times : {0.25, 0.5, 1.0, 2.0}) {
     cooling->advance(times * tau, counter);
     const double expected = start / std::pow(1 + times, 2);
-    // The distribution's departure from Maxwell's slows cooling by some per mill at e = 0.9 (van Noije
-    // and Ernst 1998: a_2 = -0.012, rate x (1 + 3/16 a_2)); scatter of the count is 1 % in the end.
+    // The distribution's departure from Maxwell's slows cooling by some per mill at e = 0.9 (van
+    // Noije and Ernst 1998: a_2 = -0.012, rate x (1 + 3/16 a_2)); scatter of the count is 1 % in
+    // the end.
     states("T after " + std::to_string(times) + " tau", temperatures(cooling->balls()).translation,
            expected, 0.02 * expected, "Haff 1983, Enskog rate");
   }

@@ -170,6 +170,99 @@ TEST(Lasting, a_drum_beyond_its_critical_speed_carries_the_ball_round) {
   }
 }
 
+/// Pressed to the side and hardly to an end, the ball touches the end at ever smaller speeds.
+TEST(Collapse, a_ball_rolling_along_the_side_of_a_drum_settles_against_its_end) {
+  const double critical = std::sqrt(gravity / (0.05 - r));
+  for (const double share : {0.2, 0.5, 1.2})
+    for (const double mu : {0.3, 1e5}) {
+      const scene::Chamber drum{geometry::Cylinder{0.1, 0.05},
+                                kinematics::Tumbling{.speed = share * critical},
+                                scene::mounted_along({1, 0, 0}),
+                                {0, 0, -gravity}};
+      event::Rules rules;
+      rules.bounce = {0.3, 0, mu};
+      rules.lasting_friction = mu;
+      const auto engine =
+          event::one_ball(drum, ball_a({0.001, 0.002, -0.001}, {0.3, -0.02, 0.05}), rules);
+      Recorder recorder;
+      ASSERT_NO_THROW(engine->advance(5, recorder)) << share << " of critical, mu " << mu;
+      const scene::Account a = engine->account();
+      stays_below("balance, relative to the energy turned over",
+                  std::abs(a.residual()) / (a.started_with + std::abs(a.wall_work) + a.lost()),
+                  1e-6, "evt.18");
+    }
+}
+
+TEST(Collapse, a_ball_without_restitution_collides_once_and_skims_the_wall) {
+  scene::Chamber weightless = box;
+  weightless.gravity = {};
+  std::int64_t most = 0;
+  for (int i = 1; i <= 50; ++i) {
+    event::Rules rules;
+    rules.bounce = {0, 1, 0};
+    const double up = 2.0 + 0.037 * i;  // the ends are reached within 1 s, the side is not
+    const auto engine = event::one_ball(weightless, ball_a({}, {0.4, 0.0113 * i, up}), rules);
+    Recorder recorder;
+    engine->advance(2, recorder);
+    most = std::max(most, engine->account().collisions);
+    states("height it skims at [m]", engine->balls().front().position.z, 1 - r, 1e-9 * r,
+           "it keeps no normal speed, and no more than a thousand margins are given (evt.5)");
+  }
+  EXPECT_EQ(most, 1);
+}
+
+/// Three presses from three conditions: each is gravity's part along its normal. The ball only
+/// spins, and rolling resistance and friction end that.
+TEST(Lasting, a_ball_in_the_corner_of_a_box_is_held_by_three_faces) {
+  const double side = 0.05, g = gravity;
+  const scene::Chamber corner{
+      geometry::Box{side, side, side}, Still{}, {}, {-0.6 * g, -0.48 * g, -0.64 * g}};
+  event::Rules rules;
+  rules.bounce = {0.3, 0, 0.4};
+  const auto engine =
+      event::one_ball(corner, ball_a({0.002, 0.001, 0}, {0.1, 0.2, -0.1}, {20, 5, 3}), rules);
+  Recorder recorder;
+  engine->advance(3, recorder);
+  const scene::Ball b = engine->balls().front();
+  const double rest = -0.5 * side + r;
+  states("distance from the corner's place [m]", norm(b.position - Vec3{rest, rest, rest}), 0,
+         1e-9 * r, "touches three faces");
+  states("speed [m/s]", norm(b.velocity), 0, 1e-12, "held by three faces");
+  states("surface speed [m/s]", r * norm(b.spin), 0, 1e-5,
+         "friction at three contacts leaves no spin; creeping at 1 mm/s dies out (evt.17)");
+  const scene::Account a = engine->account();
+  EXPECT_GT(a.contact_time, 2);
+  stays_below("balance, relative to the energy turned over",
+              std::abs(a.residual()) / (std::abs(a.started_with) + a.lost()), 1e-6, "evt.18");
+}
+
+TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
+  const double side = 0.05, f = 2, amplitude = 0.1;  // w^2 A = 15.8 m/s2 > g
+  const scene::Chamber shaker{
+      geometry::Box{side, side, side}, shaken(f, amplitude), {}, {-1, -1, -gravity}};
+  event::Rules rules;
+  rules.bounce = {0, 0, 0};
+  rules.lasting_friction = 0;
+  const double rest = -0.5 * side + r;
+  const auto engine =
+      event::one_ball(shaker, ball_a({rest + 1e-12, rest + 1e-12, rest + 1e-12}), rules);
+  Recorder recorder;
+  const double w = 2 * std::numbers::pi * f;
+  const double leaves = std::asin(gravity / (amplitude * w * w)) / w;  // A w^2 sin(w t) = g
+  engine->advance(leaves - 1e-4, recorder);
+  states("height while held [m]", engine->balls().front().position.z, rest, 1e-12, "N > 0");
+  engine->advance(leaves + 0.02, recorder);
+  const scene::Ball b = engine->balls().front();
+  const double at = engine->account().time, s = at - leaves;
+  const double rode = amplitude * std::sin(w * leaves);
+  const double speed = amplitude * w * std::cos(w * leaves);
+  states("height after it was let go [m]", b.position.z,
+         rest + rode + speed * s - 0.5 * gravity * s * s - amplitude * std::sin(w * at), 1e-7,
+         "free vertically from N = 0 on, held by the two sides still");
+  states("distance from the two sides [m]", std::hypot(b.position.x - rest, b.position.y - rest), 0,
+         1e-12, "they still press");
+}
+
 TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
   event::Rules rules = rules_a(0.5);
   rules.lasting = event::Lasting::none;

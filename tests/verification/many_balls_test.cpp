@@ -52,7 +52,11 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
   const scene::Chamber mill{geometry::Capsule{0.03, 0.02}, shaken(20, 0.015), {}, {0, 0, -gravity}};
   std::vector<scene::Ball> balls;
   for (int i = 0; i < 27; ++i)
-    balls.push_back({0.002 + 0.0002 * (i % 3), 7850, Vec3{0.0055 * (i % 3 - 1), 0.0055 * (i / 3 % 3 - 1), 0.0055 * (i / 9 - 1)}, {}, {}});
+    balls.push_back({0.002 + 0.0002 * (i % 3),
+                     7850,
+                     Vec3{0.0055 * (i % 3 - 1), 0.0055 * (i / 3 % 3 - 1), 0.0055 * (i / 9 - 1)},
+                     {},
+                     {}});
   event::Rules rules;
   rules.lasting = event::Lasting::tc;
   const auto engine = event::many_balls(mill, balls, rules, {1, 1, {0.9, 0.3, 0.3}});
@@ -62,10 +66,12 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
     const auto now = engine->balls();
     ASSERT_LE(deepest_overlap(now), 1e-11);
     for (const scene::Ball& b : now)
-      ASSERT_GE(std::get<geometry::Capsule>(mill.shape).gap(0, b.position).distance - b.radius, -1e-12 * 0.05);
+      ASSERT_GE(std::get<geometry::Capsule>(mill.shape).gap(0, b.position).distance - b.radius,
+                -1e-12 * 0.05);
   }
   const scene::Account a = engine->account();
-  std::printf("%ld collisions, tc %ld, contact %g, worst %g\n", a.collisions, a.tc_collisions, a.contact_time/27/2, a.worst_collision);
+  std::printf("%ld collisions, tc %ld, contact %g, worst %g\n", a.collisions, a.tc_collisions,
+              a.contact_time / 27 / 2, a.worst_collision);
   stays_below("collision balance", a.worst_collision, 1e-12, "");
   stays_below("run balance", std::abs(a.residual()) / a.wall_work, 1e-11, "");
 }

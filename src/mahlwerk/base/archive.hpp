@@ -13,8 +13,8 @@
 namespace mahlwerk {
 
 /// The state of a run as bytes, to the bit. One function `carry(Archive&)` of each part writes or
-/// reads it, depending on the archive's direction, so that both cannot disagree. For the machine that
-/// wrote it; throws RunError where bytes are missing or left over.
+/// reads it, depending on the archive's direction, so that both cannot disagree. For the machine
+/// that wrote it; throws RunError where bytes are missing or left over.
 class Archive {
  public:
   Archive() = default;  ///< writes
@@ -27,13 +27,12 @@ class Archive {
   }
 
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  Archive& operator()(T& value) {
+  requires std::is_trivially_copyable_v<T> Archive& operator()(T& value) {
     return raw(&value, sizeof value);
   }
   /// A vector or string of plain values.
   template <class List>
-    requires requires(List& list) { list.resize(1); }
+  requires requires(List& list) { list.resize(1); }
   Archive& operator()(List& list) {
     static_assert(std::is_trivially_copyable_v<typename List::value_type>);
     auto count = static_cast<std::uint64_t>(list.size());

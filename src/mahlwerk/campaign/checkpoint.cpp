@@ -30,8 +30,7 @@ void carry(Archive& archive, std::string& title, std::string& what,
 
 }  // namespace
 
-Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs,
-                       double every)
+Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every)
     : file_(std::move(file)),
       what_(std::move(what)),
       every_(every),

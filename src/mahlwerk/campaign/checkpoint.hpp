@@ -16,8 +16,8 @@ namespace mahlwerk::campaign {
 /// later. The file is written aside and put in place whole. Threads may call at the same time.
 class Checkpoint {
  public:
-  /// `what` tells the run of `jobs` replicates apart from others: cases and version. The state of each
-  /// is due every `every` [s].
+  /// `what` tells the run of `jobs` replicates apart from others: cases and version. The state of
+  /// each is due every `every` [s].
   Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every);
 
   /// Takes the states from the file. Throws InputError if there is none, it is damaged, or it is of
@@ -35,7 +35,7 @@ class Checkpoint {
   std::filesystem::path file_;
   std::string what_;
   std::chrono::duration<double> every_;
-  std::vector<std::string> states_;  // by job
+  std::vector<std::string> states_;                          // by job
   std::vector<std::chrono::steady_clock::time_point> kept_;  // when
   mutable std::mutex mutex_;
 };

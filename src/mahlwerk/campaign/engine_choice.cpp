@@ -68,11 +68,14 @@ std::vector<std::string> notes_on(const results::Outcome& outcome) {
   std::vector<std::string> notes;
   if (chosen) {
     const Pilot p = pilot(what);
-    const std::string found = fmt::format("in a pilot run of {:.3g} s the balls were in contact {} of the time, ", p.time, percent(p.share));
-    notes.push_back("engine: event, chosen by auto: " + found +
-                    (p.share <= most_contact
-                         ? fmt::format("no more than the {} up to which it is advised", percent(most_contact))
-                         : std::string(soft_is_missing)));
+    const std::string found =
+        fmt::format("in a pilot run of {:.3g} s the balls were in contact {} of the time, ", p.time,
+                    percent(p.share));
+    notes.push_back(
+        "engine: event, chosen by auto: " + found +
+        (p.share <= most_contact
+             ? fmt::format("no more than the {} up to which it is advised", percent(most_contact))
+             : std::string(soft_is_missing)));
   }
   double time = 0, contact = 0;
   for (const results::Replicate& r : outcome.replicates) {

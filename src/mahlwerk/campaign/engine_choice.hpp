@@ -9,8 +9,8 @@
 
 namespace mahlwerk::campaign {
 
-/// Above this share of the balls' time in contact the event engine's answer is a gas of tiny bounces,
-/// and the soft engine is advised (docs/theory/many-balls.md).
+/// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
+/// bounces, and the soft engine is advised (docs/theory/many-balls.md).
 constexpr double most_contact = 0.3;
 
 /// What the share of time in contact of a short pilot run says.

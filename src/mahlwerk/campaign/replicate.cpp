@@ -96,8 +96,8 @@ void Replica::go_on() {
   if (stretch_ == 0)
     result_.at_settled = result_.account;
   else
-    result_.windows.push_back(window(result_.account.time - run.settle, last_, result_.account, all_, above_,
-                                     result_.tally));
+    result_.windows.push_back(window(result_.account.time - run.settle, last_, result_.account,
+                                     all_, above_, result_.tally));
   last_ = result_.account;
   all_ = result_.tally.all;
   above_ = result_.tally.above;
@@ -108,9 +108,11 @@ results::Replicate Replica::result() const {
   results::Replicate given = result_;
   given.complete = stretch_ > stretches && given.stopped.empty();
   if (given.complete) return given;
-  if (stretch_ == 0) given.at_settled = given.account;
+  if (stretch_ == 0)
+    given.at_settled = given.account;
   else if (given.account.time > last_.time)
-    given.windows.push_back(window(given.account.time - what_->run.settle, last_, given.account, all_, above_, given.tally));
+    given.windows.push_back(window(given.account.time - what_->run.settle, last_, given.account,
+                                   all_, above_, given.tally));
   return given;
 }
 

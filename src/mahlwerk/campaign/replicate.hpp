@@ -35,10 +35,10 @@ class Replica {
   std::unique_ptr<scene::Observer> keeper_;
   results::Replicate result_;
   std::unique_ptr<scene::Engine> engine_;
-  int stretch_ = 0;         // 0: settling
-  scene::Account last_;     // when the stretch began
+  int stretch_ = 0;            // 0: settling
+  scene::Account last_;        // when the stretch began
   observe::Sums all_, above_;  // then
-  double portion_ = 1e-3;   // [s] simulated
+  double portion_ = 1e-3;      // [s] simulated
 };
 
 /// The engine of one replicate at its start.

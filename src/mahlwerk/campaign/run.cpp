@@ -87,10 +87,9 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     const auto count = static_cast<std::size_t>(what.run.replicates);
     for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
     wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
-    outcomes.push_back(
-        {.what = what,
-         .replicates = {count, results::Replicate(what.observe.threshold)},
-         .notes = {}});
+    outcomes.push_back({.what = what,
+                        .replicates = {count, results::Replicate(what.observe.threshold)},
+                        .notes = {}});
   }
   if (!wrong.empty()) throw InputError(std::move(wrong));
 
@@ -110,7 +109,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
       replica.cpu_seconds() = thread_cpu_seconds() - cpu;
       teller.add(now.time - before.time, static_cast<double>(now.collisions - before.collisions),
                  now.worst_collision);
-      if (options.checkpoint != nullptr && options.checkpoint->due(i)) options.checkpoint->keep(i, replica);
+      if (options.checkpoint != nullptr && options.checkpoint->due(i))
+        options.checkpoint->keep(i, replica);
     }
     if (options.checkpoint != nullptr) options.checkpoint->keep(i, replica);
     outcomes[job.point].replicates[static_cast<std::size_t>(job.replicate)] = replica.result();

@@ -27,15 +27,22 @@ double largest(const M& motion, Of of) {
   return most;
 }
 
+/// Of the largest circle about the jar's axis that fits in.
+double radius_of(const auto& round) {
+  return 0.5 * round.diameter;
+}
+double radius_of(const geometry::Box& box) {
+  return 0.5 * std::min(box.width, box.depth);
+}
+double radius_of(const geometry::PeriodicBox& box) {
+  return box.inradius();
+}
 double jar_radius(const Jar& jar) {
-  return std::visit(
-      [](const auto& s) {
-        if constexpr (requires { s.diameter; })
-          return 0.5 * s.diameter;
-        else
-          return s.inradius();
-      },
-      jar.shape);
+  return std::visit([](const auto& s) { return radius_of(s); }, jar.shape);
+}
+bool axisymmetric(const Jar& jar) {
+  return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::axisymmetric; },
+                    jar.shape);
 }
 double jar_reach(const Jar& jar) {
   return std::visit([](const auto& s) { return s.reach(); }, jar.shape);
@@ -65,7 +72,7 @@ class Derivation {
     const auto wall_speed = [&](double t) {  // (kin.9)
       const Vec3 axis = motion.turn(t) * c_.mill.jar_axis;
       const Vec3 spin = motion.spin(t);
-      const bool about_axis = norm(cross(spin, axis)) <= 1e-12 * norm(spin);
+      const bool about_axis = axisymmetric(c_.jar) && norm(cross(spin, axis)) <= 1e-12 * norm(spin);
       const double reach = about_axis ? jar_radius(c_.jar) : jar_reach(c_.jar);
       return norm(motion.ride(t).velocity) + norm(spin) * reach;
     };

@@ -29,7 +29,10 @@ constexpr bool has_fillet = requires(S s) {
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
 double size_for(S shape, double volume) {
-  if constexpr (has_height<S>) {
+  if constexpr (!is_round<S>) {
+    shape.height = 1;
+    return volume / shape.volume();
+  } else if constexpr (has_height<S>) {
     shape.height = 0;
     const double radius = 0.5 * shape.diameter;
     const double height = (volume - shape.volume()) / (std::numbers::pi * radius * radius);
@@ -57,7 +60,7 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
   const Node& at = *in.find("volume");
   const double volume = in.quantity(at, wanted);
   shape.*size = size_for(shape, volume);
-  if constexpr (has_height<S>) {
+  if constexpr (has_height<S> && is_round<S>) {
     const double least = least_volume(shape);
     if (volume < least || (volume == least && !std::is_same_v<S, geometry::Capsule>)) {
       in.fault(at,
@@ -74,7 +77,7 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
 }
 
 template <class S>
-void read_round(Section& in, S& shape) {
+void read_shape(Section& in, S& shape) {
   constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
   const bool by_volume = in.one_of({follows, "volume"}) == "volume";
   double S::*size = nullptr;
@@ -88,15 +91,6 @@ void read_round(Section& in, S& shape) {
     shape.*field.value = in.value(wanted);
   }
   if (size != nullptr) size_from_volume(in, shape, follows, size);
-}
-
-template <class S>
-void read_shape(Section& in, S& shape) {
-  if constexpr (!is_round<S>) {
-    for (const auto& field : S::fields()) shape.*field.value = in.value(Wanted(field));
-  } else {
-    read_round(in, shape);
-  }
 }
 
 }  // namespace

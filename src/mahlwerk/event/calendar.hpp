@@ -25,8 +25,8 @@ struct Due {
 /// round. All of it costs the same whatever the number of balls.
 class Calendar {
  public:
-  /// Starts anew with an appointment per ball [s], infinite for none. Slices get the width that suits
-  /// these.
+  /// Starts anew with an appointment per ball [s], infinite for none. Slices get the width that
+  /// suits these.
   void start(std::span<const double> times, double now);
 
   void schedule(std::int32_t ball, double time);

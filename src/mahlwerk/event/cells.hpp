@@ -19,8 +19,8 @@ using Cell = std::int32_t;
 /// next to each other; a ball belongs to its cell until it is `slack` beyond its border.
 class Cells {
  public:
-  /// A grid over the box from `low` on, `size` [m] wide, periodic along axes where `periodic`. Cells
-  /// are at least `side` wide; there are at most about `most` of them.
+  /// A grid over the box from `low` on, `size` [m] wide, periodic along axes where `periodic`.
+  /// Cells are at least `side` wide; there are at most about `most` of them.
   Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack, double most);
 
   Cell cell_at(const Vec3& place) const;  ///< places outside count to the nearest cell
@@ -44,7 +44,6 @@ class Cells {
   };
   Borders borders(Cell cell) const;
 
-
  private:
   static constexpr int bits = 10;
   static constexpr std::int32_t mask = (1 << bits) - 1;
@@ -62,7 +61,6 @@ class Cells {
   std::int32_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
   void grow();
   int copy(std::int32_t place, std::int32_t* out, int n) const;
-
 
   Vec3 low_, side_, per_side_;
   double slack_;

@@ -23,7 +23,8 @@ class Enclosure {
   virtual kinematics::Ride ride(double t) const = 0;
   /// Follows a ball that is `ball` at `t` and flies freely, until it touches or `until` is passed;
   /// looks at least once.
-  virtual Sighting look(const Passing& ball, double t, double until, const Feeler& feeler) const = 0;
+  virtual Sighting look(const Passing& ball, double t, double until,
+                        const Feeler& feeler) const = 0;
   virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;
   virtual Vec3 own(const Vec3& a, double t) const = 0;
 
@@ -31,9 +32,9 @@ class Enclosure {
   const Vec3& gravity() const { return gravity_; }
   bool looks_still() const { return looks_still_; }
   int faces() const { return faces_; }
-  double period() const { return period_; }    // [s] of the ride
-  double reach() const { return reach_; }      // [m]
-  double offset() const { return offset_; }    // [m] of the jar's centre at the start
+  double period() const { return period_; }         // [s] of the ride
+  double reach() const { return reach_; }           // [m]
+  double offset() const { return offset_; }         // [m] of the jar's centre at the start
   const Vec3& periods() const { return periods_; }  // [m] infinite where the shape does not repeat
 
  protected:

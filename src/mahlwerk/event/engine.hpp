@@ -17,9 +17,9 @@ namespace mahlwerk::event {
 std::unique_ptr<scene::Engine> one_ball(const scene::Chamber& chamber, const scene::Ball& ball,
                                         const Rules& rules, double start = 0);
 
-/// The event engine for any number of balls, which must lie inside the jar and apart. `bounces` tells
-/// how balls of every kind (`Ball::kind`) meet each other and the jar's faces; `rules` how lasting
-/// contacts are treated: by the TC rule or not at all.
+/// The event engine for any number of balls, which must lie inside the jar and apart. `bounces`
+/// tells how balls of every kind (`Ball::kind`) meet each other and the jar's faces; `rules` how
+/// lasting contacts are treated: by the TC rule or not at all.
 std::unique_ptr<scene::Engine> many_balls(const scene::Chamber& chamber,
                                           const std::vector<scene::Ball>& balls, const Rules& rules,
                                           const contact::BounceTable& bounces, double start = 0);

@@ -5,6 +5,6 @@
 namespace mahlwerk::event {
 
 template std::unique_ptr<const Enclosure> enclosure_of(const geometry::PeriodicBox&,
-                                                        const scene::Chamber&);
+                                                       const scene::Chamber&);
 
 }  // namespace mahlwerk::event

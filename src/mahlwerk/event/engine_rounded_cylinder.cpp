@@ -8,6 +8,6 @@ template std::unique_ptr<scene::Engine> one_ball_in(const geometry::RoundedCylin
                                                     const scene::Chamber&, const scene::Ball&,
                                                     const Rules&, double);
 template std::unique_ptr<const Enclosure> enclosure_of(const geometry::RoundedCylinder&,
-                                                        const scene::Chamber&);
+                                                       const scene::Chamber&);
 
 }  // namespace mahlwerk::event

@@ -12,8 +12,8 @@
 
 namespace mahlwerk::event {
 
-// What there is for one shape and every motion; each shape is compiled in a file of its own, side by
-// side.
+// What there is for one shape and every motion; each shape is compiled in a file of its own, side
+// by side.
 
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,

@@ -8,8 +8,8 @@
 #include "mahlwerk/event/jar.hpp"
 #include "mahlwerk/event/rules.hpp"
 
-// A ball that stays on the wall: its equations of motion, rolling or sliding, on one face or in the
-// edge between two (evt.12 to evt.17). The state is that of the jar frame.
+// A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or
+// creeping where two or three meet (evt.12 to evt.17). The state is that of the jar frame.
 namespace mahlwerk::event {
 
 /// A ball in lasting contact, with the work done on it and the energy it lost since contact began.
@@ -25,14 +25,26 @@ inline Rest operator*(double s, const Rest& a) {
   return {s * a.position, s * a.velocity, s * a.spin, s * a.work, s * a.lost};
 }
 
-enum class Grip { rolling, sliding };
+/// Creeping: friction made smooth, for two slips cannot both vanish in general (evt.17).
+enum class Grip { rolling, sliding, creeping };
 
-/// The faces a ball rests on, one or two, and how it holds on the one.
+/// The faces a ball rests on, one to three, and how it holds on them: on more than one it creeps.
 struct Seat {
-  int count = 0;
-  std::array<int, 2> face{};
+  static constexpr std::size_t most = 3;
+  std::size_t count = 0;
+  std::array<int, most> face{};
   Grip grip = Grip::rolling;
-  Vec3 slide;  ///< unit direction of the slip when sliding begins from rest
+
+  bool has(int which) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (face[i] == which) return true;
+    return false;
+  }
+  void join(int which) {
+    face[count++] = which;
+    if (count > 1) grip = Grip::creeping;
+  }
+  void leave(std::size_t place) { face[place] = face[--count]; }
 };
 
 struct BallBody {
@@ -41,11 +53,42 @@ struct BallBody {
 
 /// Forces at an instant.
 struct Reaction {
-  std::array<double, 2>
+  std::array<double, Seat::most>
       press{};  ///< [m/s2] normal force per mass, < 0: the wall would have to pull
   Vec3 wanted;  ///< [m/s2] friction per mass that would keep the slip as it is
   Vec3 drag;    ///< [m/s2] friction per mass
   Vec3 slip;    ///< [m/s] of the touching surfaces
+
+  /// The face of `seat` that presses least: its place there.
+  std::size_t least(const Seat& seat) const {
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < seat.count; ++i)
+      if (press[i] < press[place]) place = i;
+    return place;
+  }
+  bool pulls(const Seat& seat) const { return press[least(seat)] < 0; }
+};
+
+/// The normal forces of a seat: sum_j share_ij press_j = wanted_i. The columns' diagonals dominate
+/// (evt.23), so elimination needs no pivots.
+struct Presses {
+  std::size_t count = 0;
+  std::array<std::array<double, Seat::most>, Seat::most> share{};
+  std::array<double, Seat::most> wanted{};
+
+  std::array<double, Seat::most> solved() {
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t i = k + 1; i < count; ++i) {
+        const double by = share[i][k] / share[k][k];
+        for (std::size_t j = k; j < count; ++j) share[i][j] -= by * share[k][j];
+        wanted[i] -= by * wanted[k];
+      }
+    for (std::size_t i = count; i-- > 0;) {
+      for (std::size_t j = i + 1; j < count; ++j) wanted[i] -= share[i][j] * wanted[j];
+      wanted[i] /= share[i][i];
+    }
+    return wanted;
+  }
 };
 
 template <class J>
@@ -60,8 +103,8 @@ class LastingContact {
                                             Reaction& forces) const {
     const kinematics::Ride ride = jar_->motion().ride(t);
     const Vec3 field = jar_->gravity() - ride.acceleration;  // (evt.1)
-    return seat.count == 1 ? on_face(seat, t, y, ride.velocity, field, forces)
-                           : in_edge(seat, t, y, ride.velocity, field, forces);
+    return seat.grip == Grip::creeping ? in_edge(seat, t, y, ride.velocity, field, forces)
+                                       : on_face(seat, t, y, ride.velocity, field, forces);
   }
 
   /// The acceleration with which the wall holds the ball now, < 0 if it lets go [m/s2] (evt.12).
@@ -81,13 +124,12 @@ class LastingContact {
   /// The state put back onto the wall: no gap, no normal speed. `grip` rolling: no slip either, the
   /// spin following the centre.
   void seat_exactly(const Seat& seat, double t, Rest& y) const {
-    for (int i = 0; i < seat.count; ++i) {
-      const Wall wall =
-          jar_->wall(seat.face[static_cast<std::size_t>(i)], y.position, t, ball_.radius);
+    for (std::size_t i = 0; i < seat.count; ++i) {
+      const Wall wall = jar_->wall(seat.face[i], y.position, t, ball_.radius);
       y.position -= wall.gap * wall.inward;
       y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
     }
-    if (seat.count == 1 && seat.grip == Grip::rolling && rules_.lasting_friction > 0) {
+    if (seat.grip == Grip::rolling && rules_.lasting_friction > 0) {
       const Wall wall = jar_->wall(seat.face[0], y.position, t, ball_.radius);
       const Vec3 u = y.velocity - wall.velocity;
       // R w x n = u has the solution w = n x u / R across n; the spin about n is free.
@@ -114,6 +156,15 @@ class LastingContact {
   }
 
  private:
+  // [m/s] so slow a slip has no sharp direction: a ball that begins to slide would turn it at once
+  // however short the step.
+  static constexpr double hardly_slips = 1e-5;
+
+  /// Unit direction of a slip, less where it is not fast against `slow`.
+  static Vec3 along(const Vec3& slip, double slow) {
+    return slip / std::sqrt(squared(slip) + slow * slow);
+  }
+
   /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball
   /// hardly turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double press) const {
@@ -141,52 +192,43 @@ class LastingContact {
         across(wall_rate + r * cross(y.spin, hold.inward_rate) - field + 2.5 / r * cross(torque, n),
                n);
     Vec3 drag = wanted;
-    if (seat.grip == Grip::sliding) {  // (evt.14)
-      const double speed = norm(slip), mu = rules_.lasting_friction;
-      const Vec3 along = speed > 1e-9 ? slip / speed : seat.slide;
-      drag = mu == 0 ? Vec3{} : -(mu * std::max(press, 0.0)) * along;
-    }
-    forces = {{press, 0}, wanted, drag, slip};
+    if (seat.grip == Grip::sliding)  // (evt.14)
+      drag = -(rules_.lasting_friction * std::max(press, 0.0)) * along(slip, hardly_slips);
+    forces = {{press}, wanted, drag, slip};
     const Vec3 push = press * n + drag;  // per mass
     return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
             ball_.mass * (dot(push, centre_velocity + wall) + dot(torque, w)),
             -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
   }
 
-  /// Two faces hold the ball: two normal forces from two conditions, friction at both, made smooth
-  /// over a creeping speed because the two slips cannot both vanish in general (evt.17).
+  /// Two or three faces hold the ball, or one near another: as many normal forces from as many
+  /// conditions, friction at each made smooth over a creeping speed (evt.17).
   Rest in_edge(const Seat& seat, double t, const Rest& y, const Vec3& centre_velocity,
                const Vec3& field, Reaction& forces) const {
-    constexpr double creep = 1e-3;  // [m/s] below it friction is viscous
-    const double r = ball_.radius, mu = rules_.lasting_friction;
+    constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
+    constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.23)
+    const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
     const Vec3 w = jar_->motion().spin(t);
-    std::array<Vec3, 2> n, wall, slip,
-        grip;  // grip: friction per normal force, or per mass if unlimited
-    std::array<double, 2> bend{};
-    for (std::size_t i = 0; i < 2; ++i) {
+    std::array<Vec3, Seat::most> n, wall, slip, grip;  // grip: friction per normal force
+    Presses p;
+    p.count = seat.count;
+    for (std::size_t i = 0; i < seat.count; ++i) {
       const auto hold = jar_->hold(seat.face[i], {y.position, y.velocity}, t);
       n[i] = hold.inward;
-      bend[i] = hold.bend - dot(field, n[i]);
+      p.wanted[i] = hold.bend - dot(field, n[i]);
       wall[i] = cross(w, y.position - r * n[i]);
       slip[i] = across(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
-      grip[i] = std::isinf(mu) ? -1e4 * slip[i]
-                               : -(mu / std::sqrt(squared(slip[i]) + creep * creep)) * slip[i];
+      grip[i] = -mu * along(slip[i], creep);
     }
-    // press_i + sum_j press_j (n_i . (n_j + grip_j)) = bend_i, i != j; unlimited friction is a
-    // given force.
-    const double c01 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[0], grip[1]));
-    const double c10 = dot(n[0], n[1]) + (std::isinf(mu) ? 0 : dot(n[1], grip[0]));
-    if (std::isinf(mu)) {
-      bend[0] -= dot(n[0], grip[1]);
-      bend[1] -= dot(n[1], grip[0]);
-    }
-    const double det = 1 - c01 * c10;
-    forces.press = {(bend[0] - c01 * bend[1]) / det, (bend[1] - c10 * bend[0]) / det};
+    for (std::size_t i = 0; i < seat.count; ++i)
+      for (std::size_t j = 0; j < seat.count; ++j)
+        p.share[i][j] = i == j ? 1 : dot(n[i], n[j] + grip[j]);
+    forces.press = p.solved();
     forces.slip = slip[0];
     Rest d{y.velocity, field, {}, 0, 0};
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < seat.count; ++i) {
       const double press = forces.press[i];
-      const Vec3 drag = std::isinf(mu) ? grip[i] : std::max(press, 0.0) * grip[i];
+      const Vec3 drag = std::max(press, 0.0) * grip[i];
       const Vec3 torque = rolling_torque(y.spin - w, n[i], press), push = press * n[i] + drag;
       d.velocity += push;
       d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], drag));

@@ -71,8 +71,8 @@ void ManyBalls::happen(std::int32_t ball) {
     meet(ball);
 }
 
-/// A ball may be near a wall or about to leave its cell. It is followed as long as nobody else's turn
-/// comes.
+/// A ball may be near a wall or about to leave its cell. It is followed as long as nobody else's
+/// turn comes.
 void ManyBalls::look(std::int32_t ball) {
   Plan& p = plan_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
@@ -86,8 +86,8 @@ void ManyBalls::look(std::int32_t ball) {
   if (walls_) {
     calendar_.schedule(ball, at_no_time);
     const double next = calendar_.next().time, alone = std::min({p.meeting, left, next});
-    const Sighting seen = jar_->look(where, motion_time(now_), motion_time(alone),
-                                     feelers_[line(ball).species]);
+    const Sighting seen =
+        jar_->look(where, motion_time(now_), motion_time(alone), feelers_[line(ball).species]);
     ++account_.search_steps;
     const double then = std::max(now_, seen.time - motion_time(0));
     if (seen.face >= 0 && then < alone && then < horizon_) {
@@ -111,8 +111,8 @@ void ManyBalls::meet(std::int32_t ball) {
   calendar_.schedule(ball, p.next());
 }
 
-/// From time to time the clock is turned back, balls that are neighbours in the jar become neighbours
-/// in memory, and the calendar's slices get the width that suits the rate of events.
+/// From time to time the clock is turned back, balls that are neighbours in the jar become
+/// neighbours in memory, and the calendar's slices get the width that suits the rate of events.
 void ManyBalls::renew() {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   const double shift = std::isfinite(period) ? std::floor(now_ / period) * period : now_;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/event/calendar.hpp"
 #include "mahlwerk/event/cells.hpp"
 #include "mahlwerk/event/enclosure.hpp"
@@ -116,8 +116,8 @@ class ManyBalls final : public scene::Engine {
   RoomyVector<Plan> plans_;
   RoomyVector<Turning> turnings_;
   std::vector<Species> species_;
-  std::vector<double> radii_;     // [m] by species
-  std::vector<Feeler> feelers_;   // by species
+  std::vector<double> radii_;    // [m] by species
+  std::vector<Feeler> feelers_;  // by species
   std::unique_ptr<Cells> cells_;
   Calendar calendar_;
   std::vector<std::int32_t> near_;  // candidates of a prediction

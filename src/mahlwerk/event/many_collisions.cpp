@@ -24,7 +24,8 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_);
   kick(ball, impulse, s.radius * n);
-  const double work = dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
+  const double work =
+      dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
   account_.wall_work += work;
   settle_account(loss, kinetic(ball, now_) - before, work, before);
   count_contact(turn);
@@ -72,14 +73,14 @@ void ManyBalls::count_contact(Turning& ball) {
   ball.last = now_;
 }
 
-/// A chattering ball leaves at `rest_speed_` at least: it comes back no sooner than a quarter of t_c
-/// later, however hard it is pressed, so the clock goes on (man.4).
+/// A chattering ball leaves at `rest_speed_` at least: it comes back no sooner than a quarter of
+/// t_c later, however hard it is pressed, so the clock goes on (man.4).
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    bool elastic) {
   account_.tc_collisions += elastic ? 1 : 0;
   ++account_.collisions;
-  const double e = elastic ? std::max(1.0, rest_speed_ / touch.approach)
-                           : rule.restitution.at(touch.approach);
+  const double e =
+      elastic ? std::max(1.0, rest_speed_ / touch.approach) : rule.restitution.at(touch.approach);
   return contact::bounce(rule, touch.mass, touch.approach, touch.slip, e);
 }
 
@@ -92,7 +93,8 @@ void ManyBalls::kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
   turning(ball).spin += cross(arm, impulse) / s.inertia;
 }
 
-void ManyBalls::settle_account(const contact::Loss& loss, double gained, double work, double scale) {
+void ManyBalls::settle_account(const contact::Loss& loss, double gained, double work,
+                               double scale) {
   account_.lost_normal += loss.normal;
   account_.lost_tangential += loss.tangential;
   const double lost = loss.normal + loss.tangential;

@@ -63,7 +63,11 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       feelers_.push_back(feeler(*jar_, ball.radius));
       widest = std::max(widest, 2 * ball.radius);
     }
-    Line line{.position = ball.position, .since = now_, .velocity = ball.velocity, .bent = 0, .species = place->second};
+    Line line{.position = ball.position,
+              .since = now_,
+              .velocity = ball.velocity,
+              .bent = 0,
+              .species = place->second};
     const Drift d = drift_at(now_);
     line.position += d.place;
     line.velocity += d.velocity;
@@ -110,8 +114,8 @@ void ManyBalls::plan_meeting(std::int32_t ball, int candidates) {
   Plan& p = plan_of(ball);
   const Asking asking{me.at(now_), me.velocity, now_, species(me).radius, ball};
   const Meeting found =
-      first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)},
-                    radii_, periods_, {p.meeting, p.partner});
+      first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)}, radii_,
+                    periods_, {p.meeting, p.partner});
   if (found.time < p.meeting)
     p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
 }
@@ -125,7 +129,8 @@ double ManyBalls::leaves(const Passing& where, std::int32_t cell) const {
     if (speed < 0) std::swap(ahead, behind);
     speed = std::abs(speed);
     if (pull == 0) return speed > 0 ? std::max(ahead, 0.0) / speed : at_no_time;
-    const double to = ahead < at_no_time ? geometry::clear_of_plane(ahead, speed, pull) : at_no_time;
+    const double to =
+        ahead < at_no_time ? geometry::clear_of_plane(ahead, speed, pull) : at_no_time;
     if (behind >= ahead) return to;  // not reached before the border ahead
     return std::min(to, geometry::clear_of_plane(behind, -speed, pull));
   };

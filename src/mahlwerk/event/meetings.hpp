@@ -21,8 +21,9 @@ struct Asking {
   std::int32_t self;  ///< its own index
 };
 
-/// The earliest meeting of `asking` with one of `others` (indices of `lines`) before `best` (man.2).
-/// `radii` by species; `periods` [m] where the box repeats itself, infinite where it does not.
+/// The earliest meeting of `asking` with one of `others` (indices of `lines`) before `best`
+/// (man.2). `radii` by species; `periods` [m] where the box repeats itself, infinite where it does
+/// not.
 Meeting first_meeting(const Asking& asking, std::span<const Line> lines,
                       std::span<const std::int32_t> others, std::span<const double> radii,
                       const Vec3& periods, const Meeting& best);

@@ -203,15 +203,15 @@ class OneBall final : public scene::Engine {
   /// Contact begins: what normal speed is left is lost.
   void settle(int face) {
     Passing p = now_.ball;
-    Seat seat{1, {face, face}, Grip::rolling, {}};
-    for (int other = 0; other < S::faces && seat.count == 1; ++other)
+    Seat seat;
+    seat.join(face);
+    for (int other = 0; other < S::faces && seat.count < Seat::most; ++other)
       if (other != face && jar_.shape().meets(other, body_.radius) && pinned(other, p))
-        seat = {2, {face, other}, Grip::rolling, {}};
+        seat.join(other);
     const double before = kinetic(p.velocity + now_.ride.velocity);
     double work = 0;
-    for (int i = 0; i < seat.count; ++i) {
-      const Wall wall =
-          jar_.wall(seat.face[static_cast<std::size_t>(i)], p.position, now_.time, body_.radius);
+    for (std::size_t i = 0; i < seat.count; ++i) {
+      const Wall wall = jar_.wall(seat.face[i], p.position, now_.time, body_.radius);
       const Vec3 n = -wall.inward, glide = p.velocity - wall.velocity;
       work += push(-body_.mass * dot(glide, n) * n, wall, p);
     }
@@ -245,8 +245,8 @@ class OneBall final : public scene::Engine {
       now_.ride = jar_.motion().ride(now_.time);
       fly({stay_.now().position, stay_.now().velocity});
       last_ = mill_time();
-      guard();
     }
+    guard();
     turn_back_clock();
   }
 

@@ -15,8 +15,8 @@ enum class Lasting { roll, tc, none };
 struct Rules {
   contact::BounceRule bounce;
   std::vector<contact::BounceRule> faces;  ///< by face of the jar, where they are not all alike
-  double lasting_friction = 0.3;  ///< mu of lasting contacts; they need a limit (evt.15)
-  double rolling_friction = 0;    ///< mu_r of lasting contacts
+  double lasting_friction = 0.3;           ///< mu of lasting contacts; they need a limit (evt.15)
+  double rolling_friction = 0;             ///< mu_r of lasting contacts
   Lasting lasting = Lasting::roll;
   double lasting_speed = 1e-4;  ///< [m/s] a slower rebound, pressed to the wall, has come to stay
   double contact_time = 1e-4;   ///< [s] t_c of the TC rule

@@ -57,6 +57,16 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
+/// A time in which a ball that flies along a face, neither nearing nor leaving it, does not sink in
+/// by more than a thousand margins, still nothing to its radius: a ball that keeps no normal speed
+/// may skim a wall for as long as it flies.
+template <class S, class M>
+double skims(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
+  const double gap = jar.wall(face, now.ball.position, now.time, ball.radius).gap;
+  const double deeper = std::min(gap, 0.0) - 1e3 * ball.margin;
+  return jar.outlook(face, now.ball, now.time, ball.radius + deeper).time;
+}
+
 /// What one look at all faces tells.
 struct Glance {
   double clear = geometry::never;  ///< [s] without a touch, certainly
@@ -70,11 +80,15 @@ Glance glance(const Jar<S, M>& jar, const Instant& now, const Feeler& ball) {
   Glance seen;
   for (int face = 0; face < S::faces; ++face) {
     if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
-    const geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
-    if (look.gap <= 2 * ball.margin && look.closing > 0 &&
-        (look.gap <= 0 || closing_speed(jar, face, now, ball) > rounding_speed)) {
-      seen.face = face;
-      return seen;
+    geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
+    if (look.gap <= 2 * ball.margin) {
+      const double speed = closing_speed(jar, face, now, ball);
+      if (look.closing > 0 && speed > rounding_speed) {
+        seen.face = face;
+        return seen;
+      }
+      if (std::abs(speed) <= rounding_speed)
+        look.time = std::max(look.time, skims(jar, face, now, ball));
     }
     if (look.closing > 0 && look.time < seen.clear) seen.nearest = face;
     seen.clear = std::min(seen.clear, look.time);

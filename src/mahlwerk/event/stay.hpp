@@ -40,7 +40,7 @@ Stride stride(const Rate& rate, double t, const Rest& y, const Rest& first, doub
   const Rest last = rate(t + h, end, forces);
   const Rest wrong = h * (71.0 / 57600 * a + -71.0 / 16695 * c + 71.0 / 1920 * d +
                           -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
-  constexpr double relative = 1e-7;
+  constexpr double relative = 1e-8;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
   const double error = std::max({norm(wrong.position) / (relative * radius),
                                  norm(wrong.velocity) / (relative * speed),
@@ -71,11 +71,13 @@ class Stay {
     const auto rate = [this](double at, const Rest& y, Reaction& forces) {
       return contact_.rate(seat_, at, y, forces);
     };
+    if (seat_.count == 1 && seat_.grip == Grip::creeping && apart(t)) begin(seat_, t, now_);
     if (!known_) rate_ = rate(t, now_, forces_);
-    if (seat_.count == 1 && regrip(t)) rate_ = rate(t, now_, forces_);
+    if (seat_.grip != Grip::creeping && regrip(t)) rate_ = rate(t, now_, forces_);
     if (let_go(t)) return Verdict::released;
 
-    const double wanted = std::min({step_, slide_limit(), clear_of_others(t), until_crease(t)});
+    const double crease = until_crease(t);
+    const double wanted = std::min({step_, slide_limit(), clear_of_others(t), crease});
     double h = wanted;
     Stride s = stride(rate, t, now_, rate_, h, ball_.radius);
     while (!(s.error <= 1)) {
@@ -93,9 +95,9 @@ class Stay {
     now_ = s.end;
     rate_ = s.rate;
     forces_ = s.forces;
-    known_ = true;
+    known_ = h < crease;  // beyond it the derivative is another
     contact_.seat_exactly(seat_, t, now_);
-    return touches_other(t) ? Verdict::touched : Verdict::staying;
+    return bounces_off_other(t) ? Verdict::touched : Verdict::staying;
   }
 
   void carry(Archive& archive) { archive(seat_)(now_)(rate_)(forces_)(known_)(step_); }
@@ -107,6 +109,7 @@ class Stay {
 
  private:
   static constexpr double sticking_speed = 1e-4;  // [m/s] slip below it may come to rest
+  static constexpr double unnoticed = 3e-5;       // [s] in which no mill changes its push much
 
   void choose_grip(double t) {
     const double mu = rules_.lasting_friction;
@@ -124,7 +127,6 @@ class Stay {
     const double most = mu * std::max(forces_.press[0], 0.0), needed = norm(forces_.wanted);
     if (seat_.grip == Grip::rolling && needed > most) {
       seat_.grip = Grip::sliding;
-      seat_.slide = -1.0 / needed * forces_.wanted;
       return true;
     }
     if (seat_.grip == Grip::sliding && needed <= most && norm(forces_.slip) <= sticking_speed) {
@@ -138,7 +140,7 @@ class Stay {
 
   /// A ball whose slip is coming to rest nears that moment from this side (evt.14).
   double slide_limit() const {
-    if (seat_.count == 2 || seat_.grip != Grip::sliding) return geometry::never;
+    if (seat_.grip != Grip::sliding) return geometry::never;
     const double speed = norm(forces_.slip);
     if (speed <= sticking_speed) return geometry::never;
     const double slowing =
@@ -146,64 +148,109 @@ class Stay {
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 
-  /// Steps end where the curvature jumps, for across it the derivative is not smooth. The way there
-  /// is nearly straight only when it is short, so a long one is not gone at once.
+  /// Steps end where the curvature jumps, for across it the derivative is not smooth: just before,
+  /// and after one of at most `short_way` just beyond. The way there is nearly straight only when
+  /// it is short, so a long one is not gone at once.
   double until_crease(double t) const {
-    constexpr double short_way = 1e-5;  // [s]
+    constexpr double short_way = 1e-8;  // [s]
     double soonest = geometry::never;
-    for (int i = 0; i < seat_.count; ++i) {
-      const int face = seat_.face[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < seat_.count; ++i) {
+      const int face = seat_.face[i];
       double time = jar_->until_crease(face, {now_.position, now_.velocity}, t);
       if (time < step_)  // halfway the velocity is the mean one
         time = jar_->until_crease(face,
                                   {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
-      soonest = std::min(soonest, time > short_way ? 0.9 * time : time);
+      soonest = std::min(soonest, time > short_way ? 0.9 * time : time + least_step());
     }
     return std::max(soonest, least_step());
   }
 
   double least_step() const { return feeler_.least_step(norm(now_.velocity)); }
 
-  bool rests_on(int face) const {
-    return seat_.face[0] == face || (seat_.count == 2 && seat_.face[1] == face);
+  /// Calls `look(face)` for every face that the ball could touch besides those it rests on.
+  template <class Look>
+  void for_each_other(const Look& look) const {
+    for (int face = 0; face < jar_->shape().faces; ++face)
+      if (!seat_.has(face) && jar_->shape().meets(face, ball_.radius)) look(face);
   }
+
+  /// A step in which no other face is touched, or so slowly that it would be no bounce: a ball that
+  /// has just left a face, or lies beside it, must not crawl.
   double clear_of_others(double t) const {
     double clear = geometry::never;
-    for (int face = 0; face < jar_->shape().faces; ++face)
-      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius))
-        clear = std::min(clear, std::max(outlook(face, t, now_).time, least_step()));
+    for_each_other([&](int face) {
+      double time = std::max(outlook(face, t, now_).time, least_step());
+      if (time < unnoticed) time = std::max(time, slowly(face, t));
+      clear = std::min(clear, time);
+    });
     return clear;
   }
-  bool touches_other(double t) const {
-    for (int face = 0; face < jar_->shape().faces; ++face) {
-      if (rests_on(face) || !jar_->shape().meets(face, ball_.radius)) continue;
+
+  /// A time in which the ball gains less than `lasting_speed` towards a face at twice its present
+  /// acceleration against it [s].
+  double slowly(int face, double t) const {
+    const auto hold = jar_->hold(face, {now_.position, now_.velocity}, t);
+    const double against = std::abs(dot(rate_.velocity, hold.inward) - hold.bend);
+    return rules_.lasting_speed / (2 * against + rules_.lasting_speed / unnoticed);
+  }
+
+  /// Whether the ball is so far from all faces but its own that it no longer has to creep.
+  bool apart(double t) const {
+    bool apart = true;
+    for_each_other(
+        [&](int face) { apart = apart && outlook(face, t, now_).gap > 1e-3 * ball_.radius; });
+    return apart;
+  }
+
+  /// Whether another face is touched fast enough to bounce. One touched slower holds the ball from
+  /// now on too, or lets it go as soon as its reaction is known.
+  bool bounces_off_other(double t) {
+    bool bounces = false;
+    for_each_other([&](int face) {
       const geometry::Outlook look = outlook(face, t, now_);
-      if (look.gap <= 2 * feeler_.margin && look.closing > 0) return true;
-    }
-    return false;
+      if (look.gap <= 2 * feeler_.margin && look.closing > 0 && !joined(face, t)) bounces = true;
+    });
+    return bounces;
+  }
+
+  /// The face is touched; if slowly, what is left of the normal speed is lost and the face joins.
+  bool joined(int face, double t) {
+    const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
+    const double closing = dot(wall.velocity - now_.velocity, wall.inward);
+    if (closing >= rules_.lasting_speed || seat_.count == Seat::most) return false;
+    const Vec3 change = closing * wall.inward;
+    const double before = contact_.energy(t, now_);
+    const double work = ball_.mass * dot(change, jar_->motion().ride(t).velocity + wall.velocity);
+    now_.velocity += change;
+    now_.work += work;
+    now_.lost += before + work - contact_.energy(t, now_);
+    seat_.join(face);
+    known_ = false;
+    return true;
   }
   geometry::Outlook outlook(int face, double t, const Rest& y) const {
     return jar_->outlook(face, {y.position, y.velocity}, t, ball_.radius - feeler_.margin);
   }
 
-  /// The wall would have to pull. From an edge the ball leaves one face and may stay on the other.
+  /// The wall would have to pull. Where several hold the ball it leaves the one that would have to
+  /// pull most, and may stay on the others.
   bool let_go(double t) {
-    if (seat_.count == 1) return forces_.press[0] < 0;
-    if (forces_.press[0] >= 0 && forces_.press[1] >= 0) return false;
-    const int kept = forces_.press[0] < forces_.press[1] ? seat_.face[1] : seat_.face[0];
-    begin({1, {kept, kept}, Grip::rolling, {}}, t, now_);
-    rate_ = contact_.rate(seat_, t, now_, forces_);
-    return forces_.press[0] < 0;
+    while (forces_.pulls(seat_)) {
+      if (seat_.count == 1) return true;
+      seat_.leave(forces_.least(seat_));
+      rate_ = contact_.rate(seat_, t, now_, forces_);
+    }
+    return false;
   }
 
   /// Whether a step ends with a wall that pulls or with the ball through another face.
   bool leaves(double t, const Stride& s) const {
-    if (s.forces.press[0] < 0 || (seat_.count == 2 && s.forces.press[1] < 0)) return true;
-    for (int face = 0; face < jar_->shape().faces; ++face)
-      if (!rests_on(face) && jar_->shape().meets(face, ball_.radius) &&
-          outlook(face, t, s.end).gap < 0)
-        return true;
-    return false;
+    bool through = false;
+    for_each_other([&](int face) {
+      const geometry::Outlook look = outlook(face, t, s.end);
+      through = through || (look.gap < 0 && look.closing > 0);
+    });
+    return through || s.forces.pulls(seat_);
   }
 
   /// The length of the step at whose end the ball has just left, by bisection: `leaves` is no

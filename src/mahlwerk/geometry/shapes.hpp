@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "mahlwerk/geometry/box.hpp"
 #include "mahlwerk/geometry/capsule.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
@@ -13,6 +14,6 @@
 namespace mahlwerk::geometry {
 
 /// The register: every jar shape there is. A new one is its file and its name here.
-using AnyShape = std::variant<Capsule, Cylinder, RoundedCylinder, Sphere, PeriodicBox>;
+using AnyShape = std::variant<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;
 
 }  // namespace mahlwerk::geometry

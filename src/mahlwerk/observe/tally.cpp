@@ -76,8 +76,8 @@ void Tally::collisions(std::span<const scene::Collision> finished) {
 
 void Tally::carry(Archive& archive) {
   archive(all)(above)(angle_all)(angle_above);
-  for (LogHistogram* one : {&energy_normal, &energy_contact_point, &energy_centre, &energy_lost,
-                            &approach})
+  for (LogHistogram* one :
+       {&energy_normal, &energy_contact_point, &energy_centre, &energy_lost, &approach})
     one->carry(archive);
 }
 

@@ -111,7 +111,8 @@ double with_jar(const Sums& sums, const Replicate& r) {
 /// Rates by partner, where there are several balls.
 const std::vector<Measure>& partners() {
   static const std::vector<Measure> list{
-      {"collision_rate_between_balls", "1/s", "collisions of balls with balls per second, each once",
+      {"collision_rate_between_balls", "1/s",
+       "collisions of balls with balls per second, each once",
        [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.all, r); }},
       {"collision_rate_between_balls_above_threshold", "1/s",
        "those with a normal speed u_n of at least the threshold",

@@ -27,8 +27,8 @@ class Engine {
   /// The balls at the time reached, in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
 
-  /// Writes the state reached to `archive`, or takes it from there; an engine made from the same case
-  /// then goes on as if nothing had happened, to the bit.
+  /// Writes the state reached to `archive`, or takes it from there; an engine made from the same
+  /// case then goes on as if nothing had happened, to the bit.
   virtual void carry(Archive& archive) = 0;
 };
 

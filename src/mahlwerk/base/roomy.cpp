@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/base/roomy.hpp"
+
+#include <cstdlib>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace mahlwerk {
+
+void* roomy_memory(std::size_t bytes) {
+  constexpr std::size_t line = 64, page = std::size_t{1} << 21;
+  const std::size_t align = bytes < page ? line : page;
+  void* const memory = std::aligned_alloc(align, (bytes + align - 1) / align * align);
+  if (memory == nullptr) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (bytes >= page) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish; nothing depends on it
+#endif
+  return memory;
+}
+
+void give_back(void* memory) {
+  std::free(memory);
+}
+
+}  // namespace mahlwerk

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/event/engines_impl.hpp"
+
+namespace mahlwerk::event {
+
+template std::unique_ptr<scene::Engine> one_ball_in(const geometry::Box&, const scene::Chamber&,
+                                                    const scene::Ball&, const Rules&, double);
+template std::unique_ptr<const Enclosure> enclosure_of(const geometry::Box&, const scene::Chamber&);
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "mahlwerk/geometry/clear.hpp"
+
+namespace mahlwerk::geometry {
+
+/// A box with sharp edges: six planes, of which up to three hold a ball in a corner (geo.7).
+struct Box {
+  double width = 0;   // [m] along x
+  double depth = 0;   // [m] along y
+  double height = 0;  // [m] along z
+
+  static constexpr std::string_view name = "box";
+  static constexpr std::string_view about = "a box with sharp edges";
+  static constexpr int faces = 6;
+  static constexpr bool axisymmetric = false;
+  static constexpr std::string_view face_name(int face) {
+    constexpr std::array<std::string_view, faces> names{"left", "right",  "front",
+                                                        "back", "bottom", "top"};
+    return names[static_cast<std::size_t>(face)];
+  }
+  static constexpr auto fields() {
+    return std::array{
+        Field<Box>{"width", "m", &Box::width, positive, "inner width, along the jar's own x"},
+        Field<Box>{"depth", "m", &Box::depth, positive, "inner depth, along the jar's own y"},
+        Field<Box>{"height", "m", &Box::height, positive, "inner height, along the jar's axis"}};
+  }
+
+  Gap gap(int face, const Vec3& p) const {
+    const Vec3 inward = into(face);
+    return {half(face) + dot(p, inward), inward, 0};
+  }
+  Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
+  Outlook outlook(int face, const Course& c, double radius) const {
+    const double up = face % 2 == 0 ? 1 : -1;
+    const double gap = half(face) + up * part(face, c.position) - radius;
+    const double closing = -up * part(face, c.velocity);
+    return {gap, closing, clear_of_plane(gap, closing, part(face, c.pull.most))};
+  }
+  bool meets(int, double) const { return true; }
+  double volume() const { return width * depth * height; }
+  double reach() const { return 0.5 * norm(Vec3{width, depth, height}); }
+  double inradius() const { return 0.5 * std::min({width, depth, height}); }
+  bool operator==(const Box&) const = default;
+
+ private:
+  /// The component of `a` across `face`.
+  static double part(int face, const Vec3& a) { return face < 2 ? a.x : face < 4 ? a.y : a.z; }
+  static Vec3 into(int face) {
+    const double up = face % 2 == 0 ? 1 : -1;
+    return face < 2 ? Vec3{up, 0, 0} : face < 4 ? Vec3{0, up, 0} : Vec3{0, 0, up};
+  }
+  double half(int face) const { return 0.5 * part(face, {width, depth, height}); }
+};
+
+}  // namespace mahlwerk::geometry
