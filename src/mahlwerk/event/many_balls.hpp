@@ -84,9 +84,9 @@ class ManyBalls final : public scene::Engine {
   // many_collisions.cpp: impulses, records, the account
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
-  contact::Impulse bounce(const contact::BounceRule& rule, const Touching& touch, bool elastic);
+  contact::Impulse bounce(const contact::BounceRule& rule, const Touching& touch, double since);
   void kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
-  bool chatters(const Turning& ball) const;
+  bool chatters(double since) const;
   void count_contact(Turning& ball);
   void settle_account(const contact::Loss& loss, double gained, double work, double scale);
   void record(std::int32_t ball, std::int32_t other, const Touching& touch, const Vec3& point,
@@ -110,7 +110,6 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::Pull pull_;
-  double rest_speed_;  // [m/s] slower than this no chattering ball leaves
 
   RoomyVector<Line> lines_;
   RoomyVector<Plan> plans_;

@@ -18,8 +18,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const Vec3 n = -wall.inward, glide = where.velocity - wall.velocity;
   const Touching touch(n, s.mass, glide, s.radius * turn.spin);
 
-  const bool elastic = chatters(turn);
-  const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, elastic);
+  const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
   const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_);
@@ -45,8 +44,8 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   const Touching touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), glide,
                        sa.radius * ta.spin + sb.radius * tb.spin);
 
-  const bool elastic = chatters(ta) || chatters(tb);
-  const contact::Impulse j = bounce(bounces_.balls(sa.kind, sb.kind), touch, elastic);
+  const double since = now_ - std::max(ta.last, tb.last);
+  const contact::Impulse j = bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
   const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_) + kinetic(other, now_);
@@ -60,9 +59,9 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   plan(other);
 }
 
-/// The TC rule: a ball that has just collided is in lasting contact, and bounces elastically.
-bool ManyBalls::chatters(const Turning& ball) const {
-  return rules_.lasting == Lasting::tc && now_ - ball.last < rules_.contact_time;
+/// The TC rule: balls that have just collided are in lasting contact.
+bool ManyBalls::chatters(double since) const {
+  return rules_.lasting == Lasting::tc && since < rules_.contact_time;
 }
 
 /// The time since a ball's last collision was time in contact if it was short (man.5).
@@ -73,15 +72,18 @@ void ManyBalls::count_contact(Turning& ball) {
   ball.last = now_;
 }
 
-/// A chattering ball leaves at `rest_speed_` at least: it comes back no sooner than a quarter of
-/// t_c later, however hard it is pressed, so the clock goes on (man.4).
+/// `since` [s] is the time since one of the two last collided. Under the TC rule nothing is lost but
+/// by sliding: perfectly rough as far as friction reaches, and elastic along the normal; more than
+/// elastic where bounces follow each other faster than contacts can, so that the clock goes on (man.4).
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
-                                   bool elastic) {
-  account_.tc_collisions += elastic ? 1 : 0;
+                                   double since) {
   ++account_.collisions;
-  const double e =
-      elastic ? std::max(1.0, rest_speed_ / touch.approach) : rule.restitution.at(touch.approach);
-  return contact::bounce(rule, touch.mass, touch.approach, touch.slip, e);
+  if (!chatters(since)) return contact::bounce(rule, touch.mass, touch.approach, touch.slip);
+  ++account_.tc_collisions;
+  const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
+  const double e = 1 + 0.2 * std::max(0.0, 1 - 2 * since / rules_.contact_time);
+  const contact::BounceRule chatter{1, -1, mu};
+  return contact::bounce(chatter, touch.mass, touch.approach, touch.slip, e);
 }
 
 /// `arm` [m] from the centre to the contact.

@@ -46,7 +46,6 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < at_no_time),
       pull_(jar_->limits().acceleration + magnitude(gravity_)),
-      rest_speed_(pull_.whole * rules.contact_time / 8),
       start_(start) {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   before_ = std::isfinite(period) ? std::floor(start / period) * period : start;
