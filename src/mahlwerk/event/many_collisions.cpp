@@ -72,9 +72,10 @@ void ManyBalls::count_contact(Turning& ball) {
   ball.last = now_;
 }
 
-/// `since` [s] is the time since one of the two last collided. Under the TC rule nothing is lost but
-/// by sliding: perfectly rough as far as friction reaches, and elastic along the normal; more than
-/// elastic where bounces follow each other faster than contacts can, so that the clock goes on (man.4).
+/// `since` [s] is the time since one of the two last collided. Under the TC rule nothing is lost
+/// but by sliding: perfectly rough as far as friction reaches, and elastic along the normal; more
+/// than elastic where bounces follow each other faster than contacts can, so that the clock goes on
+/// (man.4).
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    double since) {
   ++account_.collisions;
