@@ -18,6 +18,7 @@ struct Row {
 
 std::vector<Row> one_ball();
 std::vector<Row> fluid();
+std::vector<Row> event();
 
 struct Benchmark {
   std::string_view name, about;
@@ -27,6 +28,7 @@ struct Benchmark {
 inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
+    Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
 };
 
 double cpu_seconds();

@@ -110,6 +110,7 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::Pull pull_;
+  double tremble_;  // [m/s] faster than this no ball is made to tremble (man.4)
 
   RoomyVector<Line> lines_;
   RoomyVector<Plan> plans_;

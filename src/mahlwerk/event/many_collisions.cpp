@@ -82,7 +82,9 @@ contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touchi
   if (!chatters(since)) return contact::bounce(rule, touch.mass, touch.approach, touch.slip);
   ++account_.tc_collisions;
   const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
-  const double e = 1 + 0.2 * std::max(0.0, 1 - 2 * since / rules_.contact_time);
+  const double hurry = std::max(0.0, 1 - 2 * since / rules_.contact_time);
+  const double slowness = std::max(0.0, 1 - touch.approach / tremble_);
+  const double e = 1 + 0.2 * hurry * slowness;
   const contact::BounceRule chatter{1, -1, mu};
   return contact::bounce(chatter, touch.mass, touch.approach, touch.slip, e);
 }
