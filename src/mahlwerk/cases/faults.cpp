@@ -128,6 +128,25 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
        "fillet-too-large"});
 }
 
+/// Without walls there is nothing that could move or carry the balls.
+void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
+  if (!std::holds_alternative<geometry::PeriodicBox>(c.jar.shape)) return;
+  const auto fault = [&](const char* key, const char* what, const char* remedy) {
+    found.push_back({place_of(c, key), what, remedy, "periodic-box"});
+  };
+  if (!std::holds_alternative<kinematics::Still>(c.mill.motion))
+    fault("mill.kind", "a periodic box has no walls that a mill could move",
+          "write kind = \"still\", or take a jar with walls");
+  if (c.gravity != 0)
+    fault("gravity", "in a periodic box balls would fall for ever",
+          "write gravity = \"0 m/s2\", or take a jar with walls");
+  const double widest = largest_ball(c.balls);
+  const double period = 2 * std::get<geometry::PeriodicBox>(c.jar.shape).inradius();
+  if (widest >= 0.5 * period && widest < period)
+    fault("balls.1.diameter", "a ball of half the box meets another and its image at once",
+          "give smaller balls or a larger box");
+}
+
 void too_many_balls(const Case& c, std::vector<Fault>& found) {
   double volume = 0;
   for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
@@ -176,6 +195,7 @@ std::vector<Fault> misfits(const Case& c) {
   const std::size_t so_far = found.size();
   balls_too_large(c, found);
   fillet_too_large(c, found);
+  periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   return found;
 }

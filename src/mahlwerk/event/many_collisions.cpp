@@ -16,6 +16,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const Passing where = passing(ball);
   const Wall wall = jar_->wall(face, where.position, t, s.radius);
   const Vec3 n = -wall.inward, glide = where.velocity - wall.velocity;
+  account_.deepest_overlap = std::max(account_.deepest_overlap, -wall.gap / s.radius);
   const Touching touch(n, s.mass, glide, s.radius * turn.spin);
 
   const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
@@ -40,7 +41,10 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   const Species &sa = species(a), &sb = species(b);
   Turning &ta = turning(ball), &tb = turning(other);
   const Vec3 apart = nearest_image(b.position - a.position, periods_);
-  const Vec3 n = apart / norm(apart), glide = a.velocity - b.velocity;
+  const double distance = norm(apart), reach = sa.radius + sb.radius;
+  const Vec3 n = apart / distance, glide = a.velocity - b.velocity;
+  account_.deepest_overlap =
+      std::max(account_.deepest_overlap, (reach - distance) / std::min(sa.radius, sb.radius));
   const Touching touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), glide,
                        sa.radius * ta.spin + sb.radius * tb.spin);
 

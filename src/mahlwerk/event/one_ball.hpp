@@ -133,6 +133,7 @@ class OneBall final : public scene::Engine {
     const Wall wall = jar_.wall(face, now_.ball.position, now_.time, r);
     const Vec3 n = -wall.inward, glide = now_.ball.velocity - wall.velocity;
     const double approach = dot(glide, n);
+    account_.deepest_overlap = std::max(account_.deepest_overlap, -wall.gap / r);
     const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
     const double slip = norm(slipping);
 

@@ -35,7 +35,6 @@ struct PeriodicBox {
   bool meets(int, double) const { return false; }
   double volume() const { return width * depth * height; }
   double reach() const { return 0.5 * norm(periods()); }
-  /// Half of this must hold a ball, or it would meet its own image.
   double inradius() const { return 0.5 * std::min({width, depth, height}); }
   bool operator==(const PeriodicBox&) const = default;
 };

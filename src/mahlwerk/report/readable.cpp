@@ -25,6 +25,7 @@ constexpr std::array labels{
     Words{"lasting_contacts_rate", "lasting contacts"},
     Words{"tc_collision_share", "share of TC collisions"},
     Words{"energy_residual", "worst collision residual"},
+    Words{"deepest_overlap", "deepest overlap over radius"},
     Words{"energy_balance", "energy balance residual"},
 };
 

@@ -180,6 +180,9 @@ const std::vector<Measure>& checks() {
        "the "
        "worst replicate",
        energy_balance, true},
+      {"deepest_overlap", "1",
+       "deepest overlap of two bodies as they collided over the ball's radius, of all replicates",
+       [](const cases::Case&, const Replicate& r) { return r.account.deepest_overlap; }, true},
       {"simulated_time", "s", "counted time of one replicate",
        [](const cases::Case&, const Replicate& r) { return r.time(); }},
   };

@@ -18,6 +18,7 @@ struct Account {
   double lost_lasting =
       0;  ///< dissipated in lasting contacts: sliding, rolling, and on entering one
   double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
+  double deepest_overlap = 0;  ///< [1] of two bodies as they collided, over the ball's radius
   double contact_time = 0;     ///< [s] ball time in lasting contact
   std::int64_t collisions = 0;
   std::int64_t lasting_contacts = 0;  ///< how many began
