@@ -39,8 +39,8 @@ restitution = 0.6
 friction = 0.4
 [run]
 engine = "event"
-time = "1 s"
-settle = "0.2 s"
+time = "0.5 s"
+settle = "0.1 s"
 replicates = 2
 )";
 
@@ -72,7 +72,7 @@ class Resume : public ::testing::Test {
 TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
   ASSERT_EQ(mahlwerk("run drum.toml --out whole --threads 1"), 0) << text("said");
   ASSERT_EQ(mahlwerk("run drum.toml --out parts --checkpoint 0.1",
-                     "timeout --preserve-status -s INT 0.4"),
+                     "timeout --preserve-status -s INT 0.3"),
             130)
       << text("said");
   EXPECT_NE(text("said").find("--resume"), std::string::npos) << text("said");
@@ -87,7 +87,7 @@ TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
 
 TEST_F(Resume, run_that_was_killed_goes_on_from_its_last_state) {
   ASSERT_EQ(mahlwerk("run drum.toml --out parts --checkpoint 0.05",
-                     "timeout --preserve-status -s KILL 0.6"),
+                     "timeout --preserve-status -s KILL 0.4"),
             137);
   ASSERT_TRUE(fs::exists(here_ / "parts.checkpoint"));
   EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 0) << text("said");
