@@ -135,6 +135,32 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   return n;
 }
 
+void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const {
+  /// First index and how many, from there on round a periodic grid.
+  const auto range = [&](double from, double to, double per_side, std::int32_t n) {
+    const double first = std::floor(from * per_side), last = std::floor(to * per_side);
+    if (!periodic_) {
+      const auto a = static_cast<std::int32_t>(std::clamp(first, 0.0, n - 1.0));
+      const auto b = static_cast<std::int32_t>(std::clamp(last, 0.0, n - 1.0));
+      return std::array{a, b - a + 1};
+    }
+    if (last - first + 1 >= n) return std::array{0, n};
+    const auto a = static_cast<std::int32_t>(first - n * std::floor(first / n));
+    return std::array{std::min(a, n - 1), static_cast<std::int32_t>(last - first) + 1};
+  };
+  const Vec3 from = low - low_, to = high - low_;
+  const auto [x, xs] = range(from.x, to.x, per_side_.x, counts_[0]);
+  const auto [y, ys] = range(from.y, to.y, per_side_.y, counts_[1]);
+  const auto [z, zs] = range(from.z, to.z, per_side_.z, counts_[2]);
+  for (std::int32_t k = z; k < z + zs; ++k)
+    for (std::int32_t j = y; j < y + ys; ++j)
+      for (std::int32_t i = x; i < x + xs; ++i) {
+        const std::int32_t where = place(i % counts_[0], j % counts_[1], k % counts_[2]);
+        const auto first = slots_.begin() + where * capacity_;
+        out.insert(out.end(), first, first + filled_[at(where)]);
+      }
+}
+
 Cells::Borders Cells::borders(Cell cell) const {
   const auto [x, y, z] = split(cell);
   const auto least = [&](std::int32_t i, std::int32_t n, double low, double side) {

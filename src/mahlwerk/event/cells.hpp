@@ -32,6 +32,8 @@ class Cells {
   int near(Cell cell, std::int32_t* out) const;
   /// Of those, the ones that are not near the neighbour `before` of `cell`.
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
+  /// Appends the balls of all cells that the box from `low` to `high` reaches; it may be infinite.
+  void within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const;
   /// Sends for what `near` will read.
   void fetch(Cell cell) const;
   void carry(Archive& archive) { archive(capacity_)(filled_)(slots_); }

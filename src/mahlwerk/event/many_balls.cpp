@@ -58,7 +58,7 @@ void ManyBalls::fetch_ahead() const {
       __builtin_prefetch(&plans_[static_cast<std::size_t>(p.partner)]);
       __builtin_prefetch(&turnings_[static_cast<std::size_t>(p.partner)]);
     }
-    cells_->fetch(p.cell);
+    neighbours_->fetch(level(soon), p.cell);
   }
 }
 
@@ -77,11 +77,11 @@ void ManyBalls::look(std::int32_t ball) {
   Plan& p = plan_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
   Passing where = passing(ball);
-  if (has_left(where, p.cell)) {
+  if (has_left(ball, where)) {
     change_cell(ball, where);
     where = passing(ball);
   }
-  const double left = now_ + leaves(where, p.cell);
+  const double left = now_ + leaves(ball, where);
   p.look = left;
   if (walls_) {
     calendar_.schedule(ball, at_no_time);
@@ -106,8 +106,7 @@ void ManyBalls::look(std::int32_t ball) {
 void ManyBalls::meet(std::int32_t ball) {
   Plan& p = plan_of(ball);
   if (line(p.partner).bent == p.partner_bent) return hit_ball(ball, p.partner);
-  p.meeting = at_no_time;
-  plan_meeting(ball, cells_->near(p.cell, near_.data()));
+  plan_meetings(ball);
   calendar_.schedule(ball, p.next());
 }
 
@@ -138,10 +137,9 @@ void ManyBalls::carry(Archive& archive) {
   archive(lines_)(plans_)(turnings_);
   archive(now_)(before_)(epoch_)(reached_)(events_)(renewed_collisions_)(renewed_);
   archive(guarded_)(guarded_since_)(account_);
-  cells_->carry(archive);
+  neighbours_->carry(archive);
   if (!archive.reading()) return;
   drift_ = {};
-  near_.resize(static_cast<std::size_t>(cells_->most_near()));
   start_calendar();
 }
 

@@ -8,9 +8,9 @@
 #include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/event/calendar.hpp"
-#include "mahlwerk/event/cells.hpp"
 #include "mahlwerk/event/enclosure.hpp"
 #include "mahlwerk/event/meetings.hpp"
+#include "mahlwerk/event/neighbours.hpp"
 #include "mahlwerk/event/rules.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
@@ -69,9 +69,10 @@ class ManyBalls final : public scene::Engine {
   void plan_all();
   void plan(std::int32_t ball);
   void predict(std::int32_t ball);
-  void plan_meeting(std::int32_t ball, int candidates);
-  double leaves(const Passing& where, std::int32_t cell) const;
-  bool has_left(const Passing& where, std::int32_t cell) const;
+  void plan_meeting(std::int32_t ball, std::span<const std::int32_t> others);
+  void plan_meetings(std::int32_t ball);
+  double leaves(std::int32_t ball, const Passing& where) const;
+  bool has_left(std::int32_t ball, const Passing& where) const;
   void change_cell(std::int32_t ball, const Passing& where);
   void bring_to_now(std::int32_t ball);
   void move_frame(double shift);
@@ -102,6 +103,9 @@ class ManyBalls final : public scene::Engine {
   Line& line(std::int32_t ball) { return lines_[static_cast<std::size_t>(ball)]; }
   Plan& plan_of(std::int32_t ball) { return plans_[static_cast<std::size_t>(ball)]; }
   Turning& turning(std::int32_t ball) { return turnings_[static_cast<std::size_t>(ball)]; }
+  int level(std::int32_t ball) const {
+    return neighbours_->level_of(lines_[static_cast<std::size_t>(ball)].species);
+  }
   const Species& species(const Line& line) const { return species_[line.species]; }
 
   std::unique_ptr<const Enclosure> jar_;
@@ -118,9 +122,8 @@ class ManyBalls final : public scene::Engine {
   std::vector<Species> species_;
   std::vector<double> radii_;    // [m] by species
   std::vector<Feeler> feelers_;  // by species
-  std::unique_ptr<Cells> cells_;
+  std::unique_ptr<Neighbours> neighbours_;
   Calendar calendar_;
-  std::vector<std::int32_t> near_;  // candidates of a prediction
 
   double start_;            // [s] mill time at which the run began
   double now_ = 0;          // [s] on the engine's clock

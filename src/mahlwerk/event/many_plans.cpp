@@ -23,15 +23,17 @@ Feeler feeler(const Enclosure& jar, double radius) {
   return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
 }
 
-/// The box in which centres of balls can be.
-std::unique_ptr<Cells> grid(const Enclosure& jar, double pull, double widest, std::size_t balls) {
+/// Grids over the box in which centres of balls can be.
+std::unique_ptr<Neighbours> grids(const Enclosure& jar, double pull,
+                                  const std::vector<double>& radii, std::size_t balls) {
   const bool periodic = jar.periods().x < at_no_time;
   const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
   // A ball pulled by unknown forces is looked at too early rather than too late, again and again as
   // it nears the border: with some slack it has already crossed it at one of those looks.
-  const double slack = (pull > 0 ? 0.02 : 1e-7) * widest;
-  return std::make_unique<Cells>(-0.5 * size, size, periodic, widest + 2 * slack, slack,
-                                 32.0 * static_cast<double>(balls) + 64);
+  const double slack = pull > 0 ? 0.02 : 1e-7;
+  std::vector<double> diameters;
+  for (const double r : radii) diameters.push_back(2 * r);
+  return std::make_unique<Neighbours>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
 
 }  // namespace
@@ -53,7 +55,6 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
   now_ = start - before_;
   epoch_ = jar_->ride(motion_time(0));
   std::map<std::tuple<double, double, std::int32_t>, std::uint32_t> known;
-  double widest = 0;
   for (const scene::Ball& ball : balls) {
     const auto [place, is_new] =
         known.try_emplace({ball.radius, ball.density, ball.kind}, species_.size());
@@ -61,7 +62,6 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       species_.push_back({ball.radius, ball.mass(), ball.inertia(), ball.density, ball.kind});
       radii_.push_back(ball.radius);
       feelers_.push_back(feeler(*jar_, ball.radius));
-      widest = std::max(widest, 2 * ball.radius);
     }
     Line line{.position = ball.position,
               .since = now_,
@@ -75,7 +75,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
     lines_.push_back(line);
   }
   plans_.resize(lines_.size());
-  cells_ = grid(*jar_, pull_.whole, widest, lines_.size());
+  neighbours_ = grids(*jar_, pull_.whole, radii_, lines_.size());
   fill_cells();
   plan_all();
   finished_.reserve(2048);
@@ -96,11 +96,10 @@ void ManyBalls::plan(std::int32_t ball) {
 /// All of a ball's future, after its way has changed.
 void ManyBalls::predict(std::int32_t ball) {
   Plan& p = plan_of(ball);
-  p.meeting = at_no_time;
-  plan_meeting(ball, cells_->near(p.cell, near_.data()));
+  plan_meetings(ball);
   const Passing where = passing(ball);
   p.face = -1;
-  p.look = now_ + leaves(where, p.cell);
+  p.look = now_ + leaves(ball, where);
   if (walls_) {
     const double t = motion_time(now_);
     const Sighting seen = jar_->look(where, t, t, feelers_[line(ball).species]);
@@ -109,20 +108,26 @@ void ManyBalls::predict(std::int32_t ball) {
   }
 }
 
-void ManyBalls::plan_meeting(std::int32_t ball, int candidates) {
+void ManyBalls::plan_meetings(std::int32_t ball) {
+  plan_of(ball).meeting = at_no_time;
+  plan_meeting(ball, neighbours_->near(level(ball), plan_of(ball).cell));
+}
+
+/// Keeps the ball's earliest meeting, if one of `others` is it.
+void ManyBalls::plan_meeting(std::int32_t ball, std::span<const std::int32_t> others) {
   const Line& me = line(ball);
   Plan& p = plan_of(ball);
   const Asking asking{me.at(now_), me.velocity, now_, species(me).radius, ball};
   const Meeting found =
-      first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)}, radii_,
-                    periods_, {p.meeting, p.partner});
+      first_meeting(asking, lines_, others, radii_, periods_, {p.meeting, p.partner});
   if (found.time < p.meeting)
     p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
 }
 
 /// How long a ball certainly stays in its cell [s].
-double ManyBalls::leaves(const Passing& where, std::int32_t cell) const {
-  const Cells::Borders b = cells_->borders(cell);
+double ManyBalls::leaves(std::int32_t ball, const Passing& where) const {
+  const Cells::Borders b =
+      neighbours_->borders(level(ball), plans_[static_cast<std::size_t>(ball)].cell);
   const Vec3 &x = where.position, &v = where.velocity, &a = pull_.most;
   const auto along = [](double low, double high, double place, double speed, double pull) {
     double ahead = high - place, behind = place - low;
@@ -138,19 +143,20 @@ double ManyBalls::leaves(const Passing& where, std::int32_t cell) const {
                    along(b.low.z, b.high.z, x.z, v.z, a.z)});
 }
 
-bool ManyBalls::has_left(const Passing& where, std::int32_t cell) const {
-  return cells_->cell_at(where.position) != cell;  // folded back into a periodic box, it has
+bool ManyBalls::has_left(std::int32_t ball, const Passing& where) const {
+  const Cell cell = plans_[static_cast<std::size_t>(ball)].cell;
+  return neighbours_->cell_at(level(ball), where.position) !=
+         cell;  // folded back into a periodic box, it has
 }
 
 void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {
   Plan& p = plan_of(ball);
   if (periodic_) bring_to_now(ball);
-  const std::int32_t before = p.cell, cell = cells_->cell_at(where.position);
-  cells_->remove(ball, before);
-  cells_->insert(ball, cell);
-  near_.resize(static_cast<std::size_t>(cells_->most_near()));
+  const Cell before = p.cell, cell = neighbours_->cell_at(level(ball), where.position);
+  neighbours_->remove(level(ball), ball, before);
+  neighbours_->insert(level(ball), ball, cell);
   p.cell = cell;
-  plan_meeting(ball, cells_->newly_near(cell, before, near_.data()));
+  plan_meeting(ball, neighbours_->newly_near(level(ball), cell, before));
 }
 
 /// Starts the ball's line anew at this moment, in the box.
@@ -186,7 +192,9 @@ void ManyBalls::sort() {
   if (count < 512) return;
   std::vector<std::int32_t> order(count), place(count);
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::int32_t i) { return plan_of(i).cell; });
+  std::ranges::stable_sort(order, {}, [&](std::int32_t i) {
+    return std::pair{level(i), plan_of(i).cell};
+  });
   for (std::size_t i = 0; i < count; ++i) place[at(order[i])] = static_cast<std::int32_t>(i);
   const auto permute = [&](auto& list) {
     std::remove_reference_t<decltype(list)> sorted;
@@ -197,21 +205,20 @@ void ManyBalls::sort() {
   permute(lines_);
   permute(plans_);
   permute(turnings_);
-  cells_->clear();
+  neighbours_->clear();
   for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
     Plan& p = plan_of(ball);
     if (p.partner >= 0) p.partner = place[at(p.partner)];
-    cells_->insert(ball, p.cell);
+    neighbours_->insert(level(ball), ball, p.cell);
   }
 }
 
 void ManyBalls::fill_cells() {
-  cells_->clear();
+  neighbours_->clear();
   for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
-    plan_of(ball).cell = cells_->cell_at(passing(ball).position);
-    cells_->insert(ball, plan_of(ball).cell);
+    plan_of(ball).cell = neighbours_->cell_at(level(ball), passing(ball).position);
+    neighbours_->insert(level(ball), ball, plan_of(ball).cell);
   }
-  near_.resize(at(cells_->most_near()));
 }
 
 ManyBalls::Drift ManyBalls::drift_at(double t) const {
