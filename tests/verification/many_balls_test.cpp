@@ -4,6 +4,7 @@
 // The event engine for many balls: against the engine for one, against conservation laws.
 #include "many_balls.hpp"
 
+#include "mahlwerk/base/error.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 
@@ -49,6 +50,42 @@ TEST(ManyBalls, elastic_gas_conserves_momentum_and_energy) {
               "hard spheres");
   stays_below("deepest overlap at a collision", engine->account().deepest_overlap, 1e-12,
               "rounding of places");
+}
+
+TEST(ManyBalls, ball_that_collides_on_the_very_border_of_a_periodic_box_is_not_lost) {
+  // One is hit while it is a hair outside the cell it still belongs to, and goes on outwards; what
+  // it would meet there is round the corner of the box.
+  constexpr double side = 10;
+  const auto ball = [](double x, double speed) {
+    return scene::Ball{0.5, 1, {x, 0.3, 0.3}, {speed, 0, 0}, {}};
+  };
+  for (const double hair : {1e-9, 3e-8, 9e-8, 2e-7}) {
+    const auto run = gas({ball(-4.5, -1), ball(-5 - hair + 2.01, -1.01), ball(3.5 - hair, 0.0)},
+                         side, {1, 1, INFINITY});
+    Recorder seen;
+    run->advance(40, seen);
+    EXPECT_GE(seen.all.size(), 10U);
+    stays_below("deepest overlap at a collision", run->account().deepest_overlap, 1e-12,
+                "hard spheres");
+  }
+}
+
+TEST(ManyBalls, few_balls_in_the_smallest_box_meet_their_nearest_images) {
+  constexpr double side = 5.01;
+  const auto run = gas({{0.5, 1, {0, 0, 0}, {1, 0.3, 0.2}, {}},
+                        {0.5, 1, {1.05, 0, 0}, {-0.4, 0.7, 0}, {}},
+                        {0.5, 1, {0, 1.05, 0.3}, {0, 0, -1}, {}},
+                        {0.2, 1, {-1, -1, 0.3}, {0, 0, -3}, {}}},
+                       side, {1, 1, INFINITY});
+  const double energy = run->account().kinetic;
+  Counter counter;
+  for (int i = 1; i <= 400; ++i) {
+    run->advance(2.0 * i, counter);
+    ASSERT_LE(deepest_overlap(run->balls(), side), 1e-12);
+  }
+  EXPECT_GT(counter.count, 200);
+  states("energy", run->account().kinetic / energy, 1, 1e-12, "elastic");
+  EXPECT_THROW(gas({{0.5, 1, {}, {}, {}}}, 4.9, {1, 1, INFINITY}), InputError);
 }
 
 TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {

@@ -21,9 +21,11 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
              double most)
     : low_(low), slack_(slack), periodic_(periodic) {
   const double room = size.x * size.y * size.z;
-  side = std::max(side, std::cbrt(room / std::max(most, 1.0)));
+  const double wide = std::max(side, std::cbrt(room / std::max(most, 1.0)));
   const auto count = [&](double width) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, mask + 1.0));
+    const double least = std::min(5.0, std::floor(width / side));  // images must not be confused
+    return static_cast<std::int32_t>(
+        std::clamp(std::max(std::floor(width / wide), least), 1.0, mask + 1.0));
   };
   counts_ = {count(size.x), count(size.y), count(size.z)};
   side_ = {size.x / counts_[0], size.y / counts_[1], size.z / counts_[2]};
@@ -163,11 +165,15 @@ void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>&
 
 Cells::Borders Cells::borders(Cell cell) const {
   const auto [x, y, z] = split(cell);
+  // Round a periodic box of one cell a ball is told when it must be folded back.
+  const double alone = 0.25;
   const auto least = [&](std::int32_t i, std::int32_t n, double low, double side) {
-    return n == 1 || (!periodic_ && i == 0) ? -unbounded : low + i * side - slack_;
+    if (!periodic_ && i == 0) return -unbounded;
+    return low + i * side - (n == 1 ? alone * side : slack_);
   };
   const auto most = [&](std::int32_t i, std::int32_t n, double low, double side) {
-    return n == 1 || (!periodic_ && i == n - 1) ? unbounded : low + (i + 1) * side + slack_;
+    if (!periodic_ && i == n - 1) return unbounded;
+    return low + (i + 1) * side + (n == 1 ? alone * side : slack_);
   };
   return {{least(x, counts_[0], low_.x, side_.x), least(y, counts_[1], low_.y, side_.y),
            least(z, counts_[2], low_.z, side_.z)},

@@ -76,11 +76,9 @@ void ManyBalls::happen(std::int32_t ball) {
 void ManyBalls::look(std::int32_t ball) {
   Plan& p = plan_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
-  Passing where = passing(ball);
-  if (has_left(ball, where)) {
-    change_cell(ball, where);
-    where = passing(ball);
-  }
+  if (periodic_) bring_to_now(ball);  // it may have left the box
+  const Passing where = passing(ball);
+  if (has_left(ball, where)) change_cell(ball, where);
   const double left = now_ + leaves(ball, where);
   p.look = left;
   if (walls_) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/event/many_balls.hpp"
 
 namespace mahlwerk::event {
@@ -33,6 +34,10 @@ std::unique_ptr<Neighbours> grids(const Enclosure& jar, double pull,
   const double slack = pull > 0 ? 0.02 : 1e-7;
   std::vector<double> diameters;
   for (const double r : radii) diameters.push_back(2 * r);
+  const double widest = *std::ranges::max_element(diameters);
+  if (periodic && std::min({size.x, size.y, size.z}) < 5.001 * widest)
+    throw InputError(Fault{"jar", "a periodic box less than five balls wide confuses their images",
+                           "give smaller balls or a larger box", "periodic-box"});
   return std::make_unique<Neighbours>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
 
@@ -128,7 +133,13 @@ void ManyBalls::plan_meeting(std::int32_t ball, std::span<const std::int32_t> ot
 double ManyBalls::leaves(std::int32_t ball, const Passing& where) const {
   const Cells::Borders b =
       neighbours_->borders(level(ball), plans_[static_cast<std::size_t>(ball)].cell);
-  const Vec3 &x = where.position, &v = where.velocity, &a = pull_.most;
+  const Vec3 &v = where.velocity, &a = pull_.most;
+  Vec3 x = where.position;
+  if (periodic_) {  // seen from the cell: a ball just beyond the border of the box is folded far
+                    // away
+    const Vec3 middle = 0.5 * (b.low + b.high);
+    x = middle + nearest_image(x - middle, periods_);
+  }
   const auto along = [](double low, double high, double place, double speed, double pull) {
     double ahead = high - place, behind = place - low;
     if (speed < 0) std::swap(ahead, behind);
@@ -151,7 +162,6 @@ bool ManyBalls::has_left(std::int32_t ball, const Passing& where) const {
 
 void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {
   Plan& p = plan_of(ball);
-  if (periodic_) bring_to_now(ball);
   const Cell before = p.cell, cell = neighbours_->cell_at(level(ball), where.position);
   neighbours_->remove(level(ball), ball, before);
   neighbours_->insert(level(ball), ball, cell);

@@ -9,7 +9,7 @@ namespace mahlwerk::event {
 
 Neighbours::Neighbours(const Vec3& low, const Vec3& size, bool periodic,
                        std::span<const double> diameters, double slack, std::size_t balls) {
-  const double most = 32.0 * static_cast<double>(balls) + 64;  // cells a grid may have
+  const double most = 32.0 * static_cast<double>(balls) + 512;  // cells a grid may have
   for (const double d : std::set<double, std::greater<>>(diameters.begin(), diameters.end())) {
     if (!levels_.empty() && d > 0.5 * levels_.back().widest) continue;
     const double room = slack * d;
