@@ -43,7 +43,7 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
 Cell Cells::cell_at(const Vec3& spot) const {
   const Vec3 p = spot - low_;
   const auto index = [](double x, double per_side, std::int32_t n) {
-    return std::clamp(static_cast<std::int32_t>(std::max(x, 0.0) * per_side), 0, n - 1);
+    return static_cast<std::int32_t>(std::clamp(x * per_side, 0.0, n - 1.0));
   };
   return index(p.x, per_side_.x, counts_[0]) | index(p.y, per_side_.y, counts_[1]) << bits |
          index(p.z, per_side_.z, counts_[2]) << (2 * bits);
