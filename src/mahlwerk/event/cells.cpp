@@ -23,7 +23,8 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
   const double room = size.x * size.y * size.z;
   side = std::max(side, std::cbrt(room / std::max(most, 1.0)));
   const auto count = [&](double width) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(width / side), 1.0, mask + 1.0));
+    const double least = periodic ? 2 : 1;
+    return static_cast<std::int32_t>(std::clamp(std::floor(width / side), least, mask + 1.0));
   };
   counts_ = {count(size.x), count(size.y), count(size.z)};
   side_ = {size.x / counts_[0], size.y / counts_[1], size.z / counts_[2]};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mahlwerk/base/roomy.hpp"
@@ -70,6 +71,8 @@ class ManyBalls final : public scene::Engine {
   void plan(std::int32_t ball);
   void predict(std::int32_t ball);
   void plan_meeting(std::int32_t ball, int candidates);
+  Meeting first_of_images(const Asking& asking, std::span<const std::int32_t> others,
+                          Meeting found) const;
   double leaves(const Passing& where, std::int32_t cell) const;
   bool has_left(const Passing& where, std::int32_t cell) const;
   void change_cell(std::int32_t ball, const Passing& where);

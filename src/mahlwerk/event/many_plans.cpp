@@ -69,7 +69,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
               .bent = 0,
               .species = place->second};
     const Drift d = drift_at(now_);
-    line.position += d.place;
+    line.position = nearest_image(line.position + d.place, periods_);
     line.velocity += d.velocity;
     turnings_.push_back({ball.spin, -at_no_time, static_cast<std::int32_t>(lines_.size())});
     lines_.push_back(line);
@@ -113,11 +113,28 @@ void ManyBalls::plan_meeting(std::int32_t ball, int candidates) {
   const Line& me = line(ball);
   Plan& p = plan_of(ball);
   const Asking asking{me.at(now_), me.velocity, now_, species(me).radius, ball};
-  const Meeting found =
-      first_meeting(asking, lines_, {near_.data(), static_cast<std::size_t>(candidates)}, radii_,
-                    periods_, {p.meeting, p.partner});
+  const std::span<const std::int32_t> others(near_.data(), static_cast<std::size_t>(candidates));
+  const Meeting known{p.meeting, p.partner};
+  const Meeting found = cells_->few()
+                            ? first_of_images(asking, others, known)
+                            : first_meeting(asking, lines_, others, radii_, periods_, known);
   if (found.time < p.meeting)
     p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
+}
+
+/// In a box of few cells the nearest image need not be the one that is met first: all are asked
+/// that can be met while both balls are in the box.
+Meeting ManyBalls::first_of_images(const Asking& asking, std::span<const std::int32_t> others,
+                                   Meeting found) const {
+  const Vec3 none{at_no_time, at_no_time, at_no_time};
+  for (const double x : {0.0, -periods_.x, periods_.x})
+    for (const double y : {0.0, -periods_.y, periods_.y})
+      for (const double z : {0.0, -periods_.z, periods_.z}) {
+        Asking image = asking;
+        image.position += Vec3{x, y, z};
+        found = first_meeting(image, lines_, others, radii_, none, found);
+      }
+  return found;
 }
 
 /// How long a ball certainly stays in its cell [s].
