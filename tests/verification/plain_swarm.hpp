@@ -84,7 +84,7 @@ class PlainSwarm {
   void ask_walls(int i) { walls_[static_cast<std::size_t>(i)] = until_wall(i); }
   void go_to(double t) {
     for (scene::Ball& b : balls_) {
-      b.position = at(b, t - now_);
+      b.position = in_box(at(b, t - now_));
       b.velocity += (t - now_) * chamber_.gravity;
     }
     now_ = t;
@@ -212,13 +212,16 @@ class PlainSwarm {
     return approach;
   }
   Vec3 toward(const scene::Ball& a, const scene::Ball& b) const {
-    const Vec3 periods =
-        std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
-    Vec3 r = b.position - a.position;
-    if (periods.x < geometry::never)
-      r -= Vec3{periods.x * std::rint(r.x / periods.x), periods.y * std::rint(r.y / periods.y),
-                periods.z * std::rint(r.z / periods.z)};
+    const Vec3 r = in_box(b.position - a.position);
     return r / norm(r);
+  }
+  /// The image in the box about the origin, where the shape repeats itself.
+  Vec3 in_box(const Vec3& r) const {
+    const Vec3 p =
+        std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
+    if (p.x == geometry::never) return r;
+    return r -
+           Vec3{p.x * std::rint(r.x / p.x), p.y * std::rint(r.y / p.y), p.z * std::rint(r.z / p.z)};
   }
 
   scene::Chamber chamber_;

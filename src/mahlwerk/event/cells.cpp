@@ -136,6 +136,17 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   return n;
 }
 
+void Cells::carry(Archive& archive) {
+  archive(capacity_)(filled_)(slots_);
+  if (!archive.reading()) return;
+  const auto places = static_cast<std::size_t>(count()) + 1;
+  const auto fits = [&](std::int32_t n) { return n >= 0 && n <= capacity_; };
+  if (capacity_ < 4 || filled_.size() != places ||
+      slots_.size() != places * static_cast<std::size_t>(capacity_) + 4 || filled_[0] != 0 ||
+      !std::ranges::all_of(filled_, fits))
+    throw Archive::broken();
+}
+
 Cells::Borders Cells::borders(Cell cell) const {
   const auto [x, y, z] = split(cell);
   const auto least = [&](std::int32_t i, std::int32_t n, double low, double side) {

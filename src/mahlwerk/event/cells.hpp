@@ -36,7 +36,10 @@ class Cells {
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
   /// Sends for what `near` will read.
   void fetch(Cell cell) const;
-  void carry(Archive& archive) { archive(capacity_)(filled_)(slots_); }
+  void carry(Archive& archive);
+  /// Whether each of so many balls is where `cell_of` says, and nobody else anywhere.
+  template <class CellOf>
+  bool hold(std::int32_t balls, CellOf cell_of) const;
   int most_near() const { return 27 * capacity_ + 4; }
 
   /// Whether balls in cells next to each other may be nearer in another image than in the one they
@@ -77,5 +80,20 @@ class Cells {
   RoomyVector<std::int32_t> filled_;                         // how many it holds
   RoomyVector<std::int32_t> slots_;                          // which, `capacity_` places a cell
 };
+
+template <class CellOf>
+bool Cells::hold(std::int32_t balls, CellOf cell_of) const {
+  std::int64_t found = 0;
+  for (std::int32_t ball = 0; ball < balls; ++ball) {
+    const Cell cell = cell_of(ball);
+    const auto [x, y, z] = split(cell);
+    if (cell < 0 || x >= counts_[0] || y >= counts_[1] || z >= counts_[2]) return false;
+    const auto first = slots_.begin() + std::int64_t{place(cell)} * capacity_;
+    found += std::count(first, first + filled_[static_cast<std::size_t>(place(cell))], ball);
+  }
+  std::int64_t all = 0;
+  for (const std::int32_t n : filled_) all += n;
+  return found == balls && all == balls;
+}
 
 }  // namespace mahlwerk::event

@@ -62,6 +62,7 @@ class ManyBalls final : public scene::Engine {
   void look(std::int32_t ball);
   void meet(std::int32_t ball);
   void renew();
+  bool holds_together(std::size_t count) const;
   void start_calendar();
   void guard();
   void hand_over(scene::Observer& observer);

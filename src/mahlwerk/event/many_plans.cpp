@@ -167,7 +167,9 @@ void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {
   cells_->insert(ball, cell);
   near_.resize(static_cast<std::size_t>(cells_->most_near()));
   p.cell = cell;
-  plan_meeting(ball, cells_->newly_near(cell, before, near_.data()));
+  // In a box of few cells those who stay near may be met in another image from now on.
+  plan_meeting(ball, cells_->few() ? cells_->near(cell, near_.data())
+                                   : cells_->newly_near(cell, before, near_.data()));
 }
 
 /// Starts the ball's line anew at this moment, in the box.
