@@ -79,9 +79,10 @@ contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touchi
                                    bool elastic) {
   account_.tc_collisions += elastic ? 1 : 0;
   ++account_.collisions;
-  const double e =
-      elastic ? std::max(1.0, rest_speed_ / touch.approach) : rule.restitution.at(touch.approach);
-  return contact::bounce(rule, touch.mass, touch.approach, touch.slip, e);
+  // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
+  const double approach = std::max(touch.approach, 1e-200);
+  const double e = elastic ? std::max(1.0, rest_speed_ / approach) : rule.restitution.at(approach);
+  return contact::bounce(rule, touch.mass, approach, touch.slip, e);
 }
 
 /// `arm` [m] from the centre to the contact.
