@@ -22,6 +22,7 @@ class Archive {
 
   bool reading() const { return reading_; }
   const std::string& bytes() const { return bytes_; }
+  static RunError broken() { return RunError("the saved state of the run is damaged"); }
   void finish() const {
     if (at_ != bytes_.size()) throw broken();
   }
@@ -45,7 +46,6 @@ class Archive {
   }
 
  private:
-  static RunError broken() { return RunError("the saved state of the run is damaged"); }
   Archive& raw(void* data, std::size_t size) {
     if (!reading_) {
       bytes_.append(static_cast<const char*>(data), size);

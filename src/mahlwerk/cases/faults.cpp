@@ -142,9 +142,8 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
           "write gravity = \"0 m/s2\", or take a jar with walls");
   const double widest = largest_ball(c.balls);
   const double period = 2 * std::get<geometry::PeriodicBox>(c.jar.shape).inradius();
-  if (period < 5.001 * widest && widest < period)
-    fault("balls.1.diameter",
-          "a periodic box less than five balls wide confuses a ball with its images",
+  if (period <= 2 * widest && widest < period)
+    fault("balls.1.diameter", "a ball of half a periodic box meets another and its image at once",
           "give smaller balls or a larger box");
 }
 

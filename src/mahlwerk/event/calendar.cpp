@@ -32,8 +32,21 @@ void Calendar::start_at(double rate, double now) {
   slice_ = opened_ = 0;
   origin_ = now;
   per_second_ = std::clamp(rate, 1e-9, 1e15) / per_slice;
-  for (std::size_t i = 0; i < times_.size(); ++i)
-    file(slice_of(times_[i]), times_[i], static_cast<std::int32_t>(i));
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    const auto ball = static_cast<std::int32_t>(i);
+    const std::int64_t slice = slice_of(times_[i]);
+    if (slice <= slice_)
+      open_.push_back({times_[i], ball, -1});  // sorted below: there may be many of them
+    else
+      file(slice, times_[i], ball);
+  }
+  sort_open();
+}
+
+void Calendar::sort_open() {
+  std::ranges::sort(open_, [](const Entry& a, const Entry& b) {
+    return a.time > b.time || (a.time == b.time && a.ball > b.ball);
+  });
 }
 
 /// Slices that turn out far too full or too empty get another width.
@@ -57,7 +70,7 @@ double Calendar::rate() const {
 
 std::int64_t Calendar::slice_of(double time) const {
   const double slice = (time - origin_) * per_second_;
-  return slice < 1e18 ? static_cast<std::int64_t>(slice) : far_away;
+  return slice < 1e18 ? static_cast<std::int64_t>(std::max(slice, 0.0)) : far_away;
 }
 
 void Calendar::schedule(std::int32_t ball, double time) {
@@ -112,14 +125,8 @@ void Calendar::open_next() {
   if (filed_ == 0) {  // an empty ring: jump to what waits beyond it
     std::int64_t first = far_away;
     for (const Entry& e : beyond_) first = std::min(first, slice_of(e.time));
-    slice_ = first == far_away ? slice_ + ring_ : first - 1;
-    if (first == far_away) {  // later than slices can count: sort them all
-      std::vector<Entry> last;
-      last.swap(beyond_);
-      for (const Entry& e : last)
-        if (!stale(e)) insert(e.time, e.ball);
-      return;
-    }
+    if (first == far_away) return start_at_earliest();
+    slice_ = first - 1;
     refile();
   }
   ++slice_;
@@ -136,9 +143,15 @@ void Calendar::open_next() {
     --filed_;
   }
   first = -1;
-  std::ranges::sort(open_, [](const Entry& a, const Entry& b) {
-    return a.time > b.time || (a.time == b.time && a.ball > b.ball);
-  });
+  sort_open();
+}
+
+/// All that is left comes later than slices of this width can count: they get another one.
+void Calendar::start_at_earliest() {
+  const double earliest = *std::ranges::min_element(times_);
+  if (earliest == std::numeric_limits<double>::infinity()) return beyond_.clear();
+  origin_ = earliest;
+  start_at(rate(), earliest);
 }
 
 void Calendar::refile() {

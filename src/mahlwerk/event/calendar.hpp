@@ -52,6 +52,8 @@ class Calendar {
   void file(std::int64_t slice, double time, std::int32_t ball);
   void insert(double time, std::int32_t ball);
   void open_next();
+  void sort_open();
+  void start_at_earliest();
   void refile();
   bool stale(const Entry& e) const { return times_[static_cast<std::size_t>(e.ball)] != e.time; }
 

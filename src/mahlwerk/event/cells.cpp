@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace mahlwerk::event {
 namespace {
@@ -23,7 +24,8 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
   const double room = size.x * size.y * size.z;
   const double wide = std::max(side, std::cbrt(room / std::max(most, 1.0)));
   const auto count = [&](double width) {
-    const double least = std::min(5.0, std::floor(width / side));  // images must not be confused
+    const double several = std::min(5.0, std::floor(width / side));  // see few()
+    const double least = std::max(several, periodic ? 2.0 : 1.0);
     return static_cast<std::int32_t>(
         std::clamp(std::max(std::floor(width / wide), least), 1.0, mask + 1.0));
   };
@@ -45,7 +47,7 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
 Cell Cells::cell_at(const Vec3& spot) const {
   const Vec3 p = spot - low_;
   const auto index = [](double x, double per_side, std::int32_t n) {
-    return std::clamp(static_cast<std::int32_t>(std::max(x, 0.0) * per_side), 0, n - 1);
+    return static_cast<std::int32_t>(std::clamp(x * per_side, 0.0, n - 1.0));
   };
   return index(p.x, per_side_.x, counts_[0]) | index(p.y, per_side_.y, counts_[1]) << bits |
          index(p.z, per_side_.z, counts_[2]) << (2 * bits);
@@ -163,20 +165,38 @@ void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>&
       }
 }
 
+void Cells::carry(Archive& archive) {
+  archive(capacity_)(filled_)(slots_);
+  if (!archive.reading()) return;
+  const auto places = static_cast<std::size_t>(count()) + 1;
+  const auto fits = [&](std::int32_t n) { return n >= 0 && n <= capacity_; };
+  if (capacity_ < 4 || filled_.size() != places ||
+      slots_.size() != places * static_cast<std::size_t>(capacity_) + 4 || filled_[0] != 0 ||
+      !std::ranges::all_of(filled_, fits))
+    throw Archive::broken();
+}
+
+bool Cells::holds(std::int32_t ball, Cell cell) const {
+  const auto [x, y, z] = split(cell);
+  if (cell < 0 || x >= counts_[0] || y >= counts_[1] || z >= counts_[2]) return false;
+  const auto first = slots_.begin() + std::int64_t{place(cell)} * capacity_;
+  return std::count(first, first + filled_[at(place(cell))], ball) == 1;
+}
+
+std::int64_t Cells::held() const {
+  return std::accumulate(filled_.begin(), filled_.end(), std::int64_t{0});
+}
+
 Cells::Borders Cells::borders(Cell cell) const {
   const auto [x, y, z] = split(cell);
-  // Round a periodic box of one cell a ball is told when it must be folded back.
-  const double alone = 0.25;
-  const auto least = [&](std::int32_t i, std::int32_t n, double low, double side) {
-    if (!periodic_ && i == 0) return -unbounded;
-    return low + i * side - (n == 1 ? alone * side : slack_);
+  const auto least = [&](std::int32_t i, double low, double side) {
+    return !periodic_ && i == 0 ? -unbounded : low + i * side - slack_;
   };
   const auto most = [&](std::int32_t i, std::int32_t n, double low, double side) {
-    if (!periodic_ && i == n - 1) return unbounded;
-    return low + (i + 1) * side + (n == 1 ? alone * side : slack_);
+    return !periodic_ && i == n - 1 ? unbounded : low + (i + 1) * side + slack_;
   };
-  return {{least(x, counts_[0], low_.x, side_.x), least(y, counts_[1], low_.y, side_.y),
-           least(z, counts_[2], low_.z, side_.z)},
+  return {{least(x, low_.x, side_.x), least(y, low_.y, side_.y),
+           least(z, low_.z, side_.z)},
           {most(x, counts_[0], low_.x, side_.x), most(y, counts_[1], low_.y, side_.y),
            most(z, counts_[2], low_.z, side_.z)}};
 }

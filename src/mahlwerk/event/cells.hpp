@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -20,7 +21,8 @@ using Cell = std::int32_t;
 class Cells {
  public:
   /// A grid over the box from `low` on, `size` [m] wide, periodic along axes where `periodic`.
-  /// Cells are at least `side` wide; there are at most about `most` of them.
+  /// Cells are at least `side` wide, or half a period, so that no ball goes round the box without
+  /// leaving its cell; there are at most about `most` of them.
   Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack, double most);
 
   Cell cell_at(const Vec3& place) const;  ///< places outside count to the nearest cell
@@ -36,8 +38,14 @@ class Cells {
   void within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const;
   /// Sends for what `near` will read.
   void fetch(Cell cell) const;
-  void carry(Archive& archive) { archive(capacity_)(filled_)(slots_); }
+  void carry(Archive& archive);
+  bool holds(std::int32_t ball, Cell cell) const;  ///< any number may be asked for
+  std::int64_t held() const;                       ///< how many balls there are in all cells
   int most_near() const { return 27 * capacity_ + 4; }
+
+  /// Whether balls in cells next to each other may be nearer in another image than in the one they
+  /// will meet in: a box repeats itself after fewer than five cells.
+  bool few() const { return periodic_ && std::min({counts_[0], counts_[1], counts_[2]}) < 5; }
 
   /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where
   /// there is no other cell to go to.

@@ -132,13 +132,34 @@ void ManyBalls::guard() {
 }
 
 void ManyBalls::carry(Archive& archive) {
+  const auto count = lines_.size();
   archive(lines_)(plans_)(turnings_);
   archive(now_)(before_)(epoch_)(reached_)(events_)(renewed_collisions_)(renewed_);
   archive(guarded_)(guarded_since_)(account_);
   neighbours_->carry(archive);
   if (!archive.reading()) return;
+  if (!holds_together(count)) throw Archive::broken();
   drift_ = {};
   start_calendar();
+}
+
+/// Whether all that tells who is who, or where in memory, can be so for `count` balls.
+bool ManyBalls::holds_together(std::size_t count) {
+  if (lines_.size() != count || plans_.size() != count || turnings_.size() != count) return false;
+  const auto balls = static_cast<std::int32_t>(count);
+  std::vector<bool> named(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Plan& p = plans_[i];
+    const std::int32_t name = turnings_[i].name;
+    if (lines_[i].species >= species_.size() || p.partner < -1 || p.partner >= balls ||
+        (p.partner < 0 && p.meeting < at_no_time) || p.face < -1 || p.face >= jar_->faces() ||
+        name < 0 || name >= balls || named[static_cast<std::size_t>(name)])
+      return false;
+    named[static_cast<std::size_t>(name)] = true;
+  }
+  for (std::int32_t i = 0; i < balls; ++i)
+    if (!neighbours_->holds(level(i), i, plan_of(i).cell)) return false;
+  return neighbours_->held() == balls;
 }
 
 void ManyBalls::start_calendar() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mahlwerk/base/roomy.hpp"
@@ -61,6 +62,7 @@ class ManyBalls final : public scene::Engine {
   void look(std::int32_t ball);
   void meet(std::int32_t ball);
   void renew();
+  bool holds_together(std::size_t count);
   void start_calendar();
   void guard();
   void hand_over(scene::Observer& observer);
@@ -73,6 +75,8 @@ class ManyBalls final : public scene::Engine {
   void plan_meetings(std::int32_t ball);
   double leaves(std::int32_t ball, const Passing& where) const;
   bool has_left(std::int32_t ball, const Passing& where) const;
+  Meeting first_of_images(const Asking& asking, std::span<const std::int32_t> others,
+                          Meeting found) const;
   void change_cell(std::int32_t ball, const Passing& where);
   void bring_to_now(std::int32_t ball);
   void move_frame(double shift);

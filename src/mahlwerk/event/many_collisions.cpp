@@ -83,14 +83,16 @@ void ManyBalls::count_contact(Turning& ball) {
 contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    double since) {
   ++account_.collisions;
-  if (!chatters(since)) return contact::bounce(rule, touch.mass, touch.approach, touch.slip);
+  // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
+  const double approach = std::max(touch.approach, 1e-200);
+  if (!chatters(since)) return contact::bounce(rule, touch.mass, approach, touch.slip);
   ++account_.tc_collisions;
   const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
   const double hurry = std::max(0.0, 1 - 2 * since / rules_.contact_time);
-  const double slowness = std::max(0.0, 1 - touch.approach / tremble_);
+  const double slowness = std::max(0.0, 1 - approach / tremble_);
   const double e = 1 + 0.2 * hurry * slowness;
   const contact::BounceRule chatter{1, -1, mu};
-  return contact::bounce(chatter, touch.mass, touch.approach, touch.slip, e);
+  return contact::bounce(chatter, touch.mass, approach, touch.slip, e);
 }
 
 /// `arm` [m] from the centre to the contact.

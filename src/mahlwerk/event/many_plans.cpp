@@ -35,8 +35,8 @@ std::unique_ptr<Neighbours> grids(const Enclosure& jar, double pull,
   std::vector<double> diameters;
   for (const double r : radii) diameters.push_back(2 * r);
   const double widest = *std::ranges::max_element(diameters);
-  if (periodic && std::min({size.x, size.y, size.z}) < 5.001 * widest)
-    throw InputError(Fault{"jar", "a periodic box less than five balls wide confuses their images",
+  if (periodic && std::min({size.x, size.y, size.z}) <= 2 * widest)
+    throw InputError(Fault{"jar", "a ball of half a periodic box meets another and its image at once",
                            "give smaller balls or a larger box", "periodic-box"});
   return std::make_unique<Neighbours>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
@@ -74,7 +74,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
               .bent = 0,
               .species = place->second};
     const Drift d = drift_at(now_);
-    line.position += d.place;
+    line.position = nearest_image(line.position + d.place, periods_);
     line.velocity += d.velocity;
     turnings_.push_back({ball.spin, -at_no_time, static_cast<std::int32_t>(lines_.size())});
     lines_.push_back(line);
@@ -123,10 +123,27 @@ void ManyBalls::plan_meeting(std::int32_t ball, std::span<const std::int32_t> ot
   const Line& me = line(ball);
   Plan& p = plan_of(ball);
   const Asking asking{me.at(now_), me.velocity, now_, species(me).radius, ball};
-  const Meeting found =
-      first_meeting(asking, lines_, others, radii_, periods_, {p.meeting, p.partner});
+  const Meeting known{p.meeting, p.partner};
+  const Meeting found = neighbours_->few()
+                            ? first_of_images(asking, others, known)
+                            : first_meeting(asking, lines_, others, radii_, periods_, known);
   if (found.time < p.meeting)
     p = {found.time, found.partner, line(found.partner).bent, p.look, p.face, p.cell};
+}
+
+/// In a box of few cells the nearest image need not be the one that is met first: all are asked
+/// that can be met while both balls are in the box.
+Meeting ManyBalls::first_of_images(const Asking& asking, std::span<const std::int32_t> others,
+                                   Meeting found) const {
+  const Vec3 none{at_no_time, at_no_time, at_no_time};
+  for (const double x : {0.0, -periods_.x, periods_.x})
+    for (const double y : {0.0, -periods_.y, periods_.y})
+      for (const double z : {0.0, -periods_.z, periods_.z}) {
+        Asking image = asking;
+        image.position += Vec3{x, y, z};
+        found = first_meeting(image, lines_, others, radii_, none, found);
+      }
+  return found;
 }
 
 /// How long a ball certainly stays in its cell [s].
@@ -166,7 +183,9 @@ void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {
   neighbours_->remove(level(ball), ball, before);
   neighbours_->insert(level(ball), ball, cell);
   p.cell = cell;
-  plan_meeting(ball, neighbours_->newly_near(level(ball), cell, before));
+  // In a box of few cells those who stay near may be met in another image from now on.
+  plan_meeting(ball, neighbours_->few() ? neighbours_->near(level(ball), cell)
+                                        : neighbours_->newly_near(level(ball), cell, before));
 }
 
 /// Starts the ball's line anew at this moment, in the box.

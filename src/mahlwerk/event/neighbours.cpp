@@ -14,6 +14,7 @@ Neighbours::Neighbours(const Vec3& low, const Vec3& size, bool periodic,
     if (!levels_.empty() && d > 0.5 * levels_.back().widest) continue;
     const double room = slack * d;
     levels_.push_back({d, room, Cells(low, size, periodic, d + 2 * room, room, most)});
+    few_ = few_ || levels_.back().cells.few();
   }
   for (const double d : diameters) {
     const auto level = std::ranges::find_if(
@@ -28,6 +29,12 @@ void Neighbours::clear() {
 
 void Neighbours::carry(Archive& archive) {
   for (Level& level : levels_) level.cells.carry(archive);
+}
+
+std::int64_t Neighbours::held() const {
+  std::int64_t all = 0;
+  for (const Level& level : levels_) all += level.cells.held();
+  return all;
 }
 
 std::span<const std::int32_t> Neighbours::near(int level, Cell cell) {

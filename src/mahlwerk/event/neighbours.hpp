@@ -28,6 +28,10 @@ class Neighbours {
   void clear();
   void fetch(int level, Cell cell) const { cells(level).fetch(cell); }
   void carry(Archive& archive);
+  bool holds(int level, std::int32_t ball, Cell cell) const { return cells(level).holds(ball, cell); }
+  std::int64_t held() const;  ///< how many balls there are in all cells
+  /// Whether a box repeats itself after so few cells that any image may be met (Cells::few).
+  bool few() const { return few_; }
 
   /// All balls that one of this level in this cell can touch before it leaves the cell, and more;
   /// valid until the next call.
@@ -48,6 +52,7 @@ class Neighbours {
   std::vector<Level> levels_;
   std::vector<int> level_of_;  // by species
   std::vector<std::int32_t> found_;
+  bool few_ = false;
 };
 
 }  // namespace mahlwerk::event

@@ -100,7 +100,10 @@ class Stay {
     return bounces_off_other(t) ? Verdict::touched : Verdict::staying;
   }
 
-  void carry(Archive& archive) { archive(seat_)(now_)(rate_)(forces_)(known_)(step_); }
+  void carry(Archive& archive) {
+    archive(seat_)(now_)(rate_)(forces_)(known_)(step_);
+    if (seat_.count > Seat::most) throw Archive::broken();
+  }
 
   const Rest& now() const { return now_; }
   Rest& now() { return now_; }
