@@ -23,6 +23,7 @@ struct Wall {
   Vec3 inward;    ///< unit normal, into the jar
   Vec3 point;     ///< [m] of contact
   Vec3 velocity;  ///< [m/s] of the wall's material there
+  double bend;    ///< [1/m] its largest curvature there, > 0 concave
 };
 
 /// A chamber with its types known, so that the search is straight arithmetic.
@@ -91,7 +92,8 @@ class Jar {
       gap.inward = q * gap.inward;
     }
     const Vec3 point = position - radius * gap.inward;
-    return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point)};
+    return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point),
+            gap.curvature};
   }
 
   /// About when a ball that runs along `face` comes to where the wall's curvature is another [s].

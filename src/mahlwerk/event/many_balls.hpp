@@ -41,15 +41,17 @@ class ManyBalls final : public scene::Engine {
     Vec3 normal;             ///< from the ball to the contact
     Vec3 gliding, slipping;  ///< [m/s] tangential, of the centres and of the surfaces
     double mass, approach, slip;
+    double press;  ///< [m/s2] that holds them together, at most
 
     /// `glide` [m/s] of the centres, `rolling` [m/s] the spins times their radii, added.
-    Touching(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling)
+    Touching(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling, double press_)
         : normal(n),
           gliding(across(glide, n)),
           slipping(gliding + cross(rolling, n)),
           mass(mass_),
           approach(dot(glide, n)),
-          slip(norm(slipping)) {}
+          slip(norm(slipping)),
+          press(press_) {}
 
     Vec3 impulse(const contact::Impulse& j) const {  ///< [N s] on the ball
       return -j.normal * normal - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
@@ -118,7 +120,7 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::Pull pull_;
-  double tremble_;  // [m/s] faster than this no ball is made to tremble (man.4)
+  double press_;  // [m/s2] the most that the mill presses a ball with (man.4)
 
   RoomyVector<Line> lines_;
   RoomyVector<Plan> plans_;

@@ -17,7 +17,8 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const Wall wall = jar_->wall(face, where.position, t, s.radius);
   const Vec3 n = -wall.inward, glide = where.velocity - wall.velocity;
   account_.deepest_overlap = std::max(account_.deepest_overlap, -wall.gap / s.radius);
-  const Touching touch(n, s.mass, glide, s.radius * turn.spin);
+  const double round = squared(across(where.velocity, n)) * std::max(wall.bend, 0.0);
+  const Touching touch(n, s.mass, glide, s.radius * turn.spin, press_ + round);
 
   const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
   const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
@@ -46,7 +47,7 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   account_.deepest_overlap =
       std::max(account_.deepest_overlap, (reach - distance) / std::min(sa.radius, sb.radius));
   const Touching touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), glide,
-                       sa.radius * ta.spin + sb.radius * tb.spin);
+                       sa.radius * ta.spin + sb.radius * tb.spin, press_);
 
   const double since = now_ - std::max(ta.last, tb.last);
   const contact::Impulse j = bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
@@ -89,7 +90,8 @@ contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touchi
   ++account_.tc_collisions;
   const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
   const double hurry = std::max(0.0, 1 - 2 * since / rules_.contact_time);
-  const double slowness = std::max(0.0, 1 - approach / tremble_);
+  const double tremble = 10 * touch.press * rules_.contact_time;
+  const double slowness = std::max(0.0, 1 - approach / tremble);
   const double e = 1 + 0.2 * hurry * slowness;
   const contact::BounceRule chatter{1, -1, mu};
   return contact::bounce(chatter, touch.mass, approach, touch.slip, e);

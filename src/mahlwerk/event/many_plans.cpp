@@ -53,7 +53,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < at_no_time),
       pull_(jar_->limits().acceleration + magnitude(gravity_)),
-      tremble_(10 * pull_.whole * rules.contact_time + 1e-9),
+      press_(pull_.whole + 1e-9),  // more than none, so that it may divide
       start_(start) {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   before_ = std::isfinite(period) ? std::floor(start / period) * period : start;

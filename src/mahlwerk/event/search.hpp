@@ -59,12 +59,11 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
 
 /// A time in which a ball that flies along a face, neither nearing nor leaving it, does not sink in
 /// by more than a thousand margins, still nothing to its radius: a ball that keeps no normal speed
-/// may skim a wall for as long as it flies.
+/// may skim a wall for as long as it flies. One that lies deeper already may not.
 template <class S, class M>
 double skims(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
-  const double gap = jar.wall(face, now.ball.position, now.time, ball.radius).gap;
-  const double deeper = std::min(gap, 0.0) - 1e3 * ball.margin;
-  return jar.outlook(face, now.ball, now.time, ball.radius + deeper).time;
+  const double deepest = 1e3 * ball.margin;
+  return jar.outlook(face, now.ball, now.time, ball.radius - deepest).time;
 }
 
 /// What one look at all faces tells.
