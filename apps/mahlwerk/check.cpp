@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/run.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
@@ -23,14 +24,16 @@ namespace {
 
 /// CPU seconds one simulated second takes, from a short pilot run.
 double cost(const cases::Case& what) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds patience{500};
   cases::Case pilot = what;
   pilot.run.time = 1;
   pilot.run.settle = 0;
-  pilot.run.replicates = 1;
-  pilot.observe.collisions = false;
-  const results::Outcome outcome = campaign::run(pilot);
-  const double simulated = outcome.replicates.front().account.time;
-  return simulated > 0 ? outcome.cpu_seconds / simulated : 0;
+  campaign::Replica replica(pilot, 0);
+  const Clock::time_point began = Clock::now();
+  while (!replica.done() && Clock::now() - began < patience) replica.go_on();
+  const double spent = std::chrono::duration<double>(Clock::now() - began).count();
+  return replica.account().time > 0 ? spent / replica.account().time : 0;
 }
 
 struct Checked {
@@ -53,9 +56,8 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
       static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
       (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  c.follows.push_back(
-      {"run_time", cost(first) * seconds / cores, "s",
-       "estimate on this machine, all cores, from a pilot of one simulated second"});
+  c.follows.push_back({"run_time", cost(first) * seconds / cores, "s",
+                       "estimate on this machine, all cores, from a pilot of a second at most"});
   return c;
 }
 

@@ -40,7 +40,12 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
                    "keep the state of the run every so many seconds, beside the results, so that "
                    "--resume can go on from there")
         ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check([](const std::string& text) -> std::string {
+          double seconds = 0;
+          if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
+          return "'" + text +
+                 "' is no number of seconds above 0; write for instance --checkpoint 60";
+        });
     sub.add_flag("--resume", request.resume,
                  "go on with a run that was ended, from its last kept state");
     sub.add_option("--threads", request.threads,
@@ -100,6 +105,11 @@ int main(int argc, char** argv) {
   } catch (const RunError& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return app::stopped_by_physics;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr,
+                 "there is not enough memory for this case: give fewer balls, or fewer "
+                 "replicates at a time (--threads)\n");
+    return app::bad_input;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "internal error: %s\nPlease report this, with the case file.\n", e.what());
     return app::internal_error;

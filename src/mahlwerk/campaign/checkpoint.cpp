@@ -19,6 +19,10 @@ InputError trouble(const std::filesystem::path& file, std::string what, std::str
       Fault{file.generic_string(), std::move(what), std::move(remedy), "bad-checkpoint"});
 }
 
+InputError damaged(const std::filesystem::path& file) {
+  return trouble(file, "the checkpoint is damaged", "start the run anew, without --resume");
+}
+
 void carry(Archive& archive, std::string& title, std::string& what,
            std::vector<std::string>& states) {
   archive(title)(what);
@@ -48,7 +52,7 @@ void Checkpoint::load() {
     carry(archive, title, what, states_);
     archive.finish();
   } catch (const RunError&) {
-    throw trouble(file_, "the checkpoint is damaged", "start the run anew, without --resume");
+    throw damaged(file_);
   }
   if (title != magic || what != what_ || states_.size() != kept_.size())
     throw trouble(file_, "the checkpoint is of another run: case, settings or version differ",
@@ -58,9 +62,13 @@ void Checkpoint::load() {
 void Checkpoint::restore(std::size_t job, Replica& replica) {
   const std::lock_guard lock(mutex_);
   if (states_[job].empty()) return;
-  Archive archive(states_[job]);
-  replica.carry(archive);
-  archive.finish();
+  try {
+    Archive archive(states_[job]);
+    replica.carry(archive);
+    archive.finish();
+  } catch (const RunError&) {
+    throw damaged(file_);
+  }
 }
 
 bool Checkpoint::due(std::size_t job) const {

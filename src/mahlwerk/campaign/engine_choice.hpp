@@ -11,9 +11,9 @@ namespace mahlwerk::campaign {
 
 /// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
 /// bounces, and the soft engine is advised (docs/theory/many-balls.md).
-constexpr double most_contact = 0.3;
+constexpr double most_contact = 0.25;
 
-/// What the share of time in contact of a short pilot run says.
+/// What the share of time in contact of a short pilot run says; the same on any machine.
 struct Pilot {
   double time = 0;   ///< [s] simulated
   double share = 0;  ///< of the balls' time in contact, in the second half

@@ -29,6 +29,9 @@ constexpr auto ball_fields() {
       Field<BallSet>{"density", "kg/m3", &BallSet::density, positive, "density of a ball"}};
 }
 
+/// Real balls touch for less than a millisecond; longer times make true collisions elastic.
+constexpr Range contact_times{.least = 0, .most = 1e-3, .without_least = true};
+
 constexpr auto contact_fields() {
   return std::array{
       Field<Contact>{
@@ -40,7 +43,7 @@ constexpr auto contact_fields() {
       Field<Contact>{"lasting_speed", "m/s", &Contact::lasting_speed, not_negative,
                      "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
                      "far below the speeds that count"},
-      Field<Contact>{"contact_time", "s", &Contact::contact_time, not_negative,
+      Field<Contact>{"contact_time", "s", &Contact::contact_time, contact_times,
                      "bounces that follow sooner are elastic under lasting = \"tc\"", 1e-4,
                      "a few times a steel ball's contact time"}};
 }

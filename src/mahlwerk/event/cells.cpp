@@ -195,8 +195,7 @@ Cells::Borders Cells::borders(Cell cell) const {
   const auto most = [&](std::int32_t i, std::int32_t n, double low, double side) {
     return !periodic_ && i == n - 1 ? unbounded : low + (i + 1) * side + slack_;
   };
-  return {{least(x, low_.x, side_.x), least(y, low_.y, side_.y),
-           least(z, low_.z, side_.z)},
+  return {{least(x, low_.x, side_.x), least(y, low_.y, side_.y), least(z, low_.z, side_.z)},
           {most(x, counts_[0], low_.x, side_.x), most(y, counts_[1], low_.y, side_.y),
            most(z, counts_[2], low_.z, side_.z)}};
 }

@@ -92,8 +92,7 @@ class Jar {
       gap.inward = q * gap.inward;
     }
     const Vec3 point = position - radius * gap.inward;
-    return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point),
-            gap.curvature};
+    return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point), gap.curvature};
   }
 
   /// About when a ball that runs along `face` comes to where the wall's curvature is another [s].

@@ -122,11 +122,13 @@ void ManyBalls::renew() {
 
 /// A run whose events pile up without end stops with the reason, rather than hang.
 void ManyBalls::guard() {
-  constexpr std::int64_t many = 100'000, each = 20'000;
-  constexpr double soon = 0.01;  // [s]
-  if (events_ - guarded_ < many + each * std::ssize(lines_)) return;
-  if (mill_time() - guarded_since_ < soon * 1e-2)
-    throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
+  // A ball at rest makes some thirty in t_c; deep in a bed, several times as many.
+  constexpr std::int64_t many = 100'000, each = 2'000;
+  constexpr double soon = 1e-4;  // [s]
+  const std::int64_t events = events_ - guarded_;
+  if (events < many + each * std::ssize(lines_)) return;
+  const double within = mill_time() - guarded_since_;
+  if (within < soon) throw pile_up_of_many(mill_time() - start_, within, events);
   guarded_ = events_;
   guarded_since_ = mill_time();
 }

@@ -90,7 +90,7 @@ contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touchi
   ++account_.tc_collisions;
   const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
   const double hurry = std::max(0.0, 1 - 2 * since / rules_.contact_time);
-  const double tremble = 10 * touch.press * rules_.contact_time;
+  const double tremble = 5 * touch.press * rules_.contact_time;
   const double slowness = std::max(0.0, 1 - approach / tremble);
   const double e = 1 + 0.2 * hurry * slowness;
   const contact::BounceRule chatter{1, -1, mu};

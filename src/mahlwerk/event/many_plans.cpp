@@ -24,6 +24,16 @@ Feeler feeler(const Enclosure& jar, double radius) {
   return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
 }
 
+/// The most that |g - c''| gets to in a period, or its bound where there is none.
+double strongest_field(const Enclosure& jar) {
+  constexpr int looks = 256;
+  if (!std::isfinite(jar.period())) return norm(jar.limits().acceleration) + norm(jar.gravity());
+  double most = 0;
+  for (int i = 0; i < looks; ++i)
+    most = std::max(most, norm(jar.gravity() - jar.ride(jar.period() * i / looks).acceleration));
+  return most;
+}
+
 /// Grids over the box in which centres of balls can be.
 std::unique_ptr<Neighbours> grids(const Enclosure& jar, double pull,
                                   const std::vector<double>& radii, std::size_t balls) {
@@ -36,7 +46,8 @@ std::unique_ptr<Neighbours> grids(const Enclosure& jar, double pull,
   for (const double r : radii) diameters.push_back(2 * r);
   const double widest = *std::ranges::max_element(diameters);
   if (periodic && std::min({size.x, size.y, size.z}) <= 2 * widest)
-    throw InputError(Fault{"jar", "a ball of half a periodic box meets another and its image at once",
+    throw InputError(Fault{"jar",
+                           "a ball of half a periodic box meets another and its image at once",
                            "give smaller balls or a larger box", "periodic-box"});
   return std::make_unique<Neighbours>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
@@ -53,7 +64,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < at_no_time),
       pull_(jar_->limits().acceleration + magnitude(gravity_)),
-      press_(pull_.whole + 1e-9),  // more than none, so that it may divide
+      press_(strongest_field(*jar_) + 1e-9),  // more than none, so that it may divide
       start_(start) {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   before_ = std::isfinite(period) ? std::floor(start / period) * period : start;

@@ -28,7 +28,9 @@ class Neighbours {
   void clear();
   void fetch(int level, Cell cell) const { cells(level).fetch(cell); }
   void carry(Archive& archive);
-  bool holds(int level, std::int32_t ball, Cell cell) const { return cells(level).holds(ball, cell); }
+  bool holds(int level, std::int32_t ball, Cell cell) const {
+    return cells(level).holds(ball, cell);
+  }
   std::int64_t held() const;  ///< how many balls there are in all cells
   /// Whether a box repeats itself after so few cells that any image may be met (Cells::few).
   bool few() const { return few_; }

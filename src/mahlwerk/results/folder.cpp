@@ -95,7 +95,10 @@ void check_replaceable(const fs::path& wanted, bool force) {
            "choose another folder with --out");
   if (!force)
     refuse("holds a result already",
-           "choose another folder with --out, or replace it with --force");
+           fs::exists(wanted.string() + ".checkpoint")
+               ? "go on with the run that left it by --resume, replace it with --force, or choose "
+                 "another folder with --out"
+               : "choose another folder with --out, or replace it with --force");
   const std::vector<std::string> others = foreign(wanted);
   if (!others.empty())
     refuse(fmt::format(

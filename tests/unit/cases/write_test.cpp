@@ -168,7 +168,7 @@ class AnyCase {
     contact.rolling_friction = size();
     contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;
     contact.lasting_speed = size();
-    contact.contact_time = size();
+    contact.contact_time = random_.uniform(1e-7, 1e-3);
   }
 
   Random random_;
