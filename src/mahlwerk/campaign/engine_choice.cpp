@@ -32,8 +32,18 @@ std::string percent(double share) {
 }
 
 constexpr std::string_view soft_is_missing =
-    "for such a charge the soft engine is advised; it is not part of this version. Power and dose "
-    "are sound; the number of hits, and forces inside the bed, depend on contact.contact_time";
+    "For such a charge the soft engine is advised; it is not part of this version. Power and dose "
+    "are sound; the number of hits, and forces inside the bed, depend on contact.contact_time.";
+
+/// Of the balls' time, over all replicates.
+double contact_share(const results::Outcome& outcome) {
+  double time = 0, contact = 0;
+  for (const results::Replicate& r : outcome.replicates) {
+    time += r.time() * balls(outcome.what);
+    contact += r.account.contact_time - r.at_settled.contact_time;
+  }
+  return time > 0 ? contact / time : 0;
+}
 
 }  // namespace
 
@@ -60,34 +70,23 @@ std::vector<std::string> notes_on(const results::Outcome& outcome) {
   const bool chosen = what.run.engine == "auto";
   if (balls(what) == 1) {
     if (!chosen) return {};
-    return {"engine: event, chosen by auto: one ball flies, bounces, rolls and slides exactly"};
+    return {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."};
   }
-  std::vector<std::string> notes;
-  if (chosen) {
-    const Pilot p = pilot(what);
-    notes.push_back(
-        fmt::format("engine: event, chosen by auto: in a pilot run of {:.3g} s the balls were in "
-                    "contact {} of the "
-                    "time; {}",
-                    p.time, percent(p.share),
-                    p.share <= most_contact
-                        ? fmt::format("up to {} the event engine is advised", percent(most_contact))
-                        : std::string(soft_is_missing)));
+  const double share = contact_share(outcome);
+  if (!chosen) {
+    if (share <= most_contact) return {};
+    return {fmt::format("The balls were in contact {} of the time. {}", percent(share),
+                        soft_is_missing)};
   }
-  double time = 0, contact = 0;
-  for (const results::Replicate& r : outcome.replicates) {
-    time += r.time() * balls(what);
-    contact += r.account.contact_time - r.at_settled.contact_time;
-  }
-  const double share = time > 0 ? contact / time : 0;
-  if (share > most_contact)
-    notes.push_back(fmt::format(
-        "in the run itself the balls were in contact {} of the time{}", percent(share),
-        chosen ? "" : fmt::format(", more than {}: {}", percent(most_contact), soft_is_missing)));
-  else if (chosen && time > 0)
-    notes.push_back(
-        fmt::format("in the run itself the balls were in contact {} of the time", percent(share)));
-  return notes;
+  const Pilot p = pilot(what);
+  return {fmt::format(
+      "Engine: event, chosen by auto. In a pilot run of {:.3g} s the balls were in contact {} of "
+      "the "
+      "time, in the run itself {}. {}",
+      p.time, percent(p.share), percent(share),
+      std::max(p.share, share) > most_contact
+          ? std::string(soft_is_missing)
+          : fmt::format("Up to {} the event engine is advised.", percent(most_contact)))};
 }
 
 }  // namespace mahlwerk::campaign
