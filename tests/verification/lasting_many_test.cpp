@@ -7,28 +7,21 @@
 
 #include "many_balls.hpp"
 #include "one_ball.hpp"
+#include "settling.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk {
 namespace {
 
 using namespace tests;
-constexpr double pi = std::numbers::pi, t_c = 1e-4;
-
-std::unique_ptr<scene::Engine> engine(const scene::Chamber& mill,
-                                      const std::vector<scene::Ball>& balls,
-                                      const contact::BounceRule& rule) {
-  event::Rules rules;
-  rules.lasting = event::Lasting::tc;
-  rules.contact_time = t_c;
-  return event::many_balls(mill, balls, rules, {1, 6, rule});
-}
+constexpr double pi = std::numbers::pi;
 
 /// Acceleration along a plane inclined by `angle` [rad] that a ball starting at rest gets.
 double acceleration_down(double angle, double mu) {
   const Vec3 g{gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
   const scene::Chamber mill{geometry::Box{4, 0.1, 0.1}, kinematics::Still{}, {}, g};
-  const auto run = engine(mill, {{0.004, 7850, {-1.9, 0, -0.046 + 1e-9}, {}, {}}}, {0.5, 0, mu});
+  const auto run =
+      lasting_engine(mill, {{0.004, 7850, {-1.9, 0, -0.046 + 1e-9}, {}, {}}}, {0.5, 0, mu});
   Counter counter;
   run->advance(0.1, counter);
   const double before = run->balls().front().velocity.x;
@@ -62,7 +55,7 @@ double leaves_drum_at(double share) {
       geometry::Cylinder{2 * big, 0.1}, motion, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
   const Vec3 spin{motion.speed, 0, 0}, place{0, 0, -arm + 1e-9};
   // The centre goes round with the drum and the ball turns as the drum does: no slip.
-  const auto run = engine(mill, {{r, 7850, place, cross(spin, place), spin}}, {0.5, 0, 5});
+  const auto run = lasting_engine(mill, {{r, 7850, place, cross(spin, place), spin}}, {0.5, 0, 5});
   Counter counter;
   double before = 0, turned = 0, away = 0;
   for (double t = t_c; turned < 2 * pi; t += t_c) {
@@ -99,7 +92,8 @@ std::int64_t presses(double psi, const kinematics::Planetary& motion, double arm
   const double angle = std::copysign(psi, turning - motion.speed);
   const Vec3 place = (arm - 1e-9) * Vec3{std::cos(angle), std::sin(angle), 0};
   const Vec3 spin{0, 0, turning};
-  const auto run = engine(mill, {{ball, 7850, place, cross(spin, place), spin}}, {0.5, 0, 0.5});
+  const auto run =
+      lasting_engine(mill, {{ball, 7850, place, cross(spin, place), spin}}, {0.5, 0, 0.5});
   Counter counter;
   run->advance(0.002, counter);
   return counter.count;
@@ -130,33 +124,7 @@ TEST(LastingMany, planetary_jar_lets_go_where_burgio_says_with_the_absolute_spee
 }
 
 TEST(LastingMany, balls_settle_under_gravity_and_the_clock_goes_on) {
-  constexpr int n = 5;
-  constexpr double d = 0.001, packing = 0.3;
-  std::vector<scene::Ball> balls = lattice(n, packing);
-  const double side = d * side_of(n, packing);
-  for (scene::Ball& b : balls) b = {d / 2, 7850, d * b.position, 0.1 * b.velocity, {}};
-  const scene::Chamber box{
-      geometry::Box{side, side, side}, kinematics::Still{}, {}, {0, 0, -gravity}};
-  const auto run = engine(box, balls, {0.9, 0, 0.3});
-  Counter counter;
-  const double fall = run->account().potential;
-  run->advance(0.15, counter);
-  const std::int64_t falling = counter.count;
-  run->advance(0.20, counter);
-  const std::int64_t settled = counter.count - falling;
-  run->advance(0.25, counter);
-  const std::int64_t resting = counter.count - falling - settled;
-  const scene::Account a = run->account();
-  const double rate = static_cast<double>(resting) / 0.05;
-  stays_below("collisions of a ball in t_c", 2 * rate / n / n / n * t_c, 20,
-              "man.4: bounces do not follow each other ever faster");
-  stays_below("bounces at rest, later over earlier",
-              static_cast<double>(resting) / static_cast<double>(settled), 1.5, "a steady state");
-  stays_below("kinetic energy over that of the fall", a.kinetic / (fall - a.potential), 1e-3,
-              "they have come to rest");
-  stays_below("deepest overlap over R", deepest_overlap(run->balls()), 1e-12, "hard spheres");
-  stays_below("balance", std::abs(a.residual()) / a.lost(), 1e-10,
-              "man.4: what bounces gain is counted");
+  check_settling(5, 0.3);
 }
 
 }  // namespace

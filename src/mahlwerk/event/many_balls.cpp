@@ -45,6 +45,8 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
 
 /// Whose turn comes soon is in memory somewhere far away: it is sent for in time.
 void ManyBalls::fetch_ahead() const {
+  constexpr std::size_t near_at_hand = 4096;  // so many balls stay in the processor's own memory
+  if (lines_.size() <= near_at_hand) return;
   if (const std::int32_t later = calendar_.coming(3); later >= 0) {
     const auto i = static_cast<std::size_t>(later);
     __builtin_prefetch(&plans_[i]);

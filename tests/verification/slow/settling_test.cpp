@@ -1,57 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Lasting contacts as the engine for many balls carries them, by the TC rule: on inclines, in
-// drums, in planetary jars, in beds.
-#include <algorithm>
-
-#include "many_balls.hpp"
-#include "one_ball.hpp"
-#include "statement.hpp"
+// The bed of a thousand balls at which a peer's clock froze.
+#include "settling.hpp"
 
 namespace mahlwerk {
 namespace {
 
-using namespace tests;
-constexpr double pi = std::numbers::pi, t_c = 1e-4;
-
-std::unique_ptr<scene::Engine> engine(const scene::Chamber& mill,
-                                      const std::vector<scene::Ball>& balls,
-                                      const contact::BounceRule& rule) {
-  event::Rules rules;
-  rules.lasting = event::Lasting::tc;
-  rules.contact_time = t_c;
-  return event::many_balls(mill, balls, rules, {1, 6, rule});
-}
-
 TEST(LastingMany, thousand_balls_settle_under_gravity_and_the_clock_goes_on) {
-  constexpr int n = 10;
-  constexpr double d = 0.001, packing = 0.2;
-  std::vector<scene::Ball> balls = lattice(n, packing);
-  const double side = d * side_of(n, packing);
-  for (scene::Ball& b : balls) b = {d / 2, 7850, d * b.position, 0.1 * b.velocity, {}};
-  const scene::Chamber box{
-      geometry::Box{side, side, side}, kinematics::Still{}, {}, {0, 0, -gravity}};
-  const auto run = engine(box, balls, {0.9, 0, 0.3});
-  Counter counter;
-  const double fall = run->account().potential;
-  run->advance(0.15, counter);
-  const std::int64_t falling = counter.count;
-  run->advance(0.20, counter);
-  const std::int64_t settled = counter.count - falling;
-  run->advance(0.25, counter);
-  const std::int64_t resting = counter.count - falling - settled;
-  const scene::Account a = run->account();
-  const double rate = static_cast<double>(resting) / 0.05;
-  stays_below("collisions of a ball in t_c", 2 * rate / n / n / n * t_c, 20,
-              "man.4: bounces do not follow each other ever faster");
-  stays_below("bounces at rest, later over earlier",
-              static_cast<double>(resting) / static_cast<double>(settled), 1.5, "a steady state");
-  stays_below("kinetic energy over that of the fall", a.kinetic / (fall - a.potential), 1e-3,
-              "they have come to rest");
-  stays_below("deepest overlap over R", deepest_overlap(run->balls()), 1e-12, "hard spheres");
-  stays_below("balance", std::abs(a.residual()) / a.lost(), 1e-10,
-              "man.4: what bounces gain is counted");
+  tests::check_settling(10, 0.2);
 }
 
 }  // namespace
