@@ -68,7 +68,8 @@ double read_drum_speed(Section& in, const Wanted& wanted, const Case& c) {
   const double share = in.quantity(*at, {wanted.key, "", any_number, wanted.about});
   const double critical = critical_speed(c.jar, c.balls, c.gravity);
   const double speed = share * critical;
-  if (!std::isfinite(speed)) return unread;  // a ball larger than the drum, reported as such
+  if (std::isnan(share)) return unread;
+  if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, which is reported as such
   in.note(
       wanted.key, show(speed, wanted.unit), at,
       fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, wanted.unit)));
