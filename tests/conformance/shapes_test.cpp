@@ -148,7 +148,6 @@ TYPED_TEST(Shapes, reach_holds_the_jar_and_inradius_the_largest_ball) {
 
 /// The promise the search stands on: no path with bounded acceleration reaches the wall sooner.
 TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
-  if (TypeParam::faces == 0) GTEST_SKIP() << "nothing to touch";
   double deepest = 0, longest = 0;
   for (int i = 0; i < 20000; ++i) {
     const double radius = this->random.uniform(0.05, 0.9) * this->shape.inradius();
@@ -165,6 +164,7 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
       clear = std::min(clear, look.time);
     }
     longest = std::max(longest, clear);
+    if (TypeParam::faces == 0) continue;  // without walls the promise must be for ever: below
     Vec3 p = start, v = velocity;
     constexpr int steps = 60;
     const double h = clear / steps;
@@ -182,6 +182,9 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
   }
   stays_below("deepest penetration [m]", deepest, 1e-15, "geo.4 to geo.6, 20000 random courses");
   EXPECT_GT(longest, 1e-3);
+  if (TypeParam::faces == 0) {
+    EXPECT_EQ(longest, geometry::never);
+  }
 }
 
 }  // namespace

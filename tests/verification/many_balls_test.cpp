@@ -88,6 +88,26 @@ TEST(ManyBalls, few_balls_in_the_smallest_box_meet_their_nearest_images) {
   EXPECT_THROW(gas({{0.5, 1, {}, {}, {}}}, 1.9, {1, 1, INFINITY}), InputError);
 }
 
+TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
+  // The ball hangs still without gravity 0.2 mm from a wall; the box turns about x and comes to it.
+  kinematics::Tumbling motion;
+  motion.speed = 4e4;
+  const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
+  const scene::Ball ball{0.005, 7850, {0.01, 0.0148, 0.004}, {}, {}};
+  event::Rules rules;
+  rules.lasting = event::Lasting::tc;
+  for (const bool alone : {true, false}) {
+    rules.bounce = {0.5, 0, 0.3};
+    const auto run = alone ? event::one_ball(mill, ball, rules)
+                           : event::many_balls(mill, {ball}, rules, {1, 6, rules.bounce});
+    Recorder seen;
+    run->advance(1e-4, seen);
+    EXPECT_GE(seen.all.size(), 1U);
+    stays_below("overlap at the touch over R", run->account().deepest_overlap, 1e-11,
+                "evt.5: a few margins of 1e-12 R");
+  }
+}
+
 TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
   const scene::Chamber mill{geometry::Capsule{0.03, 0.02}, shaken(20, 0.015), {}, {0, 0, -gravity}};
   std::vector<scene::Ball> balls;

@@ -50,6 +50,8 @@ class Jar {
   const Vec3& gravity() const { return gravity_; }
   const kinematics::Bounds& limits() const { return limits_; }
   bool looks_still() const { return looks_still_; }
+  /// How fast its wall may come towards a ball at rest, by turning [m/s].
+  double sweep() const { return looks_still_ ? 0 : limits_.spin * shape_.reach(); }
 
   /// From the jar's own axes to the jar frame's, at the mill's own time `t`.
   Rotation turned(double t) const { return motion_.turn(t) * mount_; }

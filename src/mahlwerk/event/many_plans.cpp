@@ -163,8 +163,7 @@ double ManyBalls::leaves(std::int32_t ball, const Passing& where) const {
       neighbours_->borders(level(ball), plans_[static_cast<std::size_t>(ball)].cell);
   const Vec3 &v = where.velocity, &a = pull_.most;
   Vec3 x = where.position;
-  if (periodic_) {  // seen from the cell: a ball just beyond the border of the box is folded far
-                    // away
+  if (periodic_) {  // seen from the cell: just beyond the border of the box it was folded far away
     const Vec3 middle = 0.5 * (b.low + b.high);
     x = middle + nearest_image(x - middle, periods_);
   }
@@ -184,8 +183,7 @@ double ManyBalls::leaves(std::int32_t ball, const Passing& where) const {
 
 bool ManyBalls::has_left(std::int32_t ball, const Passing& where) const {
   const Cell cell = plans_[static_cast<std::size_t>(ball)].cell;
-  return neighbours_->cell_at(level(ball), where.position) !=
-         cell;  // folded back into a periodic box, it has
+  return neighbours_->cell_at(level(ball), where.position) != cell;
 }
 
 void ManyBalls::change_cell(std::int32_t ball, const Passing& where) {

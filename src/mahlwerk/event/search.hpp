@@ -31,7 +31,8 @@ struct Feeler {
   double radius = 0;  ///< [m]
   double margin = 0;  ///< [m] a gap below this is a touch; far below what a radius is known to
 
-  /// A time in which a ball at `speed` does not cross the margin [s].
+  /// A time in which ball and wall, nearing each other at no more than `speed`, do not cross the
+  /// margin [s].
   double least_step(double speed) const { return margin / (speed + 1e-3); }
 };
 
@@ -106,7 +107,7 @@ template <class S, class M>
     const Glance seen = glance(jar, now, ball);
     if (seen.face >= 0) return {now, seen.face, steps};
     const double before = now.time;
-    now.time += std::max(seen.clear, ball.least_step(norm(now.ball.velocity)));
+    now.time += std::max(seen.clear, ball.least_step(norm(now.ball.velocity) + jar.sweep()));
     if (now.time == before) {  // nearer than the clock can tell: this is the touch
       if (seen.nearest >= 0 && closing_speed(jar, seen.nearest, now, ball) > rounding_speed)
         return {now, seen.nearest, steps};

@@ -168,7 +168,7 @@ class Stay {
     return std::max(soonest, least_step());
   }
 
-  double least_step() const { return feeler_.least_step(norm(now_.velocity)); }
+  double least_step() const { return feeler_.least_step(norm(now_.velocity) + jar_->sweep()); }
 
   /// Calls `look(face)` for every face that the ball could touch besides those it rests on.
   template <class Look>
