@@ -108,6 +108,20 @@ TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
   }
 }
 
+TEST(ManyBalls, search_for_a_ball_that_no_wall_reaches_ends) {
+  kinematics::Tumbling motion;
+  motion.speed = 4e3;
+  const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
+  event::Rules rules;
+  rules.lasting = event::Lasting::tc;
+  const auto run = event::many_balls(mill, {{0.005, 7850, {0.01, 0.01, 0}, {}, {}}}, rules,
+                                     {1, 6, {0.5, 0, 0.3}});
+  Recorder seen;
+  run->advance(0.1, seen);
+  EXPECT_EQ(run->account().time, 0.1);
+  EXPECT_TRUE(seen.all.empty());
+}
+
 TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
   const scene::Chamber mill{geometry::Capsule{0.03, 0.02}, shaken(20, 0.015), {}, {0, 0, -gravity}};
   std::vector<scene::Ball> balls;

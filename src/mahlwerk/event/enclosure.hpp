@@ -63,7 +63,8 @@ class Enclosed final : public Enclosure {
   Sighting look(const Passing& ball, double t, double until, const Feeler& feeler) const override {
     const Glance first = glance(jar_, {t, {}, ball}, feeler);
     if (first.face >= 0) return {t, first.face};
-    const double step = std::max(first.clear, feeler.least_step(norm(ball.velocity) + jar_.sweep()));
+    const double step =
+        std::max(first.clear, feeler.least_step(norm(ball.velocity) + jar_.sweep()));
     if (!(t + step < until)) return {std::max(t + step, std::nextafter(t, geometry::never)), -1};
     const kinematics::Ride ride = jar_.motion().ride(t);
     const Flight flight{t, ball.position + ride.centre, ball.velocity + ride.velocity};

@@ -85,7 +85,10 @@ void ManyBalls::look(std::int32_t ball) {
   p.look = left;
   if (walls_) {
     calendar_.schedule(ball, at_no_time);
-    const double next = calendar_.next().time, alone = std::min({p.meeting, left, next});
+    constexpr double ahead =
+        0.01;  // [s] a ball at rest that nothing reaches is not sought for ever
+    const double next = calendar_.next().time;
+    const double alone = std::min({p.meeting, left, next, now_ + ahead});
     const Sighting seen =
         jar_->look(where, motion_time(now_), motion_time(alone), feelers_[line(ball).species]);
     ++account_.search_steps;
