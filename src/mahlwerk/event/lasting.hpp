@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "mahlwerk/event/jar.hpp"
 #include "mahlwerk/event/rules.hpp"
+#include "mahlwerk/scene/jar.hpp"
 
 // A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or
 // creeping where two or three meet (evt.12 to evt.17). The state is that of the jar frame.

@@ -4,9 +4,13 @@
 
 #include <cstdint>
 
-#include "mahlwerk/event/jar.hpp"
+#include "mahlwerk/scene/jar.hpp"
 
 namespace mahlwerk::event {
+
+using scene::Jar;
+using scene::Passing;
+using scene::Wall;
 
 /// A ball in flight: in laboratory axes, a parabola (evt.1, evt.2).
 struct Flight {

@@ -32,7 +32,7 @@ struct Cylinder {
       const double up = face == 1 ? 1 : -1;
       return {0.5 * height + up * p.z, {0, 0, up}, 0};
     }
-    const double r = std::hypot(p.x, p.y), big = 0.5 * diameter;
+    const double r = std::sqrt(p.x * p.x + p.y * p.y), big = 0.5 * diameter;
     return {big - r, r > 0 ? Vec3{-p.x / r, -p.y / r, 0} : Vec3{1, 0, 0}, 1 / big};
   }
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {

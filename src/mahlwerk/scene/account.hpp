@@ -17,6 +17,9 @@ struct Account {
   double lost_tangential = 0;  ///< dissipated in collisions, along the wall
   double lost_lasting =
       0;  ///< dissipated in lasting contacts: sliding, rolling, and on entering one
+  double lost_rolling = 0;     ///< dissipated by rolling resistance of touching bodies
+  double elastic = 0;          ///< stored in contacts now
+  double slid = 0;             ///< of lost_tangential, by slip at the Coulomb limit
   double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
   double deepest_overlap = 0;  ///< [1] of two bodies as they collided, over the ball's radius
   double contact_time = 0;     ///< [s] ball time in lasting contact
@@ -24,10 +27,13 @@ struct Account {
   std::int64_t lasting_contacts = 0;  ///< how many began
   std::int64_t tc_collisions = 0;     ///< made elastic by the TC rule
   std::int64_t search_steps = 0;      ///< of the search of touches
+  std::int64_t time_steps = 0;        ///< computed by the soft engine
 
-  double lost() const { return lost_normal + lost_tangential + lost_lasting; }
+  double lost() const { return lost_normal + lost_tangential + lost_lasting + lost_rolling; }
   /// Energy that appeared from nowhere.
-  double residual() const { return kinetic + potential - started_with - wall_work + lost(); }
+  double residual() const {
+    return kinetic + potential + elastic - started_with - wall_work + lost();
+  }
 };
 
 }  // namespace mahlwerk::scene

@@ -10,7 +10,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
-namespace mahlwerk::event {
+namespace mahlwerk::scene {
 
 /// A ball's centre and velocity in the jar frame at an instant.
 struct Passing {
@@ -53,6 +53,10 @@ class Jar {
   /// How fast its wall may come towards a ball at rest, by turning [m/s].
   double sweep() const { return looks_still_ ? 0 : limits_.spin * shape_.reach(); }
 
+  /// Its own axes are always those of the jar frame.
+  bool plain() const { return looks_still_ && aligned_; }
+  /// Axes in which its geometry can be asked, from them to the jar frame's.
+  Rotation axes(double t) const { return looks_still_ ? mount_ : turned(t); }
   /// From the jar's own axes to the jar frame's, at the mill's own time `t`.
   Rotation turned(double t) const { return motion_.turn(t) * mount_; }
 
@@ -137,4 +141,4 @@ class Jar {
   bool looks_still_ = true, aligned_ = true;
 };
 
-}  // namespace mahlwerk::event
+}  // namespace mahlwerk::scene

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+// One text for one number or for eight side by side: functions templated on the number type V,
+// `double` or `Lanes`, with masks and choices instead of branches. IEEE operations only, so that
+// every lane has the bits of the plain number, whatever the width of the machine's registers.
+namespace mahlwerk {
+
+constexpr int lanes = 8;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int64_t))));  // 0, -1
+
+/// Eight numbers where they are kept: aligned for the widest registers, whatever a file is compiled
+/// for.
+struct alignas(64) Eight {
+  Lanes is{};
+};
+
+template <class V>
+using MaskOf = std::conditional_t<std::is_same_v<V, double>, bool, LaneMask>;
+
+[[gnu::always_inline]] inline double choose(bool which, double a, double b) {
+  return which ? a : b;
+}
+[[gnu::always_inline]] inline Lanes choose(LaneMask which, Lanes a, Lanes b) {
+  return which ? a : b;
+}
+
+[[gnu::always_inline]] inline double root(double a) {
+  return std::sqrt(a);
+}
+[[gnu::always_inline]] inline Lanes root(Lanes a) {
+  Lanes r;
+  for (int l = 0; l < lanes; ++l) r[l] = std::sqrt(a[l]);
+  return r;
+}
+
+template <class V>
+[[gnu::always_inline]] inline V larger(V a, V b) {
+  return choose(a > b, a, b);
+}
+template <class V>
+[[gnu::always_inline]] inline V smaller(V a, V b) {
+  return choose(a < b, a, b);
+}
+template <class V>
+[[gnu::always_inline]] inline V size_of(V a) {
+  return choose(a < V{}, -a, a);
+}
+
+[[gnu::always_inline]] inline bool any(bool mask) {
+  return mask;
+}
+[[gnu::always_inline]] inline bool any(LaneMask mask) {
+  std::int64_t all = 0;
+  for (int l = 0; l < lanes; ++l) all |= mask[l];
+  return all != 0;
+}
+[[gnu::always_inline]] inline bool all(LaneMask mask) {
+  return !any(~mask);
+}
+
+/// Eight vectors side by side, or one.
+template <class V>
+struct Vec {
+  V x{}, y{}, z{};
+
+  [[gnu::always_inline]] friend Vec operator+(const Vec& a, const Vec& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  [[gnu::always_inline]] friend Vec operator-(const Vec& a, const Vec& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  [[gnu::always_inline]] friend Vec operator-(const Vec& a) { return {-a.x, -a.y, -a.z}; }
+  [[gnu::always_inline]] friend Vec operator*(const V& s, const Vec& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  [[gnu::always_inline]] friend Vec operator*(double s,
+                                              const Vec& a) requires(!std::is_same_v<V, double>) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+};
+template <class V>
+[[gnu::always_inline]] inline V dot(const Vec<V>& a, const Vec<V>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class V>
+[[gnu::always_inline]] inline Vec<V> cross(const Vec<V>& a, const Vec<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class V>
+[[gnu::always_inline]] inline Vec<V> choose(const MaskOf<V>& which, const Vec<V>& a,
+                                            const Vec<V>& b) {
+  return {choose(which, a.x, b.x), choose(which, a.y, b.y), choose(which, a.z, b.z)};
+}
+
+}  // namespace mahlwerk

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "mahlwerk/contact/damping.hpp"
+#include "mahlwerk/contact/hertz.hpp"
+
+namespace mahlwerk::contact {
+
+/// The impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (soft.16, soft.17): Hertz's
+/// spring and a damper that grows over the depth d to c_m; never pulls. c_m depends on the speed at
+/// touch. It is solved for the wanted e, or the paper's estimate, which misses it (physics of paper
+/// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
+struct AdamsImpact {
+  static constexpr LawName name = LawName::adams_impact;
+  static constexpr double usual_depth = 0.01;  // of the largest overlap
+  explicit AdamsImpact(const LawChoice& choice) : choice_(choice) {}
+
+  /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (soft.17).
+  double damping(double e) const {
+    if (choice_.published_damping) return -2 * damping_ratio(e);
+    return stepped_damping(e, usual_depth * scale) / root_of_scale;
+  }
+  LawNumbers numbers(const Touching& t, double damping) const {
+    const double k = hertz::stiffness(t);
+    return {k, damping * std::sqrt(t.mass * k), hertz::tangential_stiffness(t),
+            std::pow(1.25 * t.mass / k, 0.4), choice_.damping_depth};
+  }
+  /// Damper c_m [N s/m] and 1/d [1/m].
+  void begin(const LawNumbers& k, double* m, double approach) const {
+    const double deepest = k[3] * std::pow(std::max(approach, 1e-12), 0.8);
+    m[0] = k[1] * std::sqrt(std::sqrt(deepest));
+    m[1] = 1 / (k[4] > 0 ? k[4] : usual_depth * deepest);
+  }
+
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
+    const V half = root(overlap), s = smaller(overlap * m[1], V{} + 1.0);
+    const V force = larger(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
+    return {force, choose(force > V{}, k[2] * half, V{}), V{}, force};
+  }
+
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching& t) const { return hertz::secant(t); }
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    return hertz::stored(k[0], overlap);
+  }
+  double largest_overlap(const Touching& t, double speed) const {
+    return hertz::largest_overlap(t, speed);
+  }
+  double shortest_time(const Touching& t, double speed) const {
+    return hertz::contact_time(t, speed);
+  }
+
+ private:
+  // In units where m = k = v = 1 the largest overlap is (5/4)^(2/5), and k* its square root.
+  static constexpr double scale = 1.0933620739432502;          // (5/4)^(2/5)
+  static constexpr double root_of_scale = 1.0225651825635728;  // its fourth root: sqrt(k*)
+
+  LawChoice choice_;
+};
+
+}  // namespace mahlwerk::contact

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/hertz.hpp"
+
+namespace mahlwerk::contact {
+
+/// Hertz and Mindlin without slip, damped so that restitution does not depend on speed: paper B
+/// eqs. 3 to 10 as corrected (soft.5 to soft.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
+/// the overlap does; shortly before it the force pulls, which makes e exact.
+struct HertzMindlin {
+  static constexpr LawName name = LawName::hertz_mindlin;
+  explicit HertzMindlin(const LawChoice&) {}
+
+  double damping(double e) const { return -2 * std::sqrt(5.0 / 6.0) * damping_ratio(e); }
+  LawNumbers numbers(const Touching& t, double damping) const {
+    const double across = hertz::tangential_stiffness(t);
+    return {hertz::stiffness(t),
+            damping * std::sqrt(2 * t.pair.modulus * std::sqrt(t.radius) * t.mass), across,
+            damping * std::sqrt(across * t.mass)};
+  }
+  void begin(const LawNumbers&, double*, double) const {}
+
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
+    const V half = root(overlap), quarter = root(half);
+    const V force = k[0] * overlap * half + k[1] * quarter * rate;
+    return {force, k[2] * half, k[3] * quarter, size_of(force)};
+  }
+
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching& t) const { return hertz::secant(t); }
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    return hertz::stored(k[0], overlap);
+  }
+  double largest_overlap(const Touching& t, double speed) const {
+    return hertz::largest_overlap(t, speed);
+  }
+  double shortest_time(const Touching& t, double speed) const {
+    return hertz::contact_time(t, speed);
+  }
+};
+
+}  // namespace mahlwerk::contact

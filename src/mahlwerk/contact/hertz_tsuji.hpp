@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/damping.hpp"
+#include "mahlwerk/contact/hertz.hpp"
+
+namespace mahlwerk::contact {
+
+/// Hertz's spring with the damper of Tsuji, Tanaka and Ishida (1992), the same along and across the
+/// normal (soft.12). The bodies never pull: the contact ends when the force does, and the damping
+/// is solved for that end, so that e is exact.
+struct HertzTsuji {
+  static constexpr LawName name = LawName::hertz_tsuji;
+  explicit HertzTsuji(const LawChoice&) {}
+
+  double damping(double e) const { return tensionless_damping(e); }
+  /// The dimensionless damper is in units of sqrt(m* k).
+  LawNumbers numbers(const Touching& t, double damping) const {
+    const double k = hertz::stiffness(t);
+    return {k, damping * std::sqrt(t.mass * k), hertz::tangential_stiffness(t)};
+  }
+  void begin(const LawNumbers&, double*, double) const {}
+
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
+    const V half = root(overlap), damping = k[1] * root(half);
+    const V force = larger(k[0] * overlap * half + damping * rate, V{});
+    const auto pushes = force > V{};  // in the tail without force nothing rubs either
+    return {force, choose(pushes, k[2] * half, V{}), choose(pushes, damping, V{}), force};
+  }
+
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching& t) const { return hertz::secant(t); }
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    return hertz::stored(k[0], overlap);
+  }
+  double largest_overlap(const Touching& t, double speed) const {
+    return hertz::largest_overlap(t, speed);
+  }
+  double shortest_time(const Touching& t, double speed) const {
+    return hertz::contact_time(t, speed);
+  }
+};
+
+}  // namespace mahlwerk::contact

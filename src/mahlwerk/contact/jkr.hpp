@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/hertz_mindlin.hpp"
+
+namespace mahlwerk::contact {
+
+/// Johnson, Kendall and Roberts (1971): elastic spheres whose surfaces stick (soft.18), with the
+/// dampers of Hertz-Mindlin. A contact begins at touch and ends at the pull-off overlap, beyond it;
+/// friction acts under the load plus twice the pull-off force.
+struct Jkr {
+  static constexpr LawName name = LawName::jkr;
+  explicit Jkr(const LawChoice& choice) : plain_(choice) {}
+
+  double damping(double e) const { return plain_.damping(e); }
+  LawNumbers numbers(const Touching& t, double damping) const {
+    const LawNumbers h = plain_.numbers(t, damping);
+    const double root_r = std::sqrt(t.radius);
+    const double pull = 2 * std::sqrt(std::numbers::pi * t.pair.surface_energy / t.pair.modulus);
+    return {h[0] / root_r, h[1] / std::sqrt(root_r),
+            h[2] / root_r, h[3] / std::sqrt(root_r),
+            t.radius,      pull,
+            pull_off(t),   std::cbrt(t.radius * pull)};
+  }
+  void begin(const LawNumbers&, double*, double) const {}
+
+  /// Radius of contact [m]: l^4 / R* - c l = overlap with l its square root, by Newton's steps
+  /// from above, where the left side is convex.
+  template <class V>
+  [[gnu::always_inline]] static V contact_radius(const V* k, V overlap) {
+    const V least = k[4] * k[5] * 0.25;  // l^3 at pull-off
+    V l = root(root(k[4] * larger(overlap, V{}))) + k[7] + 1e-300;
+    for (int i = 0; i < 24; ++i) {
+      const V l3 = l * l * l;
+      const V slope = larger(4.0 * (l3 - least), 1e-6 * l3);
+      l = larger(l - (l3 * l - k[4] * (k[5] * l + overlap)) / slope, V{});
+    }
+    return l * l;
+  }
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
+    const V a = contact_radius(k, overlap), half = root(a);
+    // F = 4 E* a^3 / (3 R*) - 2 pi a^2 sqrt(4 gamma E* / (pi a)) = (4/3) E* a (a^2/R* - 1.5 c l)
+    const V elastic = k[0] * a * (a * a / k[4] - 1.5 * k[5] * half);
+    const V force = elastic + k[1] * half * rate;
+    return {force, k[2] * a, k[3] * half, size_of(force + 2.0 * k[6])};
+  }
+
+  static double pull_off(const Touching& t) {
+    return 3 * std::numbers::pi * t.pair.surface_energy * t.radius;
+  }
+  double reach(const Touching& t) const {
+    const double a = std::cbrt(std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
+                               (4 * t.pair.modulus));
+    return 3 * a * a / t.radius;
+  }
+  double secant(const Touching& t) const { return hertz::secant(t); }
+  /// Work done against the elastic force from touch on, where bodies that part have none.
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    const auto from_none = [&](double at) {  // integral of F d(overlap) over the contact radius
+      const double a = contact_radius(k.data(), at), l = std::sqrt(a), r = k[4], c = k[5];
+      const double a5 = a * a * a * a * a;
+      return k[0] * (0.4 * a5 / (r * r) - c * a * a * a * l / r + 0.375 * c * c * a * a);
+    };
+    return from_none(overlap) - from_none(0);
+  }
+  double largest_overlap(const Touching& t, double speed) const {
+    return hertz::largest_overlap(t, speed);
+  }
+  double shortest_time(const Touching& t, double speed) const {
+    return hertz::contact_time(t, speed);
+  }
+
+ private:
+  HertzMindlin plain_;
+};
+
+}  // namespace mahlwerk::contact

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/pair_table.hpp"
+
+// A contact law says what force two bodies that touch exert on each other along their normal, and
+// how stiff and how damped the contact is across it. Written for a number type V: one contact, or
+// eight side by side. Overlap and its rate are > 0 in contact and while approaching (soft.1).
+namespace mahlwerk::contact {
+
+/// Two bodies that may touch: their pair's properties, R* [m] and m* [kg] (soft.4).
+struct Touching {
+  Pair pair;
+  double radius = 0, mass = 0;
+};
+
+/// What a law makes of them, once; what each number means is the law's own business.
+constexpr int law_numbers = 8;
+using LawNumbers = std::array<double, law_numbers>;
+/// What a law remembers of one contact.
+constexpr int law_memories = 2;
+
+/// Force along the normal, > 0 repulsive [N]; stiffness [N/m] and damping [N s/m] across it; and
+/// the load [N] under which the bodies rub and roll.
+template <class V>
+struct Push {
+  V force, stiffness, damping, load;
+};
+
+/// A contact law. `damping(e)` is the number that makes a collision end with restitution e; it may
+/// take a while and is asked once for each pair. `begin` sets the memory of a new contact that
+/// closes at `approach` [m/s]. `reach` [m] is how far a contact holds beyond touch. `stored` [J] is
+/// the elastic energy of the normal deformation. `secant(t)` [1] is the stiffness along the normal,
+/// F/overlap of the spring, over that across it. `largest_overlap` [m] and `shortest_time` [s],
+/// that of the swiftest part of a collision, are those at `speed` [m/s].
+template <class L>
+concept Law = requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
+                       const double* v) {
+  { L::name } -> std::convertible_to<LawName>;
+  { law.damping(x) } -> std::same_as<double>;
+  { law.numbers(t, x) } -> std::same_as<LawNumbers>;
+  { law.begin(k, m, x) } -> std::same_as<void>;
+  { L::push(v, m, x, x) } -> std::same_as<Push<double>>;
+  { law.reach(t) } -> std::same_as<double>;
+  { law.secant(t) } -> std::same_as<double>;
+  { law.stored(k, v, x) } -> std::same_as<double>;
+  { law.largest_overlap(t, x) } -> std::same_as<double>;
+  { law.shortest_time(t, x) } -> std::same_as<double>;
+};
+
+/// ln e / sqrt(ln^2 e + pi^2), from 0 at e = 1 to -1 at e = 0 (soft.7).
+inline double damping_ratio(double e) {
+  if (e <= 0) return -1;
+  const double ln = std::log(e);
+  return ln / std::hypot(ln, std::numbers::pi);
+}
+
+}  // namespace mahlwerk::contact

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/hertz_mindlin.hpp"
+
+namespace mahlwerk::contact {
+
+/// Hertz-Mindlin and a simplified cohesion in proportion to the area of contact, 2 pi overlap times
+/// 2 R* (SJKR2 of LIGGGHTS; soft.19). Friction acts under the load without the cohesion.
+struct Sjkr {
+  static constexpr LawName name = LawName::sjkr;
+  explicit Sjkr(const LawChoice& choice) : plain_(choice) {}
+
+  double damping(double e) const { return plain_.damping(e); }
+  LawNumbers numbers(const Touching& t, double damping) const {
+    LawNumbers k = plain_.numbers(t, damping);
+    k[4] = 4 * std::numbers::pi * t.radius * t.pair.cohesion;
+    return k;
+  }
+  void begin(const LawNumbers&, double*, double) const {}
+
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
+    Push<V> p = HertzMindlin::push(k, m, overlap, rate);
+    p.force = p.force - k[4] * overlap;
+    return p;
+  }
+
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching& t) const { return hertz::secant(t); }
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    if (!(overlap > 0)) return 0;
+    return hertz::stored(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
+  }
+  double largest_overlap(const Touching& t, double speed) const {
+    return hertz::largest_overlap(t, speed);
+  }
+  double shortest_time(const Touching& t, double speed) const {
+    return hertz::contact_time(t, speed);
+  }
+
+ private:
+  HertzMindlin plain_;
+};
+
+}  // namespace mahlwerk::contact

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/scene/balls.hpp"
+
+namespace mahlwerk::soft {
+
+/// Two species of balls that may touch, or one and a face of the jar.
+struct Breed {
+  contact::Touching touching;
+  double damping = 0;  ///< of the law (contact::Law)
+  contact::LawNumbers numbers{};
+  double reach = 0;   ///< [m]
+  double secant = 0;  ///< [1]
+};
+
+/// Balls that are alike: one size, density and kind.
+struct Species {
+  double radius = 0, mass = 0, inertia = 0;
+  std::int32_t kind = 0;
+};
+
+/// All species, and what the law makes of each two of them.
+class Breeds {
+ public:
+  Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
+         const contact::AnyLaw& law);
+
+  std::int32_t species_of(std::size_t ball) const { return of_[ball]; }
+  const Species& species(std::int32_t s) const { return species_[static_cast<std::size_t>(s)]; }
+  const Species& of(std::size_t ball) const { return species(of_[ball]); }
+  std::int32_t balls(std::int32_t a, std::int32_t b) const { return a * row_ + b; }
+  std::int32_t wall(std::int32_t s, int face) const {
+    return s * row_ + static_cast<std::int32_t>(species_.size()) + face;
+  }
+  const Breed& operator[](std::int32_t breed) const {
+    return breeds_[static_cast<std::size_t>(breed)];
+  }
+  std::span<const Breed> all() const { return breeds_; }
+  std::span<const Species> all_species() const { return species_; }
+
+ private:
+  std::vector<Species> species_;
+  std::vector<std::int32_t> of_;  // each ball's species
+  std::vector<Breed> breeds_;
+  std::int32_t row_ = 0;
+};
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/soft_balls.hpp"
+
+namespace mahlwerk::soft {
+
+std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
+                                      const std::vector<scene::Ball>& balls, const Rules& rules,
+                                      const contact::PairTable& pairs, double start) {
+  auto jar =
+      std::visit([&](const auto& shape) { return surroundings_of(shape, chamber); }, chamber.shape);
+  return std::make_unique<SoftBalls>(std::move(jar), balls, rules, pairs, start);
+}
+
+double TimeSteps::usual(double fraction) const {
+  return std::min(fraction * rayleigh, contact / 50);
+}
+
+TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawChoice& choice,
+                     const contact::PairTable& pairs, double speed) {
+  const contact::AnyLaw law = contact::law(choice);
+  const Breeds breeds(balls, pairs, law);
+  TimeSteps found{geometry::never, geometry::never, geometry::never, 0};
+  for (const Breed& b : breeds.all())
+    std::visit(
+        [&](const auto& l) {
+          found.contact = std::min(found.contact, l.shortest_time(b.touching, speed));
+          found.overlap =
+              std::max(found.overlap, l.largest_overlap(b.touching, speed) / b.touching.radius);
+        },
+        law);
+  for (const scene::Ball& ball : balls) {
+    // Of the softest it meets: G* and E* give the wave speed of the pair (soft.30).
+    for (int k = 0; k < pairs.kinds(); ++k) {
+      const contact::Pair& pair = pairs.balls(ball.kind, k);
+      const double nu =
+          std::clamp(2 - 2 / (0.5 + pair.modulus / (4 * pair.shear_modulus)), 0.0, 0.5);
+      const double shear = 2 * (2 - nu) * pair.shear_modulus;
+      found.rayleigh =
+          std::min(found.rayleigh, std::numbers::pi * ball.radius *
+                                       std::sqrt(ball.density / shear) / (0.1631 * nu + 0.8766));
+    }
+  }
+  found.limit = std::min(found.rayleigh, 0.2 * found.contact);
+  return found;
+}
+
+}  // namespace mahlwerk::soft

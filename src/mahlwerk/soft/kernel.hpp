@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/soft/packet.hpp"
+
+// What two bodies that touch do to each other, eight pairs at a time (docs/theory/soft.md).
+namespace mahlwerk::soft {
+
+/// What is the same for all packets of a step.
+struct alignas(64) Frame {
+  double step = 0;  ///< [s]
+  Vec<Lanes> jar_speed;
+  contact::Rolling rolling = contact::Rolling::none;
+  double rolling_damping = 0;
+  bool rescaled = false;  ///< the tangential spring gives way as the contact unloads
+  bool periodic = false;
+  Vec<Lanes> periods;
+};
+
+/// The bodies of a packet's lanes.
+struct alignas(64) Bodies {
+  Vec<Lanes> apart;   ///< [m] from i to j
+  Vec<Lanes> vi, vj;  ///< [m/s]
+  Vec<Lanes> wi, wj;  ///< [rad/s]
+};
+
+/// Force [N] on i, its opposite on j; torques [N m] on both.
+struct alignas(64) Push {
+  Vec<Lanes> force, torque_i, torque_j;
+};
+
+/// Two bodies as they meet, before any force is known.
+struct alignas(64) Meeting {
+  Vec<Lanes> n;            ///< from i to j
+  Lanes overlap;           ///< [m]
+  Lanes lever_i, lever_j;  ///< [m] from the centres to the contact
+  Vec<Lanes> u;            ///< [m/s] relative velocity there (soft.1)
+  Lanes rate;              ///< [m/s] u.n, of the overlap
+  Vec<Lanes> slip;         ///< [m/s] u across n
+};
+
+/// Shorter or equal to which the distance of two centres is a touch.
+[[gnu::always_inline]] inline Lanes touch_distance(const Packet& p) {
+  return p.radius_i + p.radius_j + choose(p.touching, p.reach, Lanes{});
+}
+
+[[gnu::always_inline]] inline Meeting meet(const Packet& p, const Bodies& b, Lanes squared) {
+  Meeting m;
+  const Lanes distance = root(squared);
+  m.n = (1.0 / larger(distance, Lanes{} + 1e-300)) * b.apart;  // 0 in free lanes
+  m.overlap = p.radius_i + p.radius_j - distance;
+  m.lever_i = p.radius_i - p.share * m.overlap;
+  m.lever_j = distance - m.lever_i;
+  m.u = b.vi - b.vj + cross(m.lever_i * b.wi + m.lever_j * b.wj, m.n);
+  m.rate = dot(m.u, m.n);
+  m.slip = m.u - m.rate * m.n;
+  return m;
+}
+
+/// A vector across the old normal turned with it to the new one, its length kept (soft.21): the
+/// exact rotation in the plane of both, with 1/(1 + cos) by its series about no turn at all.
+[[gnu::always_inline]] inline Vec<Lanes> carried(const Vec<Lanes>& a, const Vec<Lanes>& from,
+                                                 const Vec<Lanes>& to) {
+  const Lanes less = 1.0 - dot(from, to);
+  const Lanes factor = dot(a, to) * (0.5 + less * (0.25 + 0.125 * less));
+  return a - factor * (from + to);
+}
+
+/// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (soft.20 to
+/// soft.23). Returns the force on i.
+[[gnu::always_inline]] inline Vec<Lanes> rub(Packet& p, const Frame& frame, const Meeting& m,
+                                             const contact::Push<Lanes>& push, LaneMask touching) {
+  if (frame.rescaled) {
+    const Lanes kept = push.stiffness / p.stiffness;
+    p.spring = choose(push.stiffness < p.stiffness, kept, Lanes{} + 1.0) * p.spring;
+  }
+  Vec<Lanes> spring = carried(p.spring, p.normal, m.n) + frame.step * m.slip;
+  Vec<Lanes> force = -(push.stiffness * spring) - push.damping * m.slip;
+  const Lanes most = p.friction * push.load, squared = dot(force, force);
+  const LaneMask slides = touching & (squared > most * most);
+  if (any(slides)) {
+    const Lanes factor = choose(slides, most / root(squared), Lanes{} + 1.0);
+    force = factor * force;
+    const Lanes soft = choose(push.stiffness > Lanes{}, 1.0 / push.stiffness, Lanes{});
+    const Vec<Lanes> left = -(soft * (force + push.damping * m.slip));
+    const Lanes slid = dot(force, left - spring);
+    p.deeds.sliding += choose(slides, slid, Lanes{});
+    spring = choose<Lanes>(slides, left, spring);
+  }
+  p.spring = choose<Lanes>(touching, spring, Vec<Lanes>{});
+  p.stiffness = push.stiffness;
+  return choose<Lanes>(touching, force, Vec<Lanes>{});
+}
+
+/// Rolling resistance: the torque on i, its opposite on j (soft.24 to soft.27).
+[[gnu::always_inline]] inline Vec<Lanes> resist(Packet& p, const Frame& frame, const Meeting& m,
+                                                const Bodies& b, const contact::Push<Lanes>& push,
+                                                LaneMask touching) {
+  Vec<Lanes> turning = b.wi - b.wj;
+  turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
+  const Lanes none{}, most = p.rolling * push.load;
+  const auto limited = [&](const Lanes& size) {  // no more than stops it within a step
+    return smaller(size, p.inertia / frame.step);
+  };
+  Vec<Lanes> torque;
+  if (frame.rolling == contact::Rolling::cdt) {
+    const Lanes speed = root(dot(turning, turning));
+    const Lanes whole = most / larger(speed, none + 1e-300);
+    torque = -(limited(whole) * turning);
+  } else if (frame.rolling == contact::Rolling::viscous) {
+    const Vec<Lanes> surface = cross(m.lever_i * b.wi + m.lever_j * b.wj, m.n);
+    const Lanes ratio = dot(surface, surface) / larger(dot(turning, turning), none + 1e-300);
+    torque = -(limited(most * root(ratio)) * turning);
+  } else {
+    const Lanes stiffness = p.roll_spring * push.stiffness;
+    Vec<Lanes> spring = carried(p.roll, p.normal, m.n) - (frame.step * stiffness) * turning;
+    const Lanes squared = dot(spring, spring);
+    const LaneMask slips = squared > most * most;
+    if (any(slips)) {
+      const Lanes factor = most / root(larger(squared, none + 1e-300));
+      spring = choose<Lanes>(slips, factor * spring, spring);
+    }
+    // Each ball rolls about the contact, with (7/5) m R^2 = 7/2 of its own inertia.
+    const Lanes damping = limited(2.0 * frame.rolling_damping * root(3.5 * p.inertia * stiffness));
+    torque = spring - choose(slips, none, damping) * turning;
+    p.roll = choose<Lanes>(touching, spring, Vec<Lanes>{});
+  }
+  p.deeds.rolling -= choose(touching, frame.step * dot(torque, turning), none);
+  return choose<Lanes>(touching, torque, Vec<Lanes>{});
+}
+
+/// All that the pairs of a packet do to each other in a step.
+template <class Law>
+[[gnu::always_inline]] inline Push push(Packet& p, const Frame& frame, const Bodies& b,
+                                        const Meeting& m, LaneMask touching) {
+  const Lanes none{};
+  contact::Push<Lanes> f = Law::template push<Lanes>(
+      p.numbers, p.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
+  f.force = choose(touching, f.force, none);
+  const Vec<Lanes> friction = rub(p, frame, m, f, touching);
+  Push out;
+  out.force = friction - f.force * m.n;
+  const Vec<Lanes> arm = cross(m.n, friction);
+  out.torque_i = m.lever_i * arm;
+  out.torque_j = m.lever_j * arm;
+  Lanes by_wall = dot(out.force, b.vj + frame.jar_speed);
+  if (frame.rolling != contact::Rolling::none) {
+    const Vec<Lanes> torque = resist(p, frame, m, b, f, touching);
+    out.torque_i = out.torque_i + torque;
+    out.torque_j = out.torque_j - torque;
+    by_wall += dot(torque, b.wj);
+  }
+  p.normal = m.n;
+  Deeds& d = p.deeds;
+  d.impulse += frame.step * f.force;
+  d.normal += frame.step * (f.force * m.rate);
+  d.tangential -= frame.step * dot(friction, m.slip);
+  d.wall += choose(p.wall, frame.step * by_wall, none);
+  d.deepest = larger(d.deepest, choose(touching, m.overlap, none));
+  return out;
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mahlwerk/contact/law.hpp"
+
+namespace mahlwerk::soft {
+
+/// What a contact has done since it began; sums over steps of power times the step.
+struct alignas(64) Deeds {
+  Lanes impulse{};     ///< [N s] normal
+  Lanes normal{};      ///< [J] work done along the normal
+  Lanes tangential{};  ///< [J] across it
+  Lanes rolling{};     ///< [J] by rolling resistance
+  Lanes sliding{};     ///< [J] of `tangential`, by slip at the Coulomb limit
+  Lanes wall{};        ///< [J] work the wall did, in laboratory axes
+  Lanes deepest{};     ///< [m] overlap
+};
+
+/// How a contact began.
+struct Beginning {
+  std::int64_t step = 0;
+  double approach = 0, slip = 0, glide = 0;  ///< [m/s]
+};
+
+/// Eight pairs of bodies that are near each other, side by side, with the history of those that
+/// touch. A body is a ball, or the foot of a wall, a ball of no size. Free lanes touch nothing.
+struct alignas(64) Packet {
+  LaneMask i{}, j{};             ///< bodies; i is always a ball
+  LaneMask touching{};           ///< since the last step
+  LaneMask wall{};               ///< where j is a foot
+  Lanes radius_i{}, radius_j{};  ///< [m] 0 of a foot
+  Lanes share{};                 ///< of the overlap that lies in i: half, or all against a wall
+  Lanes reach{};                 ///< [m] a contact holds beyond touch
+  Lanes numbers[contact::law_numbers]{};
+  Lanes friction{};     ///< mu
+  Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
+  Lanes roll_spring{};  ///< [m2] epsd: its stiffness over the contact's stiffness across
+  Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
+
+  Lanes memory[contact::law_memories]{};
+  Vec<Lanes> spring;  ///< [m] xi, the tangential spring
+  Vec<Lanes> normal;  ///< at the last step, from i to j
+  Vec<Lanes> roll;    ///< [N m] epsd: its spring's moment
+  Lanes stiffness{};  ///< [N/m] across, at the last step
+  Deeds deeds;
+
+  std::array<std::int32_t, lanes> face{};   ///< of a wall; < 0: balls
+  std::array<std::int32_t, lanes> breed{};  ///< which pair of species (Breeds)
+  std::array<bool, lanes> used{};
+  std::array<Beginning, lanes> began{};
+};
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/soft_balls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::soft {
+namespace {
+
+constexpr std::int64_t block = 64;   // steps between two looks at the energy
+constexpr std::size_t hopping = 32;  // balls: beyond, something touches at nearly all times
+
+Vec<Lanes> periods_of(const Vec3& p) {
+  const Lanes none{};
+  return {none + p.x, none + p.y, none + p.z};
+}
+
+}  // namespace
+
+SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+                     const Rules& rules, const contact::PairTable& pairs, double start)
+    : jar_(std::move(jar)),
+      made_of_(balls),
+      rules_(rules),
+      law_(contact::law(rules.law)),
+      breeds_(balls, pairs, law_),
+      steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
+      start_(start),
+      hops_(rules.hop && balls.size() <= hopping),
+      contacts_of_(balls.size()) {
+  Swarm& w = swarm_;
+  w.balls = balls.size();
+  w.blocks = (balls.size() + lanes - 1) / lanes;
+  for (Columns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.looked}) c->resize(w.blocks);
+  for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(w.blocks + 1);
+  w.half_kick.resize(w.blocks);
+  w.half_turn.resize(w.blocks);
+  double smallest = geometry::never;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    w.place.put_one(b, balls[b].position);
+    w.velocity.put_one(b, balls[b].velocity);
+    w.spin.put_one(b, balls[b].spin);
+    w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).mass;
+    w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
+    smallest = std::min(smallest, balls[b].radius);
+  }
+  skin_ = 0.04 * smallest;
+  look();
+  account_.started_with = 0;
+  const scene::Account now = reckoned();
+  account_.started_with = now.kinetic + now.potential + now.elastic;
+}
+
+double SoftBalls::time_of(std::int64_t step) const {
+  return static_cast<double>(step) * rules_.time_step;
+}
+double SoftBalls::clock(std::int64_t step) const {
+  return start_ + time_of(step);
+}
+
+void SoftBalls::advance(double time, scene::Observer& observer) {
+  const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  const auto hand_over = [&] {
+    if (!ended_.empty()) observer.collisions(ended_);
+    ended_.clear();
+  };
+  try {
+    while (now_ < until) {
+      if (landing_ >= 0) {
+        now_ = std::min(landing_, until);
+        if (now_ == landing_) land();
+      } else if (!hop(until)) {
+        stretch(until);
+        now_ = swarm_.step;
+      }
+      if (ended_.size() > 1000) hand_over();
+    }
+  } catch (...) {
+    now_ = swarm_.step;
+    hand_over();
+    throw;
+  }
+  hand_over();
+}
+
+/// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
+void SoftBalls::stretch(std::int64_t until) {
+  Swarm& w = swarm_;
+  std::int64_t end = std::min(until, (w.step / block + 1) * block);
+  const bool waits = hops_ && !touched_ && w.step < try_hop_;
+  if (waits) end = std::min(end, try_hop_);
+  beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
+  jar_->beats(start_, rules_.time_step, w.step, beats_);
+  const bool periodic = std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
+                        std::isfinite(jar_->periods().z);
+  Stretch s{.swarm = w,
+            .jar = *jar_,
+            .seldom = *this,
+            .frame = {.step = rules_.time_step,
+                      .jar_speed = {},
+                      .rolling = rules_.law.rolling,
+                      .rolling_damping = rules_.law.rolling_damping,
+                      .rescaled = rules_.law.rescaled_unloading,
+                      .periodic = periodic,
+                      .periods = periods_of(jar_->periods())},
+            .beats = beats_,
+            .start = start_,
+            .moved = 0.5 * skin_,
+            .swept_since = looked_step_,
+            .idle_ends = hops_ && !waits};
+  const std::int64_t before = w.step;
+  touched_ = steps_(s);
+  account_.time_steps += w.step - before;
+  if (w.step % block == 0) check_energy();
+}
+
+double SoftBalls::stored() const {
+  double energy = 0;
+  for (const Packet& p : swarm_.packets)
+    for (int l = 0; l < lanes; ++l) {
+      if (p.touching[l] == 0) continue;
+      contact::LawNumbers k;
+      for (std::size_t n = 0; n < k.size(); ++n) k[n] = p.numbers[n][l];
+      const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
+      Vec3 apart = swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
+                   swarm_.place.one(static_cast<std::size_t>(p.i[l]));
+      apart = {std::remainder(apart.x, jar_->periods().x),
+               std::remainder(apart.y, jar_->periods().y),
+               std::remainder(apart.z, jar_->periods().z)};
+      const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
+      energy += std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
+      const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};
+      energy += 0.5 * p.stiffness[l] * squared(spring);
+    }
+  return energy;
+}
+
+scene::Account SoftBalls::reckoned() const {
+  scene::Account a = account_;
+  a.time = time_of(now_);
+  const kinematics::Ride ride = jar_->ride(clock(swarm_.step));
+  const Flown way = flown(now_ - swarm_.step);
+  const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;
+  a.kinetic = a.potential = 0;
+  for (std::size_t b = 0; b < swarm_.balls; ++b) {
+    const Species& of = breeds_.of(b);
+    const Vec3 v0 = swarm_.velocity.one(b);
+    const Vec3 v = v0 + way.gain + there.velocity;
+    const Vec3 x = swarm_.place.one(b) + way.time * v0 + way.shift + there.centre;
+    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(swarm_.spin.one(b)));
+    a.potential -= of.mass * dot(jar_->gravity(), x);
+  }
+  a.elastic = stored();
+  for (const Packet& p : swarm_.packets)
+    for (int l = 0; l < lanes; ++l) {
+      if (!p.used[static_cast<std::size_t>(l)]) continue;
+      a.lost_normal += p.deeds.normal[l];
+      a.lost_tangential += p.deeds.tangential[l];
+      a.lost_rolling += p.deeds.rolling[l];
+      a.slid += p.deeds.sliding[l];
+      a.wall_work += p.deeds.wall[l];
+      a.deepest_overlap = std::max(a.deepest_overlap, p.deeds.deepest[l] / p.radius_i[l]);
+    }
+  a.lost_normal -= a.elastic;  // of what contacts took so far, this can come back
+  a.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
+  return a;
+}
+
+scene::Account SoftBalls::account() const {
+  return reckoned();
+}
+
+/// A run that goes wrong makes energy from nothing, at once and much of it.
+void SoftBalls::check_energy() {
+  const scene::Account a = reckoned();
+  const double jump = std::abs(a.residual() - last_residual_);
+  last_residual_ = a.residual();
+  const Species& first = breeds_.species(0);
+  const double scale = a.kinetic + a.elastic + first.mass * norm(jar_->gravity()) * first.radius;
+  if (jump <= 0.1 * scale) return;
+  std::size_t fastest = 0;
+  for (std::size_t b = 1; b < swarm_.balls; ++b)
+    if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
+  stop(fastest, "the energy of the balls jumped: a contact was passed in too few steps");
+}
+
+void SoftBalls::stop(std::size_t ball, const char* why) const {
+  const Vec3 x = swarm_.place.one(ball), v = swarm_.velocity.one(ball);
+  throw RunError(fmt::format(
+      "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
+      "centre, "
+      "with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer contact",
+      time_of(swarm_.step), ball + 1, why, x.x, x.y, x.z, v.x, v.y, v.z));
+}
+
+std::vector<scene::Ball> SoftBalls::balls() const {
+  std::vector<scene::Ball> all = made_of_;
+  const Flown way = flown(now_ - swarm_.step);
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const Vec3 v = swarm_.velocity.one(b);
+    all[b].position = swarm_.place.one(b) + way.time * v + way.shift;
+    all[b].velocity = v + way.gain;
+    all[b].spin = swarm_.spin.one(b);
+  }
+  return all;
+}
+
+void SoftBalls::carry(Archive& archive) {
+  Swarm& w = swarm_;
+  archive(w.step)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
+  for (Columns* c :
+       {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
+    archive(c->x)(c->y)(c->z);
+  archive(w.packets)(w.near)(contacts_of_);
+  archive(account_)(in_touch_)(in_touch_since_)(last_residual_);
+  if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
+  if (archive.reading()) find_owners();
+}
+
+}  // namespace mahlwerk::soft

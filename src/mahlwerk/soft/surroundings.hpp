@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "mahlwerk/scene/jar.hpp"
+
+namespace mahlwerk::soft {
+
+/// What moves the balls at one step, in the jar frame.
+struct Beat {
+  Vec3 pull;   ///< [m/s2] gravity less the acceleration of the jar's centre
+  Vec3 speed;  ///< [m/s] of the jar's centre
+  Vec3 spin;   ///< [rad/s] of the jar
+};
+
+/// A ball that is near a face, and what it finds there.
+struct Near {
+  std::int32_t ball = 0, face = 0;
+};
+
+/// The balls' places and the walls' feet, component by component. A foot is the point of a face
+/// under a ball's centre; it moves as the wall there does.
+struct Places {
+  const double *x, *y, *z;  // [m] of the balls
+  double *fx, *fy, *fz;     // [m] of the feet
+  double *fu, *fv, *fw;     // [m/s]
+  double *sx, *sy, *sz;     // [rad/s] spin of the wall
+};
+
+/// A jar on its mill with its types hidden. Times are the mill's own; places and velocities those
+/// of the jar frame.
+class Surroundings {
+ public:
+  virtual ~Surroundings() = default;
+
+  virtual void beats(double start, double step, std::int64_t first, std::span<Beat> out) const = 0;
+  virtual kinematics::Ride ride(double t) const = 0;
+  virtual Vec3 spin(double t) const = 0;
+  virtual geometry::Gap gap(int face, const Vec3& position, double t) const = 0;
+  /// Where the balls meet the faces they are near to.
+  virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
+                    const Places& places) const = 0;
+  /// A time in which a ball in free flight certainly touches no wall [s].
+  virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
+  /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
+  virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
+  virtual Vec3 own(const Vec3& a, double t) const = 0;
+  virtual bool meets(int face, double radius) const = 0;
+
+  const Vec3& gravity() const { return gravity_; }
+  int faces() const { return faces_; }
+  double sweep() const { return sweep_; }  ///< [m/s] how fast its wall may come to a ball at rest
+  double reach() const { return reach_; }  ///< [m]
+  const Vec3& periods() const { return periods_; }  ///< [m] infinite where it does not repeat
+
+ protected:
+  Vec3 gravity_, periods_;
+  int faces_ = 0;
+  double sweep_ = 0, reach_ = 0;
+};
+
+/// The surroundings in one shape, on every motion; each shape is compiled in a file of its own.
+template <class S>
+std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber);
+
+}  // namespace mahlwerk::soft
