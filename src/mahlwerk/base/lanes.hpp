@@ -54,13 +54,20 @@ template <class V>
   return choose(a < V{}, -a, a);
 }
 
+/// a < b as a mask. GCC 12 takes a comparison of eight numbers apart unless it chooses something.
+[[gnu::always_inline]] inline bool less(double a, double b) {
+  return a < b;
+}
+[[gnu::always_inline]] inline LaneMask less(Lanes a, Lanes b) {
+  return (LaneMask)(a < b ? (Lanes)~LaneMask{} : Lanes{});  // the bits, as they are
+}
 [[gnu::always_inline]] inline bool any(bool mask) {
   return mask;
 }
 [[gnu::always_inline]] inline bool any(LaneMask mask) {
-  std::int64_t all = 0;
-  for (int l = 0; l < lanes; ++l) all |= mask[l];
-  return all != 0;
+  LaneMask all = mask | __builtin_shufflevector(mask, mask, 4, 5, 6, 7, 0, 1, 2, 3);
+  all |= __builtin_shufflevector(all, all, 2, 3, 0, 1, 6, 7, 4, 5);
+  return (all[0] | all[1]) != 0;
 }
 [[gnu::always_inline]] inline bool all(LaneMask mask) {
   return !any(~mask);
@@ -69,7 +76,7 @@ template <class V>
 /// Eight vectors side by side, or one.
 template <class V>
 struct Vec {
-  V x{}, y{}, z{};
+  V x, y, z;
 
   [[gnu::always_inline]] friend Vec operator+(const Vec& a, const Vec& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -24,8 +24,8 @@ struct AdamsImpact {
     return stepped_damping(e, usual_depth * scale) / root_of_scale;
   }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double k = hertz::stiffness(t);
-    return {k, damping * std::sqrt(t.mass * k), hertz::tangential_stiffness(t),
+    const double k = hertz_stiffness(t);
+    return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t),
             std::pow(1.25 * t.mass / k, 0.4), choice_.damping_depth};
   }
   /// Damper c_m [N s/m] and 1/d [1/m].
@@ -39,19 +39,19 @@ struct AdamsImpact {
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
     const V half = root(overlap), s = smaller(overlap * m[1], V{} + 1.0);
     const V force = larger(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
-    return {force, choose(force > V{}, k[2] * half, V{}), V{}, force};
+    return {force, choose(less(V{}, force), k[2] * half, V{}), V{}, force};
   }
 
   double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return hertz::secant(t); }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz::stored(k[0], overlap);
+    return hertz_energy(k[0], overlap);
   }
   double largest_overlap(const Touching& t, double speed) const {
-    return hertz::largest_overlap(t, speed);
+    return hertz_overlap(t, speed);
   }
   double shortest_time(const Touching& t, double speed) const {
-    return hertz::contact_time(t, speed);
+    return hertz_time(t, speed);
   }
 
  private:

@@ -5,32 +5,32 @@
 #include "mahlwerk/contact/law.hpp"
 
 // Elastic spheres by Hertz (1881): what the laws built on them share.
-namespace mahlwerk::contact::hertz {
+namespace mahlwerk::contact {
 
 /// F = this times overlap^1.5 [N/m^1.5] (soft.5).
-inline double stiffness(const Touching& t) {
+inline double hertz_stiffness(const Touching& t) {
   return 4.0 / 3.0 * t.pair.modulus * std::sqrt(t.radius);
 }
 /// Mindlin's stiffness across the normal is this times sqrt(overlap) [N/m^1.5] (soft.6).
-inline double tangential_stiffness(const Touching& t) {
+inline double mindlin_stiffness(const Touching& t) {
   return 8 * t.pair.shear_modulus * std::sqrt(t.radius);
 }
 /// F/overlap over the stiffness across the normal.
-inline double secant(const Touching& t) {
+inline double mindlin_secant(const Touching& t) {
   return t.pair.modulus / (6 * t.pair.shear_modulus);
 }
 /// Of an elastic collision at `speed` [m/s] (soft.8).
-inline double largest_overlap(const Touching& t, double speed) {
-  return std::pow(1.25 * t.mass * speed * speed / stiffness(t), 0.4);
+inline double hertz_overlap(const Touching& t, double speed) {
+  return std::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
 /// How long it lasts [s] (soft.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 overlaps a speed.
-inline double contact_time(const Touching& t, double speed) {
+inline double hertz_time(const Touching& t, double speed) {
   const double ratio = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
-  return ratio * largest_overlap(t, speed) / speed;
+  return ratio * hertz_overlap(t, speed) / speed;
 }
 /// Elastic energy at an overlap [J].
-inline double stored(double stiffness, double overlap) {
+inline double hertz_energy(double stiffness, double overlap) {
   return overlap > 0 ? 0.4 * stiffness * overlap * overlap * std::sqrt(overlap) : 0;
 }
 
-}  // namespace mahlwerk::contact::hertz
+}  // namespace mahlwerk::contact

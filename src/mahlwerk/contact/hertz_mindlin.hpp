@@ -15,8 +15,8 @@ struct HertzMindlin {
 
   double damping(double e) const { return -2 * std::sqrt(5.0 / 6.0) * damping_ratio(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double across = hertz::tangential_stiffness(t);
-    return {hertz::stiffness(t),
+    const double across = mindlin_stiffness(t);
+    return {hertz_stiffness(t),
             damping * std::sqrt(2 * t.pair.modulus * std::sqrt(t.radius) * t.mass), across,
             damping * std::sqrt(across * t.mass)};
   }
@@ -30,15 +30,15 @@ struct HertzMindlin {
   }
 
   double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return hertz::secant(t); }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz::stored(k[0], overlap);
+    return hertz_energy(k[0], overlap);
   }
   double largest_overlap(const Touching& t, double speed) const {
-    return hertz::largest_overlap(t, speed);
+    return hertz_overlap(t, speed);
   }
   double shortest_time(const Touching& t, double speed) const {
-    return hertz::contact_time(t, speed);
+    return hertz_time(t, speed);
   }
 };
 

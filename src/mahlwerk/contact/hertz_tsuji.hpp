@@ -17,8 +17,8 @@ struct HertzTsuji {
   double damping(double e) const { return tensionless_damping(e); }
   /// The dimensionless damper is in units of sqrt(m* k).
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double k = hertz::stiffness(t);
-    return {k, damping * std::sqrt(t.mass * k), hertz::tangential_stiffness(t)};
+    const double k = hertz_stiffness(t);
+    return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t)};
   }
   void begin(const LawNumbers&, double*, double) const {}
 
@@ -26,20 +26,20 @@ struct HertzTsuji {
   [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
     const V half = root(overlap), damping = k[1] * root(half);
     const V force = larger(k[0] * overlap * half + damping * rate, V{});
-    const auto pushes = force > V{};  // in the tail without force nothing rubs either
+    const auto pushes = less(V{}, force);  // in the tail without force nothing rubs either
     return {force, choose(pushes, k[2] * half, V{}), choose(pushes, damping, V{}), force};
   }
 
   double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return hertz::secant(t); }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz::stored(k[0], overlap);
+    return hertz_energy(k[0], overlap);
   }
   double largest_overlap(const Touching& t, double speed) const {
-    return hertz::largest_overlap(t, speed);
+    return hertz_overlap(t, speed);
   }
   double shortest_time(const Touching& t, double speed) const {
-    return hertz::contact_time(t, speed);
+    return hertz_time(t, speed);
   }
 };
 

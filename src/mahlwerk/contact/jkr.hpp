@@ -55,7 +55,7 @@ struct Jkr {
                                (4 * t.pair.modulus));
     return 3 * a * a / t.radius;
   }
-  double secant(const Touching& t) const { return hertz::secant(t); }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
   /// Work done against the elastic force from touch on, where bodies that part have none.
   double stored(const LawNumbers& k, const double*, double overlap) const {
     const auto from_none = [&](double at) {  // integral of F d(overlap) over the contact radius
@@ -66,10 +66,10 @@ struct Jkr {
     return from_none(overlap) - from_none(0);
   }
   double largest_overlap(const Touching& t, double speed) const {
-    return hertz::largest_overlap(t, speed);
+    return hertz_overlap(t, speed);
   }
   double shortest_time(const Touching& t, double speed) const {
-    return hertz::contact_time(t, speed);
+    return hertz_time(t, speed);
   }
 
  private:

@@ -10,8 +10,8 @@ namespace mahlwerk::contact {
 /// the same overlap when bodies meet at a characteristic speed (soft.13) [N/m].
 inline double spring_stiffness(const LawChoice& choice, const Touching& t) {
   if (choice.stiffness > 0) return choice.stiffness;
-  const double d = hertz::largest_overlap(t, choice.stiffness_speed);
-  return 0.8 * hertz::stiffness(t) * std::sqrt(d);  // k d^2 / 2 = (2/5) k_Hertz d^2.5
+  const double d = hertz_overlap(t, choice.stiffness_speed);
+  return 0.8 * hertz_stiffness(t) * std::sqrt(d);  // k d^2 / 2 = (2/5) k_Hertz d^2.5
 }
 /// Across the normal, so that both motions of a collision have one period (soft.14).
 constexpr double spring_across = 2.0 / 7.0;

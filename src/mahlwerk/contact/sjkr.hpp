@@ -28,16 +28,16 @@ struct Sjkr {
   }
 
   double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return hertz::secant(t); }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {
     if (!(overlap > 0)) return 0;
-    return hertz::stored(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
+    return hertz_energy(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
   }
   double largest_overlap(const Touching& t, double speed) const {
-    return hertz::largest_overlap(t, speed);
+    return hertz_overlap(t, speed);
   }
   double shortest_time(const Touching& t, double speed) const {
-    return hertz::contact_time(t, speed);
+    return hertz_time(t, speed);
   }
 
  private:

@@ -27,7 +27,7 @@ struct WaltonBraun {
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V) {
     m[0] = larger(m[0], overlap);
     const V force = larger(smaller(k[0] * overlap, k[1] * (overlap - k[2] * m[0])), V{});
-    return {force, choose(force > V{}, k[3], V{}), V{}, force};
+    return {force, choose(less(V{}, force), k[3], V{}), V{}, force};
   }
 
   double reach(const Touching&) const { return 0; }

@@ -11,12 +11,12 @@ namespace mahlwerk::soft {
 /// What is the same for all packets of a step.
 struct alignas(64) Frame {
   double step = 0;  ///< [s]
-  Vec<Lanes> jar_speed;
+  Vec<Lanes> jar_speed{};
   contact::Rolling rolling = contact::Rolling::none;
   double rolling_damping = 0;
   bool rescaled = false;  ///< the tangential spring gives way as the contact unloads
   bool periodic = false;
-  Vec<Lanes> periods;
+  Vec<Lanes> periods{};
 };
 
 /// The bodies of a packet's lanes.
@@ -74,16 +74,16 @@ struct alignas(64) Meeting {
                                              const contact::Push<Lanes>& push, LaneMask touching) {
   if (frame.rescaled) {
     const Lanes kept = push.stiffness / p.stiffness;
-    p.spring = choose(push.stiffness < p.stiffness, kept, Lanes{} + 1.0) * p.spring;
+    p.spring = choose(less(push.stiffness, p.stiffness), kept, Lanes{} + 1.0) * p.spring;
   }
   Vec<Lanes> spring = carried(p.spring, p.normal, m.n) + frame.step * m.slip;
   Vec<Lanes> force = -(push.stiffness * spring) - push.damping * m.slip;
   const Lanes most = p.friction * push.load, squared = dot(force, force);
-  const LaneMask slides = touching & (squared > most * most);
+  const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
     const Lanes factor = choose(slides, most / root(squared), Lanes{} + 1.0);
     force = factor * force;
-    const Lanes soft = choose(push.stiffness > Lanes{}, 1.0 / push.stiffness, Lanes{});
+    const Lanes soft = choose(less(Lanes{}, push.stiffness), 1.0 / push.stiffness, Lanes{});
     const Vec<Lanes> left = -(soft * (force + push.damping * m.slip));
     const Lanes slid = dot(force, left - spring);
     p.deeds.sliding += choose(slides, slid, Lanes{});
@@ -117,7 +117,7 @@ struct alignas(64) Meeting {
     const Lanes stiffness = p.roll_spring * push.stiffness;
     Vec<Lanes> spring = carried(p.roll, p.normal, m.n) - (frame.step * stiffness) * turning;
     const Lanes squared = dot(spring, spring);
-    const LaneMask slips = squared > most * most;
+    const LaneMask slips = less(most * most, squared);
     if (any(slips)) {
       const Lanes factor = most / root(larger(squared, none + 1e-300));
       spring = choose<Lanes>(slips, factor * spring, spring);

@@ -61,51 +61,48 @@ void move_lane(Packet& from, int lane, Packet& to, int place) {
 }  // namespace
 
 void SoftBalls::look() {
-  check_places();
   for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
   looked_step_ = swarm_.step;
-  fill_lanes(candidates());
+  find_candidates();
+  if (wanted_ == seated_) return;
+  seated_ = wanted_;
+  fill_lanes(wanted_);
   find_feet();
   find_owners();
 }
 
-void SoftBalls::check_places() const {
-  for (std::size_t b = 0; b < swarm_.balls; ++b) {
-    const Vec3 x = swarm_.place.one(b), v = swarm_.velocity.one(b);
-    if (!std::isfinite(squared(x)) || !std::isfinite(squared(v)))
-      stop(b, "its place or speed is no number");
-    for (int face = 0; face < jar_->faces(); ++face)
-      if (jar_->meets(face, made_of_[b].radius) &&
-          !(jar_->gap(face, x, clock(swarm_.step)).distance > 0))
-        stop(b, "it is outside the jar");
-  }
+void SoftBalls::find_candidates() {
+  wanted_.clear();
+  near_balls(wanted_);
+  near_walls(wanted_);
+  std::ranges::sort(wanted_);
 }
 
-std::vector<SoftBalls::Candidate> SoftBalls::candidates() const {
-  std::vector<Candidate> found;
-  near_balls(found);
-  near_walls(found);
-  std::ranges::sort(found);
-  return found;
-}
-
+/// Finds a ball that has gone wrong, too.
 void SoftBalls::near_walls(std::vector<Candidate>& found) const {
   const double t = clock(swarm_.step);
-  for (std::size_t b = 0; b < swarm_.balls; ++b)
+  for (std::size_t b = 0; b < swarm_.balls; ++b) {
+    const Vec3 x = swarm_.place.one(b);
+    if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
+      stop(b, "its place or speed is no number");
     for (int face = 0; face < jar_->faces(); ++face) {
       const double radius = made_of_[b].radius;
       if (!jar_->meets(face, radius)) continue;
+      const double distance = jar_->gap(face, x, t).distance;
+      if (!(distance > 0)) stop(b, "it is outside the jar");
       const double reach = breeds_[breeds_.wall(breeds_.species_of(b), face)].reach;
-      if (jar_->gap(face, swarm_.place.one(b), t).distance - radius < skin_ + reach)
+      if (distance - radius < skin_ + reach)
         found.push_back({static_cast<std::int32_t>(b), -1, face});
     }
+  }
 }
 
 /// All pairs along a line: sorted by x, only those whose shadows on x are near are looked at. Where
 /// the box repeats along x, every pair is.
 void SoftBalls::near_balls(std::vector<Candidate>& found) const {
   const Vec3& period = jar_->periods();
-  const bool repeats = std::isfinite(period.x);
+  const bool repeats = std::isfinite(period.x), folds = repeats || std::isfinite(period.y) ||
+                                                       std::isfinite(period.z);
   double largest = 0, reach = 0;
   for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);
   for (const Breed& b : breeds_.all()) reach = std::max(reach, b.reach);
@@ -119,8 +116,9 @@ void SoftBalls::near_balls(std::vector<Candidate>& found) const {
       const auto i = static_cast<std::size_t>(std::min(order[a], order[b]));
       const auto j = static_cast<std::size_t>(std::max(order[a], order[b]));
       if (!repeats && x[order[b]] - x[order[a]] > 2 * largest + skin_ + reach) break;
-      const Vec3 d = swarm_.place.one(j) - swarm_.place.one(i);
-      const Vec3 apart{fold(d.x, period.x), fold(d.y, period.y), fold(d.z, period.z)};
+      Vec3 apart = swarm_.place.one(j) - swarm_.place.one(i);
+      if (folds)
+        apart = {fold(apart.x, period.x), fold(apart.y, period.y), fold(apart.z, period.z)};
       const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach;
       if (squared(apart) < far * far)
         found.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});

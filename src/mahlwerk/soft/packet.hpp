@@ -41,9 +41,9 @@ struct alignas(64) Packet {
   Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
 
   Lanes memory[contact::law_memories]{};
-  Vec<Lanes> spring;  ///< [m] xi, the tangential spring
-  Vec<Lanes> normal;  ///< at the last step, from i to j
-  Vec<Lanes> roll;    ///< [N m] epsd: its spring's moment
+  Vec<Lanes> spring{};  ///< [m] xi, the tangential spring
+  Vec<Lanes> normal{};  ///< at the last step, from i to j
+  Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
   Lanes stiffness{};  ///< [N/m] across, at the last step
   Deeds deeds;
 

@@ -49,7 +49,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
     w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
   }
-  skin_ = 0.04 * smallest;
+  skin_ = 0.05 * smallest;
   look();
   account_.started_with = 0;
   const scene::Account now = reckoned();
@@ -216,7 +216,7 @@ void SoftBalls::carry(Archive& archive) {
   for (Columns* c :
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
-  archive(w.packets)(w.near)(contacts_of_);
+  archive(w.packets)(w.near)(contacts_of_)(seated_);
   archive(account_)(in_touch_)(in_touch_since_)(last_residual_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();

@@ -39,8 +39,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
     friend auto operator<=>(const Candidate&, const Candidate&) = default;
   };
   void look() override;
-  void check_places() const;
-  std::vector<Candidate> candidates() const;
+  void find_candidates();
   void near_walls(std::vector<Candidate>& found) const;
   void near_balls(std::vector<Candidate>& found) const;
   void fill_lanes(const std::vector<Candidate>& wanted);
@@ -76,6 +75,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   bool hops_;
 
   Swarm swarm_;
+  std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane
   std::int64_t looked_step_ = 0;
   std::int64_t try_hop_ = 0;   // not before this step
   std::int64_t landing_ = -1;  // of a hop under way; < 0: none

@@ -52,7 +52,7 @@ template <bool wide>
     w.spin.put(b, spin);
     w.seen_spin.put(b, spin + turn);
     const Vec<Lanes> way = x - w.looked.at(b);
-    far |= ~(dot(way, way) <= none + limit);
+    far |= ~less(dot(way, way), none + limit);
   }
   return any(far);
 }
@@ -122,7 +122,7 @@ template <class Law, bool wide>
     b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
                folded(b.apart.z, s.frame.periods.z)};
   const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p);
-  const LaneMask touching = squared < near * near;
+  const LaneMask touching = less(squared, near * near);
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
   b.vi = pick<wide>(w.seen, p.i, w.few);
@@ -162,7 +162,7 @@ template <class Law, bool wide>
     touched = false;
     Push push;
     if (wide && w.few) {
-      Vec<Lanes> force, torque;
+      Vec<Lanes> force{}, torque{};
       for (std::size_t n = 0; n < w.packets.size(); ++n)
         if (act<Law, wide>(s, w.packets[n], push)) {
           touched = true;
@@ -171,8 +171,8 @@ template <class Law, bool wide>
       kick(w, 0, force, torque);
     } else {
       for (std::size_t b = 0; b < w.blocks; ++b) {
-        w.force.put(b, {});
-        w.torque.put(b, {});
+        w.force.put(b, Vec<Lanes>{});
+        w.torque.put(b, Vec<Lanes>{});
       }
       for (Packet& p : w.packets)
         if (act<Law, wide>(s, p, push)) {
