@@ -47,7 +47,7 @@ std::optional<LawChoice> read_words(Section& in) {
                                  "elastic spheres that stick and slip, the usual law of mills"}));
   const auto rolling = place_in(
       rolling_words(), in.choice({"rolling", rolling_words(), "cdt",
-                                  "a torque against the rolling that asks for no further number"}));
+                                  "a constant torque against the rolling, as in paper B"}));
   if (!law || !rolling) return std::nullopt;
   LawChoice choice;
   choice.law = static_cast<contact::LawName>(*law);

@@ -58,6 +58,8 @@ TEST(Positions, faults_name_the_ball) {
       is(fault_of(with(at("[" + middle + "]"), "material", "material = \"steel\"\ncount = 1"))
              .insert(0, "case.toml:7|"),
          "both `count` and `positions`"));
+  EXPECT_EQ(faults_of(planetary, {{"balls.positions", "[[\"1 mm\"]]"}}).at(0).where,
+            "--set balls.positions");
   // On the floor, at the side, at each other: touching is no overlap.
   EXPECT_EQ(fault("[[\"0 mm\", \"0 m\", \"-8.75 mm\"], [\"0 mm\", \"0 m\", \"6.25 mm\"]]"), "");
   EXPECT_EQ(fault("[[\"13.5 mm\", \"0 m\", \"0 mm\"]]"), "");
