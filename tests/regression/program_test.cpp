@@ -122,7 +122,10 @@ TEST_F(Program, nonsense_is_refused_with_place_and_remedy) {
   expect_refused("run " + short_ + "--set mill.freqency=\"10 Hz\"", "frequency");
   expect_refused("run " + short_ + "--set nonsense", "key=value");
   expect_refused("run missing.toml --out out", "no such file");
-  expect_refused("run " + short_ + "--set run.engine=soft", "soft engine");
+  expect_refused("run " + short_ +
+                     "--set run.engine=soft --set contact.restitution_law=viscoelastic "
+                     "--set 'contact.restitution_speed=1 m/s'",
+                 "soft engine");
   expect_refused("describe fritsch-p7-clasic", "fritsch-p7-classic");
   expect_refused("fly", "");
 }

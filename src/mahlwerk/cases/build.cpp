@@ -21,11 +21,12 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate) {
   std::visit(
       [&](const auto& motion) {
         const Rotation turn = motion.turn(0);
-        const Vec3 jar_velocity = motion.ride(0).velocity;
+        // Ball velocities are relative to the jar's centre, start speeds to the chosen frame.
+        const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : motion.ride(0).velocity;
         for (scene::Ball& ball : balls) {
           ball.position = turn * (mount * ball.position);
           const double speed = random.uniform(0, c.run.start_speed);
-          ball.velocity = speed * random.direction() - jar_velocity;  // paper A: in the laboratory
+          ball.velocity = speed * random.direction() - frame;
           const double spin = random.uniform(0, c.run.start_spin);
           ball.spin = spin * random.direction();
         }

@@ -7,6 +7,7 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/contact/bounce_table.hpp"
+#include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
@@ -16,12 +17,16 @@ namespace mahlwerk::cases {
 scene::Chamber chamber(const Case& c);
 
 /// Balls at random places where they touch nothing, with random velocities and spins as the case's
-/// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Depends on the seed and
-/// the replicate alone.
+/// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Places that the case gives
+/// are kept. Depends on the seed and the replicate alone.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
 
 /// Who bounces off whom by which rule: a kind for each ball set, the faces of the jar.
 contact::BounceTable bounce_table(const Case& c);
+
+/// What the soft engine's laws need of every two that may touch: moduli, softened, and the values
+/// of [contact] and its pairs. A restitution that depends on the speed counts by its value().
+contact::PairTable pair_table(const Case& c);
 
 /// One thing that follows from a case before it is run.
 struct Consequence {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
@@ -24,10 +26,14 @@ struct Mill {
   bool operator==(const Mill&) const = default;
 };
 
+/// Steel, which stands in for what a case does not say.
+constexpr contact::Elastic steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
+
 struct Jar {
   std::string model;     ///< name in the catalogue, or empty
   std::string material;  ///< name in the catalogue, or empty
   geometry::AnyShape shape;
+  contact::Elastic elastic = steel;
   bool operator==(const Jar&) const = default;
 };
 
@@ -37,7 +43,11 @@ struct BallSet {
   double diameter = 0;   ///< [m]
   double density = 0;    ///< [kg/m3]
   std::string material;  ///< name in the catalogue, or empty
-  double mass() const;   ///< [kg] of one ball
+  contact::Elastic elastic = steel;
+  /// [m] where they start, in the jar's own axes about its centre: one for each ball, or none at
+  /// all for random places.
+  std::vector<Vec3> positions = {};
+  double mass() const;  ///< [kg] of one ball
   bool operator==(const BallSet&) const = default;
 };
 
@@ -61,20 +71,32 @@ enum class Lasting {
 struct PairRule {
   std::array<std::string, 2> between;
   contact::BounceRule rule;
+  double rolling_friction = 0;  ///< as in Contact
+  double surface_energy = 0;
+  double cohesion = 0;
   bool operator==(const PairRule&) const = default;
 };
 
 struct Contact {
-  std::string law = "hertz-mindlin";  ///< of the soft engine
-  contact::BounceRule rule;           ///< friction infinite: paper A's constant e_t
-  std::vector<PairRule> pairs;        ///< exceptions from `rule`; the last that fits a pair counts
-  double lasting_friction = 0;        ///< mu of lasting contacts of the event engine
-  double rolling_friction = 0;        ///< mu_r
+  contact::LawChoice law_choice;  ///< of the soft engine
+  double softening = 1;           ///< of the soft engine: multiplies every Young's modulus
+  contact::BounceRule rule;       ///< friction infinite: paper A's constant e_t
+  std::vector<PairRule> pairs;    ///< exceptions from `rule`; the last that fits a pair counts
+  double lasting_friction = 0;    ///< mu of lasting contacts of the event engine
+  double rolling_friction = 0;    ///< [1] mu_r; [s/m] under viscous rolling
+  double surface_energy = 0;      ///< [J/m2] gamma of one surface, of the law jkr
+  double cohesion = 0;            ///< [J/m3] energy density, of the law sjkr
   Lasting lasting = Lasting::roll;
   /// [m/s] a rebound slower than this, pressed to the wall, has come to stay
   double lasting_speed = 0;
   double contact_time = 0;  ///< [s] t_c of the TC rule
   bool operator==(const Contact&) const = default;
+};
+
+/// What starting speeds are measured against.
+enum class StartFrame {
+  laboratory,
+  jar  ///< axes that ride with the jar's centre and do not turn
 };
 
 struct Run {
@@ -84,6 +106,10 @@ struct Run {
   std::int64_t replicates = 1;
   double start_speed = 0;  ///< [m/s] starting speeds are uniform in 0 ... this
   double start_spin = 0;   ///< [rad/s] starting spins are uniform in 0 ... this
+  StartFrame start_frame = StartFrame::laboratory;  ///< of start_speed
+  std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
+  double time_step_fraction = 0.125;  ///< of the Rayleigh time, for the step the engine chooses
+  bool hop = true;                    ///< the soft engine's clock hops over free flight
   bool operator==(const Run&) const = default;
 };
 

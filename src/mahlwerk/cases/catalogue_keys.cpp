@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
@@ -19,8 +20,6 @@ struct Extra {
   std::string_view about;
 };
 
-constexpr Range poisson{.least = -1, .most = 0.5};
-
 constexpr Extra extras[] = {
     {"mills", "", "jars_carried", "", positive, "how many jars it moves at once"},
     {"mills", "", "power", "W", positive, "power of the motor"},
@@ -30,7 +29,7 @@ constexpr Extra extras[] = {
     {"jars", "", "material", a_material, any_number, "what its wall is made of"},
     {"materials", "", "density", "kg/m3", positive, "density of the solid"},
     {"materials", "", "youngs_modulus", "Pa", positive, "Young's modulus"},
-    {"materials", "", "poisson_ratio", "", poisson, "Poisson's ratio"},
+    {"materials", "", "poisson_ratio", "", poisson_ratios, "Poisson's ratio"},
     {"materials", "", "hardness", "", positive, "Vickers hardness number"},
     {"materials", "", "size_least", "m", positive, "least grain size of the powder as fed"},
     {"materials", "", "size_most", "m", positive, "largest grain size of the powder as fed"},

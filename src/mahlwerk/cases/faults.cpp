@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -16,16 +17,6 @@
 
 namespace mahlwerk::cases {
 namespace {
-
-/// Where the value under `key` was said; the key itself if that is no place in a file.
-std::string place_of(const Case& c, const std::string& key) {
-  const auto origin = std::ranges::find(c.origins, key, &Origin::key);
-  if (origin == c.origins.end() || origin->assumed) return key;
-  const std::string place = origin->source.substr(0, origin->source.find(": "));
-  const std::string name = std::filesystem::path(c.file).filename().string();
-  return !name.empty() && place.starts_with(name + ":") ? c.file + place.substr(name.size())
-                                                        : place;
-}
 
 /// Checks of single values, for a case that no reader has seen.
 class ValueCheck {
@@ -67,12 +58,51 @@ void check_rule(ValueCheck& check, const std::string& section, const contact::Bo
     check.fault(section + "friction", section + "friction must be at least 0");
 }
 
+template <class Owner>
+void check_touch(ValueCheck& check, const std::string& section, const Owner& owner,
+                 const contact::LawChoice& law) {
+  for (const auto& f : touch_fields<Owner>())
+    check.number(section + std::string(f.key), owner.*f.value, f.range,
+                 unit_of(f.key, f.unit, law));
+}
+
 void check_contact(ValueCheck& check, const Contact& contact) {
-  check.word("contact.law", contact.law, contact_laws());
+  const contact::LawChoice& law = contact.law_choice;
+  for (const auto& f : law_fields())
+    if (law.*f.value != 0)  // left to the law
+      check.number("contact." + std::string(f.key), law.*f.value, f.range, f.unit);
   check_rule(check, "contact.", contact.rule);
-  for (std::size_t i = 0; i < contact.pairs.size(); ++i)
-    check_rule(check, fmt::format("contact.pairs.{}.", i + 1), contact.pairs[i].rule);
+  check_touch(check, "contact.", contact, law);
+  for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
+    const std::string section = fmt::format("contact.pairs.{}.", i + 1);
+    check_rule(check, section, contact.pairs[i].rule);
+    check_touch(check, section, contact.pairs[i], law);
+  }
   check.fields("contact.", contact, contact_fields());
+}
+
+void check_balls(ValueCheck& check, const std::vector<BallSet>& balls) {
+  if (balls.empty()) check.fault("balls", "there are no balls");
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const std::string set = fmt::format("balls.{}.", i + 1);
+    check.fields(set, balls[i], ball_fields());
+    check.fields(set, balls[i].elastic, elastic_fields());
+    check.whole(set + "count", balls[i].count, most_balls);
+    const std::vector<Vec3>& places = balls[i].positions;
+    if (!places.empty() && std::cmp_not_equal(places.size(), balls[i].count))
+      check.fault(set + "positions", fmt::format("{}positions has {} places for {} balls", set,
+                                                 places.size(), balls[i].count));
+    if (!std::ranges::all_of(places, [](const Vec3& p) { return std::isfinite(norm(p)); }))
+      check.fault(set + "positions", set + "positions must be finite");
+  }
+}
+
+void check_run(ValueCheck& check, const Run& run) {
+  check.word("run.engine", run.engine, engines());
+  check.fields("run.", run, run_fields());
+  if (run.time_step) check.number("run.time_step", *run.time_step, positive, "s");
+  check.number("run.time_step_fraction", run.time_step_fraction, step_share.range, "");
+  check.whole("run.replicates", run.replicates, most_replicates);
 }
 
 std::vector<Fault> bad_values(const Case& c) {
@@ -83,21 +113,15 @@ std::vector<Fault> bad_values(const Case& c) {
     check.fault("mill.jar_axis",
                 "mill.jar_axis must be vertical (0, 0, 1) or horizontal (1, 0, 0)");
   std::visit([&](const auto& s) { check.fields("jar.", s, s.fields()); }, c.jar.shape);
-  if (c.balls.empty()) check.fault("balls", "there are no balls");
-  for (std::size_t i = 0; i < c.balls.size(); ++i) {
-    const std::string set = fmt::format("balls.{}.", i + 1);
-    check.fields(set, c.balls[i], ball_fields());
-    check.whole(set + "count", c.balls[i].count, most_balls);
-  }
+  check.fields("jar.", c.jar.elastic, elastic_fields());
+  check_balls(check, c.balls);
   if (c.powder) {
     check.number("powder.mass", c.powder->mass, positive, "kg");
     if (c.powder->size) check.number("powder.size", *c.powder->size, positive, "m");
     if (c.powder->density) check.number("powder.density", *c.powder->density, positive, "kg/m3");
   }
   check_contact(check, c.contact);
-  check.word("run.engine", c.run.engine, engines());
-  check.fields("run.", c.run, run_fields());
-  check.whole("run.replicates", c.run.replicates, most_replicates);
+  check_run(check, c.run);
   check.fields("observe.", c.observe, observe_fields());
   return std::move(check.found);
 }
@@ -189,6 +213,15 @@ void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
 
 }  // namespace
 
+std::string place_of(const Case& c, const std::string& key) {
+  const auto origin = std::ranges::find(c.origins, key, &Origin::key);
+  if (origin == c.origins.end() || origin->source.starts_with("default: ")) return key;
+  const std::string place = origin->source.substr(0, origin->source.find(": "));
+  const std::string name = std::filesystem::path(c.file).filename().string();
+  return !name.empty() && place.starts_with(name + ":") ? c.file + place.substr(name.size())
+                                                        : place;
+}
+
 std::vector<Fault> misfits(const Case& c) {
   std::vector<Fault> found;
   pairs_of_nobody(c, found);
@@ -197,6 +230,7 @@ std::vector<Fault> misfits(const Case& c) {
   fillet_too_large(c, found);
   periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
+  if (found.size() == so_far) bad_places(c, found);
   return found;
 }
 
@@ -204,17 +238,6 @@ std::vector<Fault> faults(const Case& c) {
   std::vector<Fault> found = bad_values(c);
   std::ranges::move(misfits(c), std::back_inserter(found));
   return found;
-}
-
-std::vector<Fault> engine_faults(const Case& c) {
-  if (c.run.engine == "soft")
-    return {{place_of(c, "run.engine"), "the soft engine is not part of this version",
-             "write engine = \"event\"", "engine-missing"}};
-  const std::int64_t count = balls_count(c.balls);
-  if (count <= 1 || c.contact.lasting != Lasting::roll) return {};
-  return {{place_of(c, "contact.lasting"),
-           fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
-           "write lasting = \"tc\"", "roll-one-ball"}};
 }
 
 }  // namespace mahlwerk::cases

@@ -8,9 +8,44 @@
 
 namespace mahlwerk::cases {
 
+using contact::LawName;
+using contact::Rolling;
+
+bool has_meaning(std::string_view key, const contact::LawChoice& choice) {
+  const LawName law = choice.law;
+  if (key == "rolling_friction") return choice.rolling != Rolling::none;
+  if (key == "rolling_damping") return choice.rolling == Rolling::epsd;
+  if (key.starts_with("stiffness"))
+    return law == LawName::linear_spring || law == LawName::walton_braun;
+  if (key.starts_with("damping")) return law == LawName::adams_impact;
+  if (key == "surface_energy") return law == LawName::jkr;
+  if (key == "cohesion") return law == LawName::sjkr;
+  return true;
+}
+
+std::string_view unit_of(std::string_view key, std::string_view unit,
+                         const contact::LawChoice& choice) {
+  return key == "rolling_friction" && choice.rolling == Rolling::viscous ? "s/m" : unit;
+}
+
 const std::vector<std::string>& contact_laws() {
-  static const std::vector<std::string> words{"hertz-mindlin", "hertz-tsuji",  "linear-spring",
-                                              "adams-impact",  "walton-braun", "jkr"};
+  static const std::vector<std::string> words(contact::law_words.begin(), contact::law_words.end());
+  return words;
+}
+
+const std::vector<std::string>& rolling_words() {
+  static const std::vector<std::string> words(contact::rolling_words.begin(),
+                                              contact::rolling_words.end());
+  return words;
+}
+
+const std::vector<std::string>& damping_words() {
+  static const std::vector<std::string> words{"exact", "published"};
+  return words;
+}
+
+const std::vector<std::string>& start_frames() {
+  static const std::vector<std::string> words{"laboratory", "jar"};
   return words;
 }
 
@@ -34,6 +69,14 @@ std::string table_text(const contact::Restitution& tabulated) {
   for (const auto& [speed, value] : tabulated.points())
     rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(show(speed, "m/s")),
                         shortest(value));
+  return "[" + rows + "]";
+}
+
+std::string places_text(const std::vector<Vec3>& positions) {
+  std::string rows;
+  for (const Vec3& p : positions)
+    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, "m")),
+                        in_quotes(show(p.y, "m")), in_quotes(show(p.z, "m")));
   return "[" + rows + "]";
 }
 

@@ -23,6 +23,18 @@ constexpr auto case_fields() {
                                 "acceleration of free fall, downwards", 9.81, "on the ground"}};
 }
 
+/// Of a ball or a jar, for the soft engine.
+constexpr Range poisson_ratios{.least = -1, .most = 0.5, .without_least = true};
+constexpr auto elastic_fields() {
+  using E = contact::Elastic;
+  return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
+                             "Young's modulus of the material", steel.youngs_modulus,
+                             "steel, handbook; uncalibrated"},
+                    Field<E>{"poisson_ratio", "", &E::poisson_ratio, poisson_ratios,
+                             "Poisson's ratio of the material", steel.poisson_ratio,
+                             "steel, handbook; uncalibrated"}};
+}
+
 constexpr auto ball_fields() {
   return std::array{
       Field<BallSet>{"diameter", "m", &BallSet::diameter, positive, "diameter of a ball"},
@@ -32,21 +44,55 @@ constexpr auto ball_fields() {
 /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
 constexpr Range contact_times{.least = 0, .most = 1e-3, .without_least = true};
 
+constexpr Range softenings{.least = 0, .most = 1, .without_least = true};
+
 constexpr auto contact_fields() {
   return std::array{
       Field<Contact>{
           "lasting_friction", "", &Contact::lasting_friction, not_negative,
           "Coulomb's friction coefficient of lasting contacts", 0.3,
           "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none"},
-      Field<Contact>{"rolling_friction", "", &Contact::rolling_friction, not_negative,
-                     "rolling resistance over normal force", 0.01, "uncalibrated, 0-0.1"},
       Field<Contact>{"lasting_speed", "m/s", &Contact::lasting_speed, not_negative,
                      "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
                      "far below the speeds that count"},
       Field<Contact>{"contact_time", "s", &Contact::contact_time, contact_times,
                      "bounces that follow sooner are elastic under lasting = \"tc\"", 1e-4,
-                     "a few times a steel ball's contact time"}};
+                     "a few times a steel ball's contact time"},
+      Field<Contact>{"softening", "", &Contact::softening, softenings,
+                     "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
+                     1.0, "moduli as they are"}};
 }
+
+/// What two that touch have besides the rule of their bounce: of [contact], and of a pair.
+template <class Owner>
+constexpr auto touch_fields() {
+  return std::array{
+      Field<Owner>{"rolling_friction", "", &Owner::rolling_friction, not_negative,
+                   "rolling resistance over normal force", 0.01, "uncalibrated, 0-0.1"},
+      Field<Owner>{"surface_energy", "J/m2", &Owner::surface_energy, not_negative,
+                   "energy of one surface, half the work to part two"},
+      Field<Owner>{"cohesion", "J/m3", &Owner::cohesion, not_negative,
+                   "energy density of cohesion, pull over area of contact"}};
+}
+
+/// The numbers that only some of the soft engine's laws know.
+constexpr auto law_fields() {
+  using L = contact::LawChoice;
+  return std::array{
+      Field<L>{"rolling_damping", "", &L::rolling_damping, restitution_range,
+               "damping of rolling, share of the critical one", 0.2, "uncalibrated, 0.1-0.3"},
+      Field<L>{"stiffness_speed", "m/s", &L::stiffness_speed, positive,
+               "the speed of impact at which the spring is as stiff as Hertz's contact", 1.0,
+               "uncalibrated; the order of the impacts in a mill"},
+      Field<L>{"stiffness", "N/m", &L::stiffness, positive, "stiffness of the spring"},
+      Field<L>{"damping_depth", "m", &L::damping_depth, positive,
+               "the overlap at which the damper is fully on"}};
+}
+/// Whether a key of [contact] or of a pair says anything under the chosen law and rolling.
+bool has_meaning(std::string_view key, const contact::LawChoice& choice);
+/// The unit of a number of touch_fields(): the viscous rule measures rolling_friction in s/m.
+std::string_view unit_of(std::string_view key, std::string_view unit,
+                         const contact::LawChoice& choice);
 
 constexpr auto run_fields() {
   return std::array{
@@ -59,14 +105,29 @@ constexpr auto run_fields() {
                  "starting spins are uniform between 0 and this", 0.1, "paper A"}};
 }
 
+constexpr Range step_shares{.least = 0, .most = 1, .without_least = true};
+/// Of the soft engine's step, which [run] gives as a time or as a share of the Rayleigh time.
+constexpr Field<Run> step_share{"time_step_fraction",
+                                "",
+                                &Run::time_step_fraction,
+                                step_shares,
+                                "time step over the Rayleigh time of the quickest ball",
+                                0.125,
+                                "as paper B: 1 us for its balls"};
+
 constexpr auto observe_fields() {
   return std::array{Field<Observe>{"threshold", "m/s", &Observe::threshold, not_negative,
                                    "slower touches are left out of the rates above the threshold",
                                    0.1, "project convention; rates are given with and without it"}};
 }
 
-const std::vector<std::string>& contact_laws();
 const std::vector<std::string>& engines();
+const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
+const std::vector<std::string>& rolling_words();  ///< in the order of contact::Rolling
+/// "exact" and "published", of the law adams-impact.
+const std::vector<std::string>& damping_words();
+/// "laboratory", "jar", in the order of StartFrame.
+const std::vector<std::string>& start_frames();
 /// "roll", "tc", "none", in the order of Lasting.
 const std::vector<std::string>& lasting_words();
 
@@ -75,6 +136,7 @@ const std::vector<std::string>& restitution_laws();
 
 std::string table_text(const contact::Restitution& tabulated);  ///< as a case writes it
 std::string between_text(const PairRule& pair);                 ///< as a case writes it
+std::string places_text(const std::vector<Vec3>& positions);    ///< as a case writes it
 std::string in_quotes(std::string_view text);                   ///< as a TOML string
 
 /// The vertical and the horizontal axis a jar can be mounted along.

@@ -25,7 +25,11 @@ class Charge {
       : shape_(shape), sets_(sets), random_(random), order_(sets.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::ranges::stable_sort(order_, std::greater(), [&](auto i) { return sets[i].diameter; });
-    count_ = static_cast<std::size_t>(balls_count(sets));
+    from_.resize(sets.size());
+    for (const std::size_t i : order_) {
+      from_[i] = count_;
+      count_ += static_cast<std::size_t>(sets[i].count);
+    }
     room_.periods = std::visit([](const auto& s) { return geometry::periods_of(s); }, shape);
     for (const std::size_t i : order_) {
       const Vec3& box = places_.emplace_back(shape, 0.5 * sets[i].diameter).box();
@@ -48,19 +52,13 @@ class Charge {
 
   /// By set, in the order of the case.
   std::vector<scene::Ball> balls() const {
-    std::vector<std::size_t> from(sets_.size());  // first of each set among those placed
-    std::size_t before = 0;
-    for (const std::size_t i : order_) {
-      from[i] = before;
-      before += static_cast<std::size_t>(sets_[i].count);
-    }
     std::vector<scene::Ball> all;
     all.reserve(count_);
     for (std::size_t i = 0; i < sets_.size(); ++i)
       for (std::size_t n = 0; n < static_cast<std::size_t>(sets_[i].count); ++n)
         all.push_back({.radius = 0.5 * sets_[i].diameter,
                        .density = sets_[i].density,
-                       .position = placed_[from[i] + n].place,
+                       .position = placed_[from_[i] + n].place,
                        .velocity = {},
                        .spin = {},
                        .kind = static_cast<std::int32_t>(i)});
@@ -71,13 +69,15 @@ class Charge {
   /// Each at a random place that is free of those before. False if some found none: they are left
   /// where they overlap.
   bool place_one_by_one() {
-    placed_.clear();
-    placed_.reserve(count_);
+    placed_.assign(count_, {});
     std::vector<Grid> grids;
+    place_given(grids);
     std::size_t crowded = 0;
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const BallSet& set = sets_[order_[k]];
+      if (!set.positions.empty()) continue;
       const double radius = 0.5 * set.diameter;
+      std::size_t next = from_[order_[k]];
       grids.emplace_back(room_, set.diameter * (1 + gap), static_cast<std::size_t>(set.count));
       for (std::int64_t n = 0; n < set.count; ++n) {
         Vec3 p = places_[k].draw(random_);
@@ -87,11 +87,25 @@ class Charge {
           found = free(p, radius, grids);
         }
         crowded += found ? 0 : 1;
-        grids.back().add(static_cast<int>(placed_.size()), p);
-        placed_.push_back({p, radius});
+        grids.back().add(static_cast<int>(next), p);
+        placed_[next++] = {p, radius};
       }
     }
     return crowded == 0;
+  }
+  /// Those whose places the case gives, whatever they touch.
+  void place_given(std::vector<Grid>& grids) {
+    std::size_t given = 0;
+    for (const BallSet& set : sets_) given += set.positions.size();
+    if (given == 0) return;
+    Grid& grid = grids.emplace_back(room_, largest_ball(sets_) * (1 + gap), given);
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      std::size_t next = from_[i];
+      for (const Vec3& p : sets_[i].positions) {
+        grid.add(static_cast<int>(next), p);
+        placed_[next++] = {p, 0.5 * sets_[i].diameter, true};
+      }
+    }
   }
   /// Many where there are few balls; few once it is clear that pushing must follow.
   int tries_left(std::size_t crowded) const {
@@ -148,6 +162,7 @@ class Charge {
   const std::vector<BallSet>& sets_;
   Random& random_;
   std::vector<std::size_t> order_;  // of sets, largest balls first
+  std::vector<std::size_t> from_;   // first of each set among those placed
   std::size_t count_ = 0;
   Room room_;
   std::vector<Places> places_;  // for each set, in that order

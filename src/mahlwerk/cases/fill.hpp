@@ -10,9 +10,10 @@
 
 namespace mahlwerk::cases {
 
-/// All balls of a case, set by set, at random places where they touch nothing; positions in the
-/// jar's own axes, at rest. One after the other where that works, the largest first; a denser
-/// charge is pushed apart from a random start. Throws InputError "too-many-balls" where neither
+/// All balls of a case, set by set, at rest, positions in the jar's own axes. Sets that give places
+/// stand there; the others are put around them at random places where they touch nothing: one after
+/// the other where that works, the largest first; a denser charge is pushed apart from a random
+/// start. Throws InputError "too-many-balls" where neither
 /// does.
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
                               Random& random);

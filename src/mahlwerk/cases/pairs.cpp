@@ -15,6 +15,46 @@ std::string set_name(std::size_t kind) {
   return fmt::format("balls.{}", kind + 1);
 }
 
+int kinds(const Case& c) {
+  return static_cast<int>(c.balls.size());
+}
+int faces(const Case& c) {
+  return std::visit([](const auto& s) { return static_cast<int>(s.faces); }, c.jar.shape);
+}
+
+/// Calls `balls` with every two kinds, `wall` with every kind and face, that a rule is for.
+template <class Balls, class Wall>
+void for_those(const PairRule& pair, const Case& c, Balls balls, Wall wall) {
+  const Party a = party(pair.between[0], c), b = party(pair.between[1], c);
+  for (const int i : a.kinds) {
+    for (const int j : b.kinds) balls(i, j);
+    for (const int face : b.faces) wall(i, face);
+  }
+  for (const int j : b.kinds)
+    for (const int face : a.faces) wall(j, face);
+}
+
+/// What [contact] or one of its pairs says; the moduli are the bodies' own matter.
+template <class Owner>
+contact::Pair said_of(const Owner& owner) {
+  return {.modulus = 0,
+          .shear_modulus = 0,
+          .restitution = owner.rule.restitution.value(),
+          .friction = owner.rule.friction,
+          .rolling_friction = owner.rolling_friction,
+          .surface_energy = owner.surface_energy,
+          .cohesion = owner.cohesion};
+}
+
+contact::Pair with_moduli(contact::Pair pair, contact::Elastic a, contact::Elastic b,
+                          double softening) {
+  a.youngs_modulus *= softening;
+  b.youngs_modulus *= softening;
+  pair.modulus = contact::effective_modulus(a, b);
+  pair.shear_modulus = contact::effective_shear_modulus(a, b);
+  return pair;
+}
+
 }  // namespace
 
 std::vector<std::string> face_names(const geometry::AnyShape& shape) {
@@ -54,17 +94,29 @@ std::vector<std::string> party_names(const Case& c) {
 }
 
 contact::BounceTable bounce_table(const Case& c) {
-  const int faces =
-      std::visit([](const auto& s) { return static_cast<int>(s.faces); }, c.jar.shape);
-  contact::BounceTable table(static_cast<int>(c.balls.size()), faces, c.contact.rule);
-  for (const PairRule& pair : c.contact.pairs) {
-    const Party a = party(pair.between[0], c), b = party(pair.between[1], c);
-    for (const int i : a.kinds) {
-      for (const int j : b.kinds) table.set_balls(i, j, pair.rule);
-      for (const int face : b.faces) table.set_wall(i, face, pair.rule);
-    }
-    for (const int j : b.kinds)
-      for (const int face : a.faces) table.set_wall(j, face, pair.rule);
+  contact::BounceTable table(kinds(c), faces(c), c.contact.rule);
+  for (const PairRule& pair : c.contact.pairs)
+    for_those(
+        pair, c, [&](int i, int j) { table.set_balls(i, j, pair.rule); },
+        [&](int i, int face) { table.set_wall(i, face, pair.rule); });
+  return table;
+}
+
+contact::PairTable pair_table(const Case& c) {
+  contact::PairTable table(kinds(c), faces(c), said_of(c.contact));
+  for (const PairRule& rule : c.contact.pairs)
+    for_those(
+        rule, c, [&](int i, int j) { table.set_balls(i, j, said_of(rule)); },
+        [&](int i, int face) { table.set_wall(i, face, said_of(rule)); });
+  const auto elastic = [&](int kind) { return c.balls[static_cast<std::size_t>(kind)].elastic; };
+  for (int i = 0; i < kinds(c); ++i) {
+    for (int j = i; j < kinds(c); ++j)
+      table.set_balls(i, j,
+                      with_moduli(table.balls(i, j), elastic(i), elastic(j), c.contact.softening));
+    for (int face = 0; face < faces(c); ++face)
+      table.set_wall(
+          i, face,
+          with_moduli(table.wall(i, face), elastic(i), c.jar.elastic, c.contact.softening));
   }
   return table;
 }

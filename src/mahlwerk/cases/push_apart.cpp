@@ -85,12 +85,15 @@ class Soft {
     std::ranges::fill(force_, Vec3{});
     for (const auto& pair : pairs_) feel(pair);
     std::visit([&](const auto& shape) { feel_walls(shape); }, shape_);
-    for (const Vec3& f : force_) net_ += squared(f);
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      if (balls_[i].held) force_[i] = {};
+      net_ += squared(force_[i]);
+    }
   }
   void feel(std::pair<int, int> pair) {
     const Vec3 apart = room_.between(at(pair.first).place, at(pair.second).place);
     const double sum = radii(pair), wanted = sum * (1 + gap_), d2 = squared(apart);
-    if (d2 >= wanted * wanted) return;
+    if (d2 >= wanted * wanted || (at(pair.first).held && at(pair.second).held)) return;
     const double d = std::sqrt(d2), overlap = wanted - d;
     const Vec3 push = d > 0 ? overlap / d * apart : Vec3{0, 0, overlap};
     force_[static_cast<std::size_t>(pair.first)] -= push;
@@ -106,7 +109,7 @@ class Soft {
     for (std::size_t i = 0; i < balls_.size(); ++i)
       for (int face = 0; face < S::faces; ++face) {
         const double r = balls_[i].radius;
-        if (!shape.meets(face, r)) continue;
+        if (balls_[i].held || !shape.meets(face, r)) continue;
         const geometry::Gap gap = shape.gap(face, balls_[i].place);
         const double overlap = r + margin_[i] - gap.distance;
         if (!(overlap > 0)) continue;

@@ -13,6 +13,7 @@ namespace mahlwerk::cases {
 struct Placed {
   Vec3 place;
   double radius = 0;
+  bool held = false;  ///< stays where it is, whatever it touches
 };
 
 /// How pushing apart ended.

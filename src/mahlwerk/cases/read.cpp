@@ -62,6 +62,21 @@ class SweepReader {
   Sweep sweep_;
 };
 
+/// Whether the engine looks at a value: what it does not is no assumption of its results. "auto"
+/// may look at all.
+bool matters(std::string_view dotted, std::string_view engine) {
+  static const std::vector<std::string_view> of_soft{
+      "law",           "rolling",   "rolling_damping", "stiffness_speed",
+      "damping",       "softening", "curved_walls",    "time_step_fraction",
+      "damping_depth", "hop",       "youngs_modulus",  "poisson_ratio"};
+  static const std::vector<std::string_view> of_event{
+      "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
+  if (engine != "event" && engine != "soft") return true;
+  const auto& of_other = engine == "event" ? of_soft : of_event;
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
+  return std::ranges::find(of_other, key) == of_other.end();
+}
+
 class CaseReader {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
@@ -75,6 +90,8 @@ class CaseReader {
     fill_from_sweep(places);
     read_top();
     read_sections();
+    for (Origin& origin : findings_.origins)
+      origin.assumed = origin.assumed && matters(origin.key, c_.run.engine);
     c_.origins = std::move(findings_.origins);
     auto more = findings_.faults.empty() ? faults(c_) : misfits(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));

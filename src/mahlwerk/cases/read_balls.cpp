@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,26 +13,6 @@
 
 namespace mahlwerk::cases {
 namespace {
-
-/// The density of a material, from where it is said or from the catalogue. Nothing if neither says.
-std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material,
-                                   const Catalogue& catalogue) {
-  const Node *density = in.find("density"), *name = in.find("material");
-  if (name != nullptr) material = in.text("material").value_or("");
-  const bool by_name =
-      name != nullptr && !material.empty() && (density == nullptr || name->rank > density->rank);
-  if (!by_name) return in.maybe(wanted);
-  const auto entry = look_up(catalogue, "materials", *name, in.findings());
-  if (!entry) return unread;
-  const auto found = entry->values.find("density");
-  if (found == entry->values.end()) return std::nullopt;
-  Node node = loose_value(found->second.text, entry->file, Rank::catalogue);
-  node.source = fmt::format("catalogue materials/{}: {}", material, found->second.source);
-  node.unverified = found->second.unverified;
-  const double value = in.quantity(node, wanted);
-  in.note("density", show(value, wanted.unit), &node);
-  return value;
-}
 
 std::int64_t nearest_count(Section& in, const Node& at, std::string_view key, double share) {
   if (std::isnan(share)) return 0;  // reported where it comes from
@@ -46,9 +27,46 @@ std::int64_t nearest_count(Section& in, const Node& at, std::string_view key, do
   return count;
 }
 
-/// By number, by mass, or by the balls' share of the jar's volume.
-std::int64_t read_count(Section& in, const BallSet& set, const Jar& jar) {
-  const std::string_view key = in.one_of({"count", "mass", "filling"});
+/// One ball's place; nothing after a fault.
+std::optional<Vec3> read_place(Section& in, const Node& row, std::size_t number) {
+  if (row.kind != Node::Kind::list || row.items.size() != 3) {
+    in.fault(row, fmt::format("ball {} of `positions` must have three coordinates", number),
+             "write x, y, z in the jar's own axes: [\"9 mm\", \"0 mm\", \"-7.74 mm\"]",
+             "wrong-type");
+    return std::nullopt;
+  }
+  const Wanted coordinate("positions", "m", any_number, "places of centres, from the jar's centre");
+  std::array<double, 3> at{};
+  for (std::size_t i = 0; i < 3; ++i) at[i] = in.quantity(row.items[i], coordinate);
+  const Vec3 place{at[0], at[1], at[2]};
+  return std::isnan(place.x + place.y + place.z) ? std::nullopt : std::optional(place);
+}
+
+/// Where the balls of a set start; none after a fault.
+std::vector<Vec3> read_places(Section& in, const Node& at) {
+  std::vector<Vec3> places;
+  bool sound = at.kind == Node::Kind::list && !at.items.empty();
+  if (!sound)
+    in.fault(at, "`positions` must be a list of places",
+             "write positions = [[\"9 mm\", \"0 mm\", \"-7.74 mm\"]]", "wrong-type");
+  for (const Node& row : at.items) {
+    const auto place = read_place(in, row, places.size() + 1);
+    sound = sound && place;
+    places.push_back(place.value_or(Vec3{}));
+  }
+  if (!sound) return {};
+  in.note("positions", places_text(places), &at);
+  in.note("count", std::to_string(places.size()), &at, "one for each of `positions`");
+  return places;
+}
+
+/// By number, by mass, by the balls' share of the jar's volume, or by the places they start at.
+std::int64_t read_count(Section& in, BallSet& set, const Jar& jar) {
+  const std::string_view key = in.one_of({"count", "mass", "filling", "positions"});
+  if (key == "positions") {
+    set.positions = read_places(in, *in.find(key));
+    return static_cast<std::int64_t>(set.positions.size());
+  }
   if (key == "count") return in.whole("count", most_balls).value_or(0);
   if (key.empty()) {
     in.note_default("count", "1", "one ball");
@@ -84,6 +102,7 @@ BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Ca
                    : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
                                  set.material));
   set.density = given.value_or(unread);
+  set.elastic = read_elastic(in, set.material, catalogue);
   set.count = read_count(in, set, jar);
   in.close();
   return set;

@@ -26,12 +26,23 @@ Lasting read_lasting(Section& in, bool several) {
                                      : static_cast<Lasting>(at - lasting_words().begin());
 }
 
+/// The soft engine's step: a time, or a share of the Rayleigh time.
+void read_step(Section& in, Run& run) {
+  const Wanted step("time_step", "s", positive, "time step of the soft engine"), share(step_share);
+  if (in.one_of({step.key, share.key}) == step.key) {
+    run.time_step = in.value(step);
+    return;
+  }
+  run.time_step_fraction = in.value(share);
+}
+
 }  // namespace
 
 Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findings& findings) {
   Contact contact;
   Section in(table, "contact", findings);
-  contact.law = in.choice({"law", contact_laws(), "hertz-mindlin", "of the soft engine"});
+  const auto law = read_law_choice(in);
+  contact.law_choice = law.value_or(contact::LawChoice());
   contact.rule = read_rule(in, nullptr);
   for (const auto& field : contact_fields()) {
     Wanted wanted(field);
@@ -39,10 +50,11 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findi
       wanted = with_default(wanted, contact.rule.friction, "the friction of bounces");
     contact.*field.value = in.value(wanted);
   }
+  read_touch(in, contact, law, nullptr);
   contact.lasting = read_lasting(in, balls_count(balls) > 1);
   const Node* pairs = in.find("pairs");
   in.close();
-  contact.pairs = read_pairs(pairs, contact.rule, findings);
+  contact.pairs = read_pairs(pairs, contact, law, findings);
   return contact;
 }
 
@@ -51,6 +63,11 @@ Run read_run(const Node* table, Findings& findings) {
   Section in(table, "run", findings);
   run.engine = in.choice({"engine", engines(), "auto", "chosen by what the case needs"});
   for (const auto& field : run_fields()) run.*field.value = in.value(Wanted(field));
+  run.start_frame = in.choice({"start_frame", start_frames(), "laboratory", "paper A"}) == "jar"
+                        ? StartFrame::jar
+                        : StartFrame::laboratory;
+  read_step(in, run);
+  run.hop = in.flag("hop", true, "the clock of the soft engine hops over free flight");
   if (const auto replicates = in.whole("replicates", most_replicates)) {
     run.replicates = *replicates;
   } else {

@@ -113,6 +113,7 @@ Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) 
     return jar;
   }
   std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
+  jar.elastic = read_elastic(in, jar.material, catalogue);
   in.close();
   return jar;
 }

@@ -26,6 +26,13 @@ struct Model {
 Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
                  const Catalogue& catalogue);
 
+/// The density of what is of a material, from where it is said or from the catalogue. Nothing if
+/// neither says.
+std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material,
+                                   const Catalogue& catalogue);
+/// Moduli, each from where it is said, from the catalogue's material, or steel's.
+contact::Elastic read_elastic(Section& in, const std::string& material, const Catalogue& catalogue);
+
 Jar unread_jar();  ///< stands for one that could not be read
 Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings);
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
@@ -38,7 +45,15 @@ Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const C
 Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findings& findings);
 /// How a bounce ends; what is not said is that of `all`, or a default where it is null.
 contact::BounceRule read_rule(Section& in, const contact::BounceRule* all);
-std::vector<PairRule> read_pairs(const Node* list, const contact::BounceRule& all,
+/// The law of the soft engine with its numbers; nothing if its words have a fault.
+std::optional<contact::LawChoice> read_law_choice(Section& in);
+/// The numbers of touch_fields() of [contact], or of a pair that inherits those of `all`. Silent
+/// without a law.
+template <class Owner>
+void read_touch(Section& in, Owner& owner, const std::optional<contact::LawChoice>& choice,
+                const Contact* all);
+std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
+                                 const std::optional<contact::LawChoice>& choice,
                                  Findings& findings);
 Run read_run(const Node* table, Findings& findings);
 Observe read_observe(const Node* table, Findings& findings);
@@ -46,6 +61,13 @@ Observe read_observe(const Node* table, Findings& findings);
 /// A measured motion, its rows checked one by one. Faults cite the file's lines.
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
                                        Findings& findings);
+
+/// Where the value under `key` was said; the key itself if that is no place in a file.
+std::string place_of(const Case& c, const std::string& key);
+
+/// Given starting places outside the jar, in its wall or in each other. For parts that fit
+/// otherwise.
+void bad_places(const Case& c, std::vector<Fault>& found);
 
 /// Faults of parts that were read but do not go together; silent about what is `unread`.
 std::vector<Fault> misfits(const Case& c);

@@ -184,7 +184,9 @@ BounceRule read_rule(Section& in, const BounceRule* all) {
   return rule;
 }
 
-std::vector<PairRule> read_pairs(const Node* list, const BounceRule& all, Findings& findings) {
+std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
+                                 const std::optional<contact::LawChoice>& choice,
+                                 Findings& findings) {
   std::vector<PairRule> pairs;
   if (list == nullptr) return pairs;
   const auto is_table = [](const Node& n) { return n.kind == Node::Kind::table; };
@@ -207,7 +209,8 @@ std::vector<PairRule> read_pairs(const Node* list, const BounceRule& all, Findin
       pair.between = {between->items[0].text, between->items[1].text};
       in.note("between", between_text(pair), between);
     }
-    pair.rule = read_rule(in, &all);
+    pair.rule = read_rule(in, &all.rule);
+    read_touch(in, pair, choice, &all);
     in.close();
     pairs.push_back(std::move(pair));
   }

@@ -55,6 +55,12 @@ void fill(Node& node, const toml::node& from, const std::string& file) {
   }
 }
 
+void set_place(Node& node, const std::string& where, Rank rank) {
+  node.where = node.source = where;
+  node.rank = rank;
+  for (Node& item : node.items) set_place(item, where, rank);
+}
+
 /// The parts between the dots; a quoted TOML key has none inside, so plain cutting will do.
 std::vector<std::string_view> parts_of(std::string_view key) {
   std::vector<std::string_view> parts;
@@ -160,8 +166,7 @@ Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   if (node.kind == Node::Kind::other || node.kind == Node::Kind::table) node = {};
   if (node.kind == Node::Kind::other) node.kind = Node::Kind::text;
   if (!in_quotes) node.text = text;
-  node.where = node.source = where;
-  node.rank = rank;
+  set_place(node, where, rank);
   return node;
 }
 

@@ -76,14 +76,19 @@ void write_jar(Writer& out, const Jar& jar) {
   out.name("model", jar.model);
   std::visit([&](const auto& s) { out.fields(s, s.fields()); }, jar.shape);
   out.name("material", jar.material);
+  out.fields(jar.elastic, elastic_fields());
 }
 
 void write_balls(Writer& out, const std::vector<BallSet>& balls) {
   for (std::size_t i = 0; i < balls.size(); ++i) {
     out.section("[[balls]]", fmt::format("balls.{}.", i + 1));
-    out.line("count", std::to_string(balls[i].count));
+    if (balls[i].positions.empty())
+      out.line("count", std::to_string(balls[i].count));
+    else
+      out.line("positions", places_text(balls[i].positions));
     out.fields(balls[i], ball_fields());
     out.name("material", balls[i].material);
+    out.fields(balls[i].elastic, elastic_fields());
   }
 }
 
@@ -110,17 +115,50 @@ void write_rule(Writer& out, const contact::BounceRule& rule) {
   if (coulomb) out.number("friction", rule.friction, "");
 }
 
+template <class Owner>
+void write_touch(Writer& out, const Owner& owner, const contact::LawChoice& law) {
+  for (const auto& f : touch_fields<Owner>())
+    if (has_meaning(f.key, law)) out.number(f.key, owner.*f.value, unit_of(f.key, f.unit, law));
+}
+
+void write_law(Writer& out, const contact::LawChoice& law) {
+  out.word("law", contact_laws()[static_cast<std::size_t>(law.law)]);
+  out.word("rolling", rolling_words()[static_cast<std::size_t>(law.rolling)]);
+  if (has_meaning("damping", law)) out.word("damping", damping_words()[law.published_damping]);
+  for (const auto& f : law_fields()) {
+    const bool other = f.value == &contact::LawChoice::stiffness_speed && law.stiffness > 0;
+    const double value = law.*f.value;  // 0: left to the law
+    if (has_meaning(f.key, law) && value > 0 && !other) out.number(f.key, value, f.unit);
+  }
+  out.line("curved_walls", law.curved_walls ? "true" : "false");
+}
+
 void write_contact(Writer& out, const Contact& contact) {
   out.section("[contact]", "contact.");
-  out.word("law", contact.law);
+  write_law(out, contact.law_choice);
   write_rule(out, contact.rule);
+  write_touch(out, contact, contact.law_choice);
   out.fields(contact, contact_fields());
   out.word("lasting", lasting_words()[static_cast<std::size_t>(contact.lasting)]);
   for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
     out.section("[[contact.pairs]]", fmt::format("contact.pairs.{}.", i + 1));
     out.line("between", between_text(contact.pairs[i]));
     write_rule(out, contact.pairs[i].rule);
+    write_touch(out, contact.pairs[i], contact.law_choice);
   }
+}
+
+void write_run(Writer& out, const Run& run) {
+  out.section("[run]", "run.");
+  out.word("engine", run.engine);
+  out.fields(run, run_fields());
+  out.word("start_frame", start_frames()[static_cast<std::size_t>(run.start_frame)]);
+  if (run.time_step)
+    out.number("time_step", *run.time_step, "s");
+  else
+    out.number(step_share.key, run.time_step_fraction, step_share.unit);
+  out.line("hop", run.hop ? "true" : "false");
+  out.line("replicates", std::to_string(run.replicates));
 }
 
 void write_sweep(Writer& out, const std::map<std::string, std::vector<std::string>>& sweep) {
@@ -146,10 +184,7 @@ std::string write(const Case& c) {
   write_balls(out, c.balls);
   if (c.powder) write_powder(out, *c.powder);
   write_contact(out, c.contact);
-  out.section("[run]", "run.");
-  out.word("engine", c.run.engine);
-  out.fields(c.run, run_fields());
-  out.line("replicates", std::to_string(c.run.replicates));
+  write_run(out, c.run);
   out.section("[observe]", "observe.");
   out.fields(c.observe, observe_fields());
   out.line("collisions", c.observe.collisions ? "true" : "false");

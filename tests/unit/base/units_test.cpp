@@ -77,6 +77,9 @@ TEST(Units, times_speeds_and_energies) {
   EXPECT_EQ(parse_in("2 uJ", "J"), 2e-6);
   EXPECT_EQ(parse_in("0.37 kW", "W"), 370);
   EXPECT_EQ(parse_in("3 J/g", "J/kg"), 3000);
+  EXPECT_EQ(parse_in("50 mJ/m2", "J/m2"), 0.05);
+  EXPECT_EQ(parse_in("10 kJ/m3", "J/m3"), 1e4);
+  EXPECT_EQ(parse_in("2 kN/mm", "N/m"), 2e6);
   EXPECT_EQ(parse_in("3 W/g", "W/kg"), 3000);
 }
 
@@ -193,8 +196,9 @@ void expect_round_trip(double value, std::string_view unit) {
 
 TEST(Units, show_reads_back_to_the_last_bit) {
   Random random(7, 1);
-  for (const std::string_view unit : {"m", "kg", "s", "Hz", "rad/s", "rad", "m/s", "m3", "N", "Pa",
-                                      "J", "W", "J/kg", "kg/m3", "K", "m/s2", "%", ""}) {
+  for (const std::string_view unit :
+       {"m", "kg",   "s",     "Hz", "rad/s", "rad", "m/s", "m3",  "N",    "Pa",   "J",
+        "W", "J/kg", "kg/m3", "K",  "m/s2",  "%",   "",    "N/m", "J/m2", "J/m3", "s/m"}) {
     for (int i = 0; i < 2000; ++i) {
       const double any = std::pow(10, random.uniform(-12, 12)) * (random.uniform() < 0.2 ? -1 : 1);
       expect_round_trip(any, unit);

@@ -235,78 +235,11 @@ TEST(CaseFaults, parts_that_do_not_go_together) {
                    "the ball (60 mm) is larger than the jar (60 mm)", "ball-too-large"));
 }
 
-TEST(CaseFaults, what_no_engine_of_this_version_runs_can_still_be_read) {
-  const auto soft = engine_faults(read_sample(planetary));
-  ASSERT_EQ(soft.size(), 1U);
-  EXPECT_EQ(soft[0].where, "case.toml:18");
-  EXPECT_EQ(soft[0].code, "engine-missing");
-  for (const std::string engine : {"event", "auto"}) {
-    EXPECT_TRUE(engine_faults(read_sample(planetary, {{"run.engine", engine}})).empty());
-    const auto many = engine_faults(
-        read_sample(with(planetary, "friction", "lasting = \"roll\""), {{"run.engine", engine}}));
-    ASSERT_EQ(many.size(), 1U);
-    EXPECT_EQ(many[0].where, "case.toml:16");
-    EXPECT_EQ(many[0].what, "lasting = \"roll\" carries one ball, the case has 5");
-    EXPECT_EQ(many[0].code, "roll-one-ball");
-  }
-  EXPECT_TRUE(engine_faults(read_sample(vial, {{"run.engine", "auto"}})).empty());
-}
-
 TEST(CaseFaults, text_that_is_no_toml) {
   EXPECT_EQ(faults_of("title = \"x\"\nseed = = 3\n").at(0).where, "case.toml:2");
   EXPECT_EQ(faults_of("[mill]\nspeed = 400 rpm\n").at(0).where, "case.toml:2");
   EXPECT_EQ(faults_of("seed = 1\nseed = 2\n").at(0).where, "case.toml:2");
   EXPECT_EQ(faults_of("title = \"x\n").at(0).code, "not-toml");
-}
-
-TEST(CaseFaults, files_that_are_not_there) {
-  const Folder folder;
-  const auto code = [&](const std::string& name) {
-    try {
-      read(folder.path() / name, catalogue());
-    } catch (const InputError& error) {
-      return error.faults().at(0).code;
-    }
-    return std::string();
-  };
-  EXPECT_EQ(code("nowhere.toml"), "no-such-file");
-  EXPECT_EQ(code("."), "no-such-file");
-}
-
-TEST(CaseFaults, bad_rows_of_a_measured_motion) {
-  const Folder folder;
-  folder.write("case.toml", with(with(with(vial, "kind", "kind = \"tabulated\"\nfile = \"m.csv\""),
-                                      "frequency", ""),
-                                 "amplitude", ""));
-  const auto found = [&](const std::string& csv) {
-    folder.write("m.csv", csv);
-    std::vector<std::string> places;
-    try {
-      read(folder.path() / "case.toml", catalogue());
-    } catch (const InputError& error) {
-      for (const Fault& f : error.faults())
-        places.push_back(f.where.substr(f.where.find_last_of('/') + 1) + " " + f.code);
-    }
-    return places;
-  };
-  using Places = std::vector<std::string>;
-  const std::string head = "time_s,x_m,y_m,z_m\n";
-  EXPECT_EQ(
-      found(head + "0,0,0,0\n1,0,0,1\n2,0,0,0,5\n3,0,x,0\n4,0,0,nan\n3,0,0,0\n"),
-      (Places{"m.csv:4 bad-motion-file", "m.csv:5 bad-motion-file", "m.csv:6 bad-motion-file"}));
-  EXPECT_EQ(found(head + "0,0,0,0\n1,0,0,1\n1,0,0,0\n2,0,0,0\n"),
-            (Places{"m.csv:4 bad-motion-file"}));
-  EXPECT_EQ(found("t,x,y,z\n0,0,0,0\n"), (Places{"m.csv:1 bad-motion-file"}));
-  EXPECT_EQ(found(head + "0,0,0,0\n1,0,0,1\n"), (Places{"m.csv bad-motion-file"}));
-  EXPECT_EQ(found(""), (Places{"m.csv bad-motion-file"}));
-  std::filesystem::remove(folder.path() / "m.csv");
-  try {
-    read(folder.path() / "case.toml", catalogue());
-    FAIL() << "a missing motion file was read";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.faults().at(0).where, (folder.path() / "case.toml").generic_string() + ":5");
-    EXPECT_EQ(error.faults().at(0).code, "no-such-file");
-  }
 }
 
 TEST(CaseFaults, all_faults_come_together_and_by_line) {
@@ -354,6 +287,18 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.run.time = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.engine = "fast"; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.replicates = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.run.time_step = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.run.time_step_fraction = 2; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.jar.elastic.youngs_modulus = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.balls[0].elastic.poisson_ratio = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.softening = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.cohesion = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.law_choice.stiffness = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.balls[0].positions = {{0, 0, 0}, {0, 0, 0.01}}; }), out);
+  EXPECT_EQ(codes([](Case& c) {
+              c.balls[0].positions = {{0, NAN, 0}};
+            }),
+            (Codes{"out-of-range", "outside-jar"}));
   EXPECT_EQ(codes([](Case& c) { c.gravity = INFINITY; }), out);
   EXPECT_EQ(codes([](Case& c) { c.mill.jar_axis = {0, 1, 0}; }), out);
   EXPECT_EQ(codes([](Case& c) { std::get<kinematics::Vibration>(c.mill.motion).frequency = 0; }),

@@ -24,26 +24,12 @@ Restitution restitution(const std::string& lines) {
   return read_sample(contact(lines)).contact.rule.restitution;
 }
 
-/// Two sets, 10 mm steel and 20 mm of titanium carbide, in a steel cylinder.
+/// The drum with 10 mm balls of steel and 20 mm of titanium carbide; it is of steel itself. Its
+/// [contact] begins at line 17.
 std::string two(const std::string& contact) {
-  return R"([mill]
-kind = "tumbling"
-speed = "75 %"
-[jar]
-kind = "cylinder"
-diameter = "200 mm"
-height = "60 mm"
-material = "steel"
-[[balls]]
-diameter = "10 mm"
-material = "steel"
-[[balls]]
-diameter = "20 mm"
-material = "tic"
-[run]
-time = "1 s"
-[contact]
-)" + contact;
+  std::string text =
+      with(with(drum, "density", "material = \"steel\""), "density", "material = \"tic\"");
+  return with(text, "height", "height = \"60 mm\"\nmaterial = \"steel\"") + "[contact]\n" + contact;
 }
 double e(const contact::BounceRule& rule) {
   return rule.restitution.at(1);
@@ -196,6 +182,51 @@ restitution = 0.2
   EXPECT_EQ(e(table.balls(1, 0)), 0.2);
   EXPECT_EQ(e(table.wall(1, 0)), 0.2);
   EXPECT_EQ(e(table.balls(1, 1)), 0.9);
+}
+
+TEST(PairTable, moduli_of_the_two_softened) {
+  const std::string lines = "softening = 0.01\nrestitution = 0.35\nfriction = 0.5\n";
+  const contact::PairTable table = pair_table(read_sample(two(lines)));
+  EXPECT_EQ(table.kinds(), 2);
+  EXPECT_EQ(table.faces(), 3);
+  // Steel of 200 GPa, 0.265 on itself: E / (2 (1 - nu^2)), E / (4 (2 - nu) (1 + nu)).
+  const double e = 2e9, nu = 0.265;
+  EXPECT_NEAR(table.balls(0, 0).modulus, e / (2 * (1 - nu * nu)), 1e-6 * e);
+  EXPECT_NEAR(table.balls(0, 0).shear_modulus, e / (4 * (2 - nu) * (1 + nu)), 1e-6 * e);
+  EXPECT_EQ(table.wall(0, 1), table.balls(0, 0));
+  // On the assumed steel, which stands in for the carbide: 210 GPa, 0.3.
+  const double compliance = (1 - nu * nu) / e + (1 - 0.09) / 2.1e9;
+  EXPECT_NEAR(table.balls(0, 1).modulus, 1 / compliance, 1e-6 * e);
+  EXPECT_EQ(table.balls(1, 0), table.balls(0, 1));
+  EXPECT_EQ(table.wall(1, 2), table.balls(0, 1));
+  EXPECT_EQ(table.balls(1, 1).restitution, 0.35);
+  EXPECT_EQ(table.balls(1, 1).friction, 0.5);
+  EXPECT_EQ(table.balls(1, 1).rolling_friction, 0.01);
+  EXPECT_TRUE(
+      std::isinf(pair_table(read_sample(two("bounce = \"constant\"\n"))).wall(0, 0).friction));
+}
+
+TEST(PairTable, the_last_entry_that_fits_counts) {
+  const contact::PairTable table = pair_table(read_sample(two(R"(law = "jkr"
+surface_energy = "0.1 J/m2"
+rolling_friction = 0.05
+restitution = 0.9
+[[contact.pairs]]
+between = ["balls", "jar"]
+surface_energy = "20 mJ/m2"
+[[contact.pairs]]
+between = ["jar.bottom", "balls.2"]
+rolling_friction = 0.2
+restitution = 0.3
+)")));
+  EXPECT_EQ(table.balls(0, 1).surface_energy, 0.1);
+  EXPECT_EQ(table.balls(0, 1).rolling_friction, 0.05);
+  EXPECT_EQ(table.wall(1, 0).surface_energy, 0.02);
+  EXPECT_EQ(table.wall(1, 0).rolling_friction, 0.05);
+  EXPECT_EQ(table.wall(1, 1).surface_energy, 0.1);
+  EXPECT_EQ(table.wall(1, 1).rolling_friction, 0.2);
+  EXPECT_EQ(table.wall(1, 1).restitution, 0.3);
+  EXPECT_GT(table.wall(1, 1).modulus, 0);
 }
 
 TEST(ReadPairs, pairs_that_mean_nobody_are_faults) {

@@ -65,7 +65,8 @@ inline const Catalogue& catalogue() {
     entry(
         "jars/pot", "cylinder",
         {{"diameter", "42 mm"}, {"height", "32.5 mm"}, {"volume", "45 ml"}, {"material", "steel"}});
-    entry("materials/steel", "", {{"density", "7700 kg/m3"}});
+    entry("materials/steel", "",
+          {{"density", "7700 kg/m3"}, {"youngs_modulus", "200 GPa"}, {"poisson_ratio", "0.265"}});
     entry("materials/tic", "", {{"density", "4930 kg/m3"}});
     entry("materials/mystery", "", {{"hardness", "5"}});
     entry("media/five", "", {{"diameter", "15 mm"}, {"count", "5"}, {"material", "steel"}});

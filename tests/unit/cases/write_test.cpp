@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -104,10 +105,18 @@ class AnyCase {
     const double room = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
     for (int n = flip() ? 1 : 2; n > 0; --n)
       c.balls.push_back({flip() ? 1 : 2, room * random_.uniform(0.01, 0.4),
-                         random_.uniform(900, 16000), flip() ? "steel" : ""});
+                         random_.uniform(900, 16000), flip() ? "steel" : "", elastic()});
+    c.jar.elastic = elastic();
+    if (flip()) draw_places(c);
     if (flip()) draw_powder(c.powder.emplace());
     draw_contact(c.contact);
     c.run = {flip() ? "event" : "soft", size(), size(), whole(10000), size(), size()};
+    c.run.start_frame = flip() ? StartFrame::laboratory : StartFrame::jar;
+    c.run.hop = flip();
+    if (flip())
+      c.run.time_step = size();
+    else
+      c.run.time_step_fraction = random_.uniform();
     c.observe = {size(), flip()};
     if (c.contact.rule.restitution.points().empty() && flip())
       c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
@@ -159,13 +168,41 @@ class AnyCase {
   contact::BounceRule draw_rule() {
     return {draw_restitution(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
   }
+  contact::Elastic elastic() { return {size(), random_.uniform(-0.99, 0.5)}; }
+  /// Places of the last set; those that do not fit make faults, and no round trip.
+  void draw_places(Case& c) {
+    BallSet& set = c.balls.back();
+    const double r = 0.5 * set.diameter;
+    for (std::int64_t n = 0; n < set.count; ++n)
+      set.positions.push_back({0.1 * r * random_.uniform(), 0, (n == 0 ? -1.1 : 1.1) * r});
+  }
+  contact::LawChoice draw_law() {
+    contact::LawChoice law;
+    law.law = static_cast<contact::LawName>(whole(8) - 1);
+    law.rolling = static_cast<contact::Rolling>(whole(5) - 1);
+    law.curved_walls = flip();
+    if (has_meaning("rolling_damping", law)) law.rolling_damping = random_.uniform();
+    if (has_meaning("stiffness", law)) (flip() ? law.stiffness : law.stiffness_speed) = size();
+    if (has_meaning("damping", law)) {
+      law.published_damping = flip();
+      law.damping_depth = flip() ? size() : 0;
+    }
+    return law;
+  }
+  template <class Owner>
+  void draw_touch(Owner& owner, const contact::LawChoice& law) {
+    for (const auto& f : touch_fields<Owner>())
+      owner.*f.value = has_meaning(f.key, law) ? size() : 0;
+  }
   void draw_contact(Contact& contact) {
-    contact.law = flip() ? "hertz-tsuji" : "jkr";
+    contact.law_choice = draw_law();
+    contact.softening = random_.uniform();
     contact.rule = draw_rule();
     if (flip()) contact.pairs.push_back({{"balls.1", "jar"}, draw_rule()});
     if (flip()) contact.pairs.push_back({{"balls", "balls.1"}, draw_rule()});
+    draw_touch(contact, contact.law_choice);
+    for (PairRule& pair : contact.pairs) draw_touch(pair, contact.law_choice);
     contact.lasting_friction = size();
-    contact.rolling_friction = size();
     contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;
     contact.lasting_speed = size();
     contact.contact_time = random_.uniform(1e-7, 1e-3);

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// A soft contact has one damping, whatever the speed.
+std::vector<Fault> soft_faults(const Case& c) {
+  std::vector<Fault> found;
+  const auto check = [&](const std::string& section, const contact::Restitution& e) {
+    if (e.law() == contact::Restitution::Law::constant) return;
+    found.push_back(
+        {place_of(c, section + "restitution_law"),
+         fmt::format("restitution_law = \"{}\": the soft engine takes one restitution for all "
+                     "speeds",
+                     restitution_laws()[static_cast<std::size_t>(e.law())]),
+         "write restitution_law = \"constant\" and restitution = 0.8 or so, or engine = \"event\"",
+         "constant-restitution"});
+  };
+  const contact::Restitution& all = c.contact.rule.restitution;
+  check("contact.", all);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i)
+    if (const auto& own = c.contact.pairs[i].rule.restitution; own != all)
+      check(fmt::format("contact.pairs.{}.", i + 1), own);
+  return found;
+}
+
+std::vector<Fault> event_faults(const Case& c) {
+  if (c.contact.lasting != Lasting::roll) return {};
+  const std::int64_t count = balls_count(c.balls);
+  if (count > 1)
+    return {{place_of(c, "contact.lasting"),
+             fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
+             "write lasting = \"tc\"", "roll-one-ball"}};
+  if (c.contact.law_choice.rolling == contact::Rolling::viscous)
+    return {{place_of(c, "contact.rolling"),
+             "rolling = \"viscous\" is for the soft engine: in the event engine the resistance is "
+             "the same at every speed",
+             "write rolling = \"cdt\" with a rolling_friction without unit", "viscous-rolling"}};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Fault> engine_faults(const Case& c) {
+  return c.run.engine == "soft" ? soft_faults(c) : event_faults(c);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a case says for the soft engine: moduli, contact law, time step.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mahlwerk/cases/read.hpp"
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using namespace sample;
+using contact::Elastic;
+using contact::LawName;
+using contact::Rolling;
+
+/// The planetary mill with these lines in place of its restitution, in line 15 of the file.
+std::string with_contact(const std::string& lines) {
+  return with(planetary, "restitution", lines);
+}
+Contact contact_of(const std::string& lines) {
+  return read_sample(with_contact(lines)).contact;
+}
+/// The one fault as "line code"; what there is if it is another number.
+std::string fault(const std::string& text) {
+  const auto found = faults_of(text);
+  if (found.size() != 1) return fault_of(text);
+  return found[0].where.substr(found[0].where.find(':') + 1) + " " + found[0].code;
+}
+bool assumed(const Case& c, std::string_view key) {
+  const auto at = std::ranges::find(c.origins, key, &Origin::key);
+  return at != c.origins.end() && at->assumed;
+}
+
+TEST(ReadModuli, from_the_case_the_material_or_steel) {
+  const Case c = read_sample(planetary);
+  EXPECT_EQ(c.balls[0].elastic, (Elastic{200e9, 0.265}));
+  EXPECT_EQ(c.jar.elastic, (Elastic{200e9, 0.265}));
+  EXPECT_EQ(source_of(c, "jar.youngs_modulus"), "catalogue materials/steel: test sheet");
+  EXPECT_FALSE(assumed(c, "jar.youngs_modulus"));
+  const Case own =
+      read_sample(with(planetary, "material", "material = \"steel\"\nyoungs_modulus = \"70 GPa\""));
+  EXPECT_EQ(own.balls[0].elastic, (Elastic{70e9, 0.265}));
+  EXPECT_EQ(source_of(own, "balls.1.youngs_modulus"), "case.toml:10");
+  const Case tic = read_sample(planetary, {{"balls.material", "tic"}, {"jar.material", "glass"}});
+  EXPECT_EQ(tic.balls[0].elastic, (Elastic{210e9, 0.3}));
+  EXPECT_EQ(source_of(tic, "balls.1.youngs_modulus"),
+            "default: steel, handbook; uncalibrated; the catalogue gives none for tic");
+  EXPECT_EQ(tic.jar.elastic, (Elastic{210e9, 0.3}));  // a name the catalogue need not know
+  const Case none = read_sample(drum, {{"balls.2.poisson_ratio", "0.5"}});
+  EXPECT_EQ(none.balls[1].elastic, (Elastic{210e9, 0.5}));
+  EXPECT_EQ(source_of(none, "jar.poisson_ratio"), "default: steel, handbook; uncalibrated");
+}
+
+TEST(ReadModuli, the_command_line_s_material_is_before_the_file_s_modulus) {
+  const std::string text =
+      with(drum, "density", "density = \"1 g/cm3\"\nyoungs_modulus = \"3 GPa\"");
+  EXPECT_EQ(read_sample(text).balls[0].elastic.youngs_modulus, 3e9);
+  EXPECT_EQ(read_sample(text, {{"balls.material", "steel"}}).balls[0].elastic.youngs_modulus,
+            200e9);
+}
+
+TEST(ReadModuli, out_of_range) {
+  const auto ball = [](const std::string& line) { return fault(with(planetary, "count", line)); };
+  EXPECT_EQ(ball("youngs_modulus = \"0 Pa\""), "7 out-of-range");
+  EXPECT_EQ(ball("youngs_modulus = 200"), "7 bad-quantity");
+  EXPECT_EQ(ball("youngs_modulus = \"200 g\""), "7 bad-quantity");
+  EXPECT_EQ(ball("poisson_ratio = 0.51"), "7 out-of-range");
+  EXPECT_EQ(ball("poisson_ratio = -1"), "7 out-of-range");
+}
+
+TEST(ReadOrigins, what_an_engine_does_not_look_at_is_not_assumed) {
+  const auto of = [](const char* engine) { return read_sample(drum, {{"run.engine", engine}}); };
+  for (const char* key : {"balls.1.youngs_modulus", "jar.poisson_ratio", "contact.law",
+                          "contact.rolling", "contact.softening", "run.hop"}) {
+    EXPECT_FALSE(assumed(of("event"), key)) << key;
+    EXPECT_TRUE(assumed(of("soft"), key)) << key;
+    EXPECT_TRUE(assumed(of("auto"), key)) << key;
+    EXPECT_NE(source_of(of("event"), key), "") << key;
+  }
+  for (const char* key : {"contact.lasting", "contact.contact_time"}) {
+    EXPECT_TRUE(assumed(of("event"), key)) << key;
+    EXPECT_FALSE(assumed(of("soft"), key)) << key;
+  }
+  EXPECT_TRUE(assumed(of("soft"), "contact.friction"));
+}
+
+TEST(ReadLaw, defaults) {
+  const Contact c = contact_of("restitution = 0.35");
+  EXPECT_EQ(c.law_choice, contact::LawChoice());
+  EXPECT_EQ(c.law_choice.rolling, Rolling::cdt);
+  EXPECT_EQ(c.softening, 1);
+  EXPECT_EQ(c.rolling_friction, 0.01);
+  const Case damped = read_sample(with_contact("law = \"adams-impact\""));
+  EXPECT_EQ(damped.contact.law_choice.damping_depth, 0);
+  EXPECT_TRUE(assumed(damped, "contact.damping_depth"));
+  EXPECT_TRUE(
+      assumed(read_sample(with_contact("law = \"walton-braun\"")), "contact.stiffness_speed"));
+}
+
+TEST(ReadLaw, every_word_and_its_numbers) {
+  for (std::size_t i = 0; i < contact::law_words.size(); ++i) {
+    const std::string word(contact::law_words[i]);
+    std::string lines = "law = \"" + word + "\"\n";
+    if (word == "jkr") lines += "surface_energy = \"0 J/m2\"";
+    if (word == "sjkr") lines += "cohesion = \"10 kJ/m3\"";
+    const Contact c = contact_of(lines);
+    EXPECT_EQ(c.law_choice.law, static_cast<LawName>(i)) << word;
+    EXPECT_EQ(c.cohesion, word == "sjkr" ? 1e4 : 0);
+  }
+  EXPECT_EQ(contact_of("law = \"linear-spring\"\nstiffness = \"1e6 N/m\"").law_choice.stiffness,
+            1e6);
+  EXPECT_EQ(
+      contact_of("law = \"walton-braun\"\nstiffness_speed = \"2 m/s\"").law_choice.stiffness_speed,
+      2);
+  const auto adams =
+      contact_of("law = \"adams-impact\"\ndamping = \"published\"\ndamping_depth = \"1 um\"");
+  EXPECT_TRUE(adams.law_choice.published_damping);
+  EXPECT_EQ(adams.law_choice.damping_depth, 1e-6);
+  EXPECT_TRUE(contact_of("curved_walls = true").law_choice.curved_walls);
+}
+
+TEST(ReadLaw, rolling_resistance) {
+  EXPECT_EQ(contact_of("rolling = \"none\"").rolling_friction, 0);
+  EXPECT_EQ(contact_of("rolling = \"epsd\"\nrolling_damping = 0.3").law_choice.rolling_damping,
+            0.3);
+  const std::string viscous = "rolling = \"viscous\"\n";
+  EXPECT_EQ(contact_of(viscous + "rolling_friction = \"0.2 s/m\"").rolling_friction, 0.2);
+  EXPECT_EQ(fault(with_contact(viscous)), "14 missing-value");
+  EXPECT_EQ(fault(with_contact(viscous + "rolling_friction = 0.2")), "16 bad-quantity");
+  EXPECT_EQ(fault(with_contact("rolling_friction = \"0.2 s/m\"")), "15 bad-quantity");
+  EXPECT_EQ(fault(with_contact("rolling = \"none\"\nrolling_friction = 0.2")), "16 too-much");
+  EXPECT_EQ(fault(with_contact("rolling_damping = 0.3")), "15 too-much");
+}
+
+TEST(ReadLaw, what_another_law_has_is_a_fault) {
+  EXPECT_EQ(fault(with_contact("law = \"jkr\"")), "14 missing-value");
+  EXPECT_EQ(fault(with_contact("law = \"sjkr\"")), "14 missing-value");
+  EXPECT_EQ(fault(with_contact("law = \"jkr\"\nsurface_energy = \"-1 J/m2\"")), "16 out-of-range");
+  EXPECT_EQ(fault(with_contact("law = \"jkr\"\nsurface_energy = \"1 J\"")), "16 bad-quantity");
+  for (const char* line :
+       {"surface_energy = \"1 J/m2\"", "cohesion = \"1 J/m3\"", "stiffness = \"1 N/m\"",
+        "stiffness_speed = \"1 m/s\"", "damping = \"exact\"", "damping_depth = \"1 um\""})
+    EXPECT_EQ(fault(with_contact(line)), "15 too-much") << line;
+  EXPECT_NE(fault_of(with_contact("cohesion = \"1 J/m3\""))
+                .find("cohesion has no meaning under law = \"hertz-mindlin\""),
+            std::string::npos);
+  EXPECT_EQ(fault(with_contact("law = \"linear-spring\"\nstiffness = \"1 N/m\"\n"
+                               "stiffness_speed = \"1 m/s\"")),
+            "16 too-much");
+  EXPECT_EQ(fault(with_contact("law = \"jrk\"\nsurface_energy = \"1 J/m2\"")), "15 unknown-word");
+  EXPECT_EQ(fault(with_contact("softening = 1.5")), "15 out-of-range");
+}
+
+TEST(ReadLaw, pairs_inherit_and_differ) {
+  const std::string jkr = "law = \"jkr\"\nsurface_energy = \"1 J/m2\"\nrolling_friction = 0.05\n";
+  const std::string pair = "pairs = [{between = [\"balls\", \"jar\"]";
+  const Contact c = contact_of(jkr + pair + ", surface_energy = \"2 J/m2\"}]");
+  EXPECT_EQ(c.pairs[0].surface_energy, 2);
+  EXPECT_EQ(c.pairs[0].rolling_friction, 0.05);
+  EXPECT_EQ(c.surface_energy, 1);
+  EXPECT_EQ(fault(with_contact(pair + ", cohesion = \"2 J/m3\"}]")), "15 too-much");
+}
+
+TEST(ReadStep, a_time_or_a_share) {
+  const auto run = [](const std::string& lines) {
+    return read_sample(with(planetary, "settle", lines)).run;
+  };
+  EXPECT_FALSE(run("").time_step.has_value());
+  EXPECT_EQ(run("").time_step_fraction, 0.125);
+  EXPECT_TRUE(run("").hop);
+  EXPECT_EQ(run("time_step = \"1 us\"").time_step, 1e-6);
+  EXPECT_EQ(run("time_step_fraction = \"10 %\"").time_step_fraction, 0.1);
+  EXPECT_FALSE(run("hop = false").hop);
+  EXPECT_EQ(run("start_frame = \"jar\"").start_frame, StartFrame::jar);
+  const auto bad = [](const std::string& lines) { return fault(with(planetary, "settle", lines)); };
+  EXPECT_EQ(bad("time_step = \"0 s\""), "20 out-of-range");
+  EXPECT_EQ(bad("time_step_fraction = 0"), "20 out-of-range");
+  EXPECT_EQ(bad("time_step_fraction = 1.1"), "20 out-of-range");
+  EXPECT_EQ(bad("time_step = \"1 us\"\ntime_step_fraction = 0.1"), "21 too-much");
+  EXPECT_EQ(bad("start_frame = \"disc\""), "20 unknown-word");
+  const Case c = read_sample(with(planetary, "settle", "time_step_fraction = 0.1"),
+                             {{"run.time_step", "2 us"}});
+  EXPECT_EQ(c.run.time_step, 2e-6);
+}
+
+}  // namespace
+}  // namespace mahlwerk::cases
