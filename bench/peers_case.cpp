@@ -68,8 +68,8 @@ void write_case(const std::filesystem::path& file, const Start& start) {
       {"gravity", c.gravity},
   };
   fmt::ostream out = fmt::output_file(file.string());
-  for (const auto& [name, value] : numbers) out.print("variable {} equal {:.16g}\n", name, value);
-  out.print("variable step_time equal {:.16g}\n", c.step);
+  for (const auto& [name, value] : numbers) out.print("variable {} equal {}\n", name, value);
+  out.print("variable step_time equal {}\n", c.step);
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Vec3 p = start[i].position + to_laboratory;
     out.print("variable x{0} equal {1:.12f}\nvariable y{0} equal {2:.12f}\n", i + 1, p.x, p.y);

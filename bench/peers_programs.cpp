@@ -17,21 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Child child_for(const Program& program, const fs::path& folder, int steps, bool dumping) {
+constexpr int never = 1000000000;  // [steps]
+
+Child child_for(const Program& program, const fs::path& folder, int steps, int every) {
   const std::string deck = fmt::format("{}/bench/peers/{}", MAHLWERK_HOME, program.deck);
-  const std::string count = fmt::format("{}", steps), dump = dumping ? "1" : "0";
+  const std::string count = fmt::format("{}", steps), often = fmt::format("{}", every);
   // Open MPI refuses to serve root, as whom containers commonly run, unless told twice.
   Child child{{},
               folder,
               {"OMP_NUM_THREADS=1", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-               "STEPS=" + count, "DUMPING=" + dump},
-              900};
+               "STEPS=" + count, "EVERY=" + often},
+              every == never ? 120.0 : 900.0};
   const std::string command(program.command);
   if (command == "yade")
     child.words = {command, "-j1", "-n", "-x", deck};
   else
     child.words = {command, "-in",   deck,  "-log", "log.txt", "-screen", "screen.txt",
-                   "-var",  "steps", count, "-var", "dumping", dump};
+                   "-var",  "steps", count, "-var", "every",   often};
   return child;
 }
 
@@ -55,13 +57,14 @@ double loop_time(const fs::path& folder) {
   return seconds;
 }
 
-/// Runs the program in a folder of its own; tells its loop's time [s].
-Found<double> run(const Program& program, const Start& start, int steps, bool dumping,
+/// Runs the program in a folder of its own, where it writes the balls down `every` so many steps;
+/// tells its loop's time [s].
+Found<double> run(const Program& program, const Start& start, int steps, int every,
                   const std::function<void(std::string_view)>& line) {
   const TemporaryFolder folder;
   write_case(folder.path() / "case.in", start);
   write_vial(folder.path() / "vial.stl");
-  std::string fault = run_child(child_for(program, folder.path(), steps, dumping), line);
+  std::string fault = run_child(child_for(program, folder.path(), steps, every), line);
   const double taken = loop_time(folder.path());
   if (fault.empty() && !std::isfinite(taken)) fault = "did not come to its end";
   if (fault.empty()) return {taken, {}};
@@ -72,7 +75,7 @@ Found<double> run(const Program& program, const Start& start, int steps, bool du
 }  // namespace
 
 Found<double> speed_of(const Program& program, const Start& start) {
-  const Found<double> taken = run(program, start, program.steps, false, [](std::string_view) {});
+  const Found<double> taken = run(program, start, program.steps, never, [](std::string_view) {});
   const double particle_steps = static_cast<double>(start.size()) * program.steps;
   return {particle_steps / taken.value, taken.fault};
 }
@@ -82,8 +85,9 @@ Found<Physics> physics_of(const Program& program, const Start& start) {
   Analysis analysis(c.from, c.to);
   DumpReader reader(static_cast<int>(start.size()), c.step, analysis);
   const auto steps = static_cast<int>(std::lround(c.to / c.step));
+  const auto every = static_cast<int>(std::lround(c.between_samples / c.step));
   const Found<double> taken =
-      run(program, start, steps, true, [&](std::string_view line) { reader.line(line); });
+      run(program, start, steps, every, [&](std::string_view line) { reader.line(line); });
   if (!taken.fault.empty()) return {{}, taken.fault};
   const Physics physics = analysis.physics();
   if (!(analysis.seen_to() > c.to - c.between_samples / 2))

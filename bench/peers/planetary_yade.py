@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Five balls in a planetary mill's vial, for YADE: laboratory frame, a vial of facets.
 
-case.in and vial.stl, which the benchmark writes, hold the case; STEPS and DUMPING come from the
-environment. The speed goes to log.txt in the words of the other two programs.
+case.in and vial.stl, which the benchmark writes, hold the case; STEPS, and EVERY
+how many of them the balls are written down, come from the environment. The speed goes to log.txt in the words of the other two programs.
 """
 import math
 import os
@@ -12,7 +12,7 @@ import time
 from yade import *
 from yade import ymport
 
-steps, dumping = int(os.environ["STEPS"]), os.environ.get("DUMPING") == "1"
+steps, every = int(os.environ["STEPS"]), int(os.environ["EVERY"])
 words = [line.split() for line in open("case.in")]
 case = {word[1]: float(word[3]) for word in words if word and word[0] == "variable"}
 disc, spin, orbit = case["disc"], case["spin"], case["orbit"]
@@ -52,23 +52,25 @@ O.engines = [
 ]
 O.dt = case["step_time"]
 
-if dumping:
-    out = open("/dev/stdout", "w")
+out = open("/dev/stdout", "w")
 
-    def dump():
-        out.write("ITEM: TIMESTEP\n%d\nITEM: ATOMS\n" % O.iter)
-        for n, i in enumerate(balls):
-            state = O.bodies[i].state
-            parts = (state.pos, state.vel, O.forces.f(i), state.angVel, O.forces.t(i))
-            out.write("%d %s\n" % (n + 1, " ".join("%.9g" % a for part in parts for a in part)))
 
-    O.engines = O.engines[:-1] + [PyRunner(command="dump()", iterPeriod=10)] + O.engines[-1:]
+def dump():
+    out.write("ITEM: TIMESTEP\n%d\nITEM: ATOMS\n" % O.iter)
+    for n, i in enumerate(balls):
+        state = O.bodies[i].state
+        parts = (state.pos, state.vel, O.forces.f(i), state.angVel, O.forces.t(i))
+        out.write("%d %s\n" % (n + 1, " ".join("%.9g" % a for part in parts for a in part)))
+
+
+if every <= steps:  # between forces and motion; one step more, so that the last one is written too
+    writer = PyRunner(command="dump()", iterPeriod=every)
+    O.engines = O.engines[:-1] + [writer] + O.engines[-1:]
+    steps += 1
 
 begin = time.time()
 O.run(steps, True)
 taken = time.time() - begin
-if dumping:
-    dump()
-    out.close()
+out.close()
 with open("log.txt", "w") as log:
     log.write("Loop time of %.6f for %d steps\n" % (taken, steps))
