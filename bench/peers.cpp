@@ -111,6 +111,7 @@ void add_physics(std::vector<Row>& rows, const std::string& code, const std::vec
   const auto count = static_cast<double>(all.size());
   for (const auto& [metric, value] : values) {
     std::vector<double> found;
+    found.reserve(all.size());
     for (const Physics& one : all) found.push_back(value(one));
     double sum = 0;
     for (const double one : found) sum += one;
