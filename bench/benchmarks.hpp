@@ -3,22 +3,25 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 // The benchmarks: a row each, a file each. All times are CPU times of this process, medians of
-// several runs.
+// several runs; those of other programs are what they tell themselves.
 namespace mahlwerk::bench {
 
 struct Row {
   std::string benchmark, what, code, metric;
   double value = 0;
+  double least = NAN, most = NAN;  ///< among the runs that `value` stands for, where told
 };
 
 std::vector<Row> one_ball();
 std::vector<Row> fluid();
 std::vector<Row> event();
+std::vector<Row> beside_peers();
 
 struct Benchmark {
   std::string_view name, about;
@@ -29,6 +32,8 @@ inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
     Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
+    Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
+              beside_peers},
 };
 
 double cpu_seconds();

@@ -31,6 +31,17 @@ int usage(const char* wrong) {
   return 2;
 }
 
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric",
+             "value");
+  for (const Row& r : rows) {
+    fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10.4g}", r.benchmark, r.what, r.code, r.metric,
+               r.value);
+    if (std::isfinite(r.least)) fmt::print("  ({:.4g} to {:.4g})", r.least, r.most);
+    fmt::print("\n");
+  }
+}
+
 int perform(int argc, char** argv) {
   std::string name;
   bool json = false;
@@ -54,20 +65,18 @@ int perform(int argc, char** argv) {
   if (!found) return usage(("bench: there is no '" + name + "'").c_str());
   if (json) {
     auto list = nlohmann::ordered_json::array();
-    for (const Row& r : rows)
+    for (const Row& r : rows) {
       list.push_back({{"benchmark", r.benchmark},
                       {"case", r.what},
                       {"code", r.code},
                       {"metric", r.metric},
                       {"value", r.value}});
+      if (std::isfinite(r.least)) list.back().update({{"least", r.least}, {"most", r.most}});
+    }
     fmt::print("{}\n", list.dump(2));
     return 0;
   }
-  fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric",
-             "value");
-  for (const Row& r : rows)
-    fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10.4g}\n", r.benchmark, r.what, r.code, r.metric,
-               r.value);
+  print(rows);
   return 0;
 }
 

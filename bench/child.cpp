@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+namespace mahlwerk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t wished_to_end = 0;
+
+/// While this lives a wish to end this program is only noted, so that the child can be ended and
+/// its folder removed first.
+class Noting {
+ public:
+  Noting() {
+    wished_to_end = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { wished_to_end = signal; };
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+  }
+  ~Noting() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+  }
+  Noting(const Noting&) = delete;
+  Noting& operator=(const Noting&) = delete;
+
+ private:
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> before_{};
+};
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { shut(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  void shut() {
+    if (number_ >= 0) close(number_);
+    number_ = -1;
+  }
+
+ private:
+  int number_;
+};
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> found;
+  found.reserve(words.size() + 1);
+  for (std::string& word : words) found.push_back(word.data());
+  found.push_back(nullptr);
+  return found;
+}
+
+/// Our environment, with the child's entries in place of ours of the same name.
+std::vector<std::string> environment_of(const Child& child) {
+  const auto name = [](std::string_view entry) { return entry.substr(0, entry.find('=') + 1); };
+  std::vector<std::string> all = child.environment;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (std::none_of(child.environment.begin(), child.environment.end(),
+                     [&](const std::string& own) { return name(own) == name(*entry); }))
+      all.emplace_back(*entry);
+  return all;
+}
+
+/// Starts the child in a process group of its own, so that whatever it starts can be ended with it.
+pid_t start(const Child& child, int output) {
+  std::vector<std::string> words = child.words, environment = environment_of(child);
+  const std::vector<char*> arguments = pointers(words), variables = pointers(environment);
+  const std::string folder = child.folder, errors = child.folder / "errors.txt";
+  const pid_t parent = getpid(), id = fork();
+  if (id != 0) {
+    if (id > 0) setpgid(id, id);
+    return id;
+  }
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // should this process be killed outright
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const int complaints = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (getppid() == parent && nothing >= 0 && complaints >= 0 && chdir(folder.c_str()) == 0 &&
+      dup2(nothing, 0) == 0 && dup2(output, 1) == 1 && dup2(complaints, 2) == 2)
+    execvpe(arguments[0], arguments.data(), variables.data());
+  _exit(127);
+}
+
+/// Cuts what arrives into lines.
+class Lines {
+ public:
+  explicit Lines(const std::function<void(std::string_view)>& line) : line_(line) {}
+
+  void add(std::string_view text) {
+    for (std::size_t end = 0; (end = text.find('\n')) != text.npos; text.remove_prefix(end + 1)) {
+      begun_.append(text.substr(0, end));
+      line_(begun_);
+      begun_.clear();
+    }
+    begun_.append(text);
+  }
+
+ private:
+  const std::function<void(std::string_view)>& line_;
+  std::string begun_;
+};
+
+/// Reads until the child writes no more. Tells whether that was before the time was up.
+bool read_all(int input, Clock::time_point last, Lines lines) {
+  std::vector<char> buffer(1 << 16);
+  while (Clock::now() < last) {
+    if (wished_to_end != 0) throw Interrupted{wished_to_end};
+    pollfd ready{input, POLLIN, 0};
+    constexpr int patience = 200;  // [ms] a wish to end may come just before poll begins to wait
+    if (poll(&ready, 1, patience) <= 0) continue;
+    const ssize_t count = read(input, buffer.data(), buffer.size());
+    if (count == 0) return true;
+    if (count > 0) lines.add({buffer.data(), static_cast<std::size_t>(count)});
+  }
+  return false;
+}
+
+/// The child's end is ours to bring about, whatever happens.
+class Running {
+ public:
+  explicit Running(pid_t id) : id_(id) {}
+  ~Running() {
+    if (id_ <= 0) return;
+    kill(-id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  /// Its status once it has ended by itself; -1 if it has not when the time is up.
+  int ended(Clock::time_point last) {
+    int status = 0;
+    while (waitpid(id_, &status, WNOHANG) == 0) {
+      if (wished_to_end != 0) throw Interrupted{wished_to_end};
+      if (Clock::now() > last) return -1;
+      usleep(5000);
+    }
+    id_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t id_;
+};
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = fs::temp_directory_path() / "mahlwerk-bench-XXXXXX";
+  if (mkdtemp(name.data()) == nullptr)
+    throw std::system_error(errno, std::generic_category(), "cannot make the folder " + name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path find_program(std::string_view name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    fs::path found = fs::path(folder) / name;
+    if (fs::is_regular_file(found) && access(found.c_str(), X_OK) == 0) return found;
+  }
+  return {};
+}
+
+std::string run_child(const Child& child, const std::function<void(std::string_view)>& line) {
+  const Clock::time_point last = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                    std::chrono::duration<double>(child.limit));
+  const Noting noting;
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return std::strerror(errno);
+  const Descriptor input(ends[0]);
+  Descriptor output(ends[1]);
+  const pid_t id = start(child, output.number());
+  if (id < 0) return std::strerror(errno);
+  Running running(id);
+  output.shut();
+  const int status = read_all(input.number(), last, Lines(line)) ? running.ended(last) : -1;
+  if (status == -1) return fmt::format("not ready after {:.0f} s, ended", child.limit);
+  if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", WTERMSIG(status));
+  if (WEXITSTATUS(status) != 0) return fmt::format("ended with code {}", WEXITSTATUS(status));
+  return {};
+}
+
+}  // namespace mahlwerk::bench

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Mahlwerk and the other open soft-sphere codes side by side: five balls in a planetary mill. The
+// codes take turns. What the balls do is told over several starts, since they fall into one of two
+// modes of motion, and the smallest difference decides which.
+#include "peers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "benchmarks.hpp"
+#include "child.hpp"
+#include "peers_programs.hpp"
+
+namespace mahlwerk::bench {
+namespace {
+
+constexpr int turns = 3, replicates = 5, our_steps = 1000000;
+constexpr double between_modes = 3.5;  // [W] power in the two modes is above or below
+constexpr const char* name = "peers";
+constexpr const char* what = "planetary mill, 5 balls of 15 mm";
+
+void say(const std::string& text) {
+  fmt::print(stderr, "{}: {}\n", name, text);
+}
+
+/// The codes that are here; the others are named with what would bring them.
+std::vector<Program> present() {
+  std::vector<Program> found;
+  for (const Program& one : programs)
+    if (!find_program(one.command).empty())
+      found.push_back(one);
+    else
+      say(fmt::format("{} is left out, it is not installed (Debian: apt-get install {})", one.name,
+                      one.package));
+  return found;
+}
+
+/// How many starts of a code are looked at; LIGGGHTS and YADE take two minutes for each.
+int starts_of(const Program& program) {
+  const char* wish = std::getenv("MAHLWERK_PEERS_PHYSICS");
+  const bool full = wish != nullptr && std::string_view(wish) == "full";
+  if (program.name == "LAMMPS") return replicates;
+  if (full) return program.name == "LIGGGHTS" ? 2 : 1;
+  say(fmt::format("{}, physics left out; MAHLWERK_PEERS_PHYSICS=full asks for it", program.name));
+  return 0;
+}
+
+struct Speeds {
+  std::string code;
+  std::vector<double> found;
+};
+
+Row row(const std::string& code, const std::string& metric, const std::vector<double>& values,
+        double value) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {name, what, code, metric, value, *least, *most};
+}
+
+void add_speeds(std::vector<Row>& rows, const std::vector<Speeds>& all) {
+  const std::vector<double>& ours = all.front().found;
+  for (const Speeds& one : all)
+    if (!one.found.empty())
+      rows.push_back(row(one.code, "particle_steps_per_second", one.found, median(one.found)));
+  for (const Speeds& one : all)
+    if (&one != &all.front() && !one.found.empty() && !ours.empty())
+      rows.push_back({name, what, "mahlwerk", "times_as_fast_as_" + one.code,
+                      median(ours) / median(one.found)});
+}
+
+/// Every code's speed, in turns, so that a drifting machine touches all alike. Ours come first. A
+/// code that fails is not asked again.
+std::vector<Speeds> measure_speeds(const std::vector<Program>& peers) {
+  std::vector<Speeds> all{{"mahlwerk", {}}};
+  for (const Program& peer : peers) all.push_back({std::string(peer.name), {}});
+  for (int turn = 0; turn < turns; ++turn) {
+    say(fmt::format("speeds, turn {} of {}", turn + 1, turns));
+    if (const auto ours = our_speed(start(0), our_steps))
+      all[0].found.push_back(ours->particle_steps_per_second);
+    for (std::size_t i = 0; i < peers.size(); ++i) {
+      if (std::ssize(all[i + 1].found) < turn) continue;
+      const Found<double> speed = speed_of(peers[i], start(0));
+      if (speed.fault.empty())
+        all[i + 1].found.push_back(speed.value);
+      else
+        say(fmt::format("{} {}", peers[i].name, speed.fault));
+    }
+  }
+  return all;
+}
+
+void add_physics(std::vector<Row>& rows, const std::string& code, const std::vector<Physics>& all) {
+  if (all.empty()) return;
+  using Value = double (*)(const Physics&);
+  static constexpr std::pair<const char*, Value> values[] = {
+      {"wall_power_W", [](const Physics& p) { return p.power; }},
+      {"kinetic_energy_J", [](const Physics& p) { return p.kinetic; }},
+      {"rotational_energy_J", [](const Physics& p) { return p.rotational; }},
+      {"kinetic_energy_on_disc_J", [](const Physics& p) { return p.kinetic_on_plate; }},
+      {"ball_ball_impacts_per_second", [](const Physics& p) { return p.ball_ball.rate; }},
+      {"ball_ball_impact_speed_m_s", [](const Physics& p) { return p.ball_ball.speed; }},
+      {"ball_side_impacts_per_second", [](const Physics& p) { return p.ball_side.rate; }},
+      {"ball_side_impact_speed_m_s", [](const Physics& p) { return p.ball_side.speed; }},
+  };
+  const auto count = static_cast<double>(all.size());
+  for (const auto& [metric, value] : values) {
+    std::vector<double> found;
+    found.reserve(all.size());
+    for (const Physics& one : all) found.push_back(value(one));
+    double sum = 0;
+    for (const double one : found) sum += one;
+    rows.push_back(row(code, metric, found, sum / count));
+  }
+  const auto strong = static_cast<double>(std::count_if(
+      all.begin(), all.end(), [](const Physics& p) { return p.power > between_modes; }));
+  rows.push_back({name, what, code, "starts_above_3.5_W", strong});
+  rows.push_back({name, what, code, "starts_below_3.5_W", count - strong});
+}
+
+std::vector<Physics> observe(const Program& peer) {
+  std::vector<Physics> all;
+  const int count = starts_of(peer);
+  for (int i = 0; i < count; ++i) {
+    say(fmt::format("{}, physics, start {} of {}", peer.name, i + 1, count));
+    const Found<Physics> found = physics_of(peer, start(i));
+    if (found.fault.empty())
+      all.push_back(found.value);
+    else
+      say(fmt::format("{} {}", peer.name, found.fault));
+  }
+  return all;
+}
+
+std::vector<Physics> observe_ours() {
+  std::vector<Physics> all;
+  for (int i = 0; i < replicates; ++i)
+    if (const auto found = our_physics(start(i))) all.push_back(*found);
+  return all;
+}
+
+std::vector<Row> measure() {
+  std::vector<Row> rows;
+  const std::vector<Program> peers = present();
+  const std::vector<Speeds> speeds = measure_speeds(peers);
+  add_speeds(rows, speeds);
+  add_physics(rows, "mahlwerk", observe_ours());
+  for (std::size_t i = 0; i < peers.size(); ++i)
+    if (!speeds[i + 1].found.empty()) add_physics(rows, speeds[i + 1].code, observe(peers[i]));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> beside_peers() {
+  try {
+    return measure();
+  } catch (const Interrupted& by) {
+    std::raise(by.signal);  // nothing is left to tidy up
+    return {};
+  }
+}
+
+}  // namespace mahlwerk::bench

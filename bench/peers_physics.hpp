@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/base/vec3.hpp"
+
+// What balls in the planetary mill of bench/peers.hpp do, told from samples of their motion,
+// whichever program they come from.
+namespace mahlwerk::bench {
+
+/// A moment, in the jar frame: axes of the laboratory, origin at the vial's centre, velocities
+/// relative to it.
+struct Sample {
+  struct Ball {
+    Vec3 position;  ///< [m]
+    Vec3 velocity;  ///< [m/s]
+    Vec3 force;     ///< [N] of contacts; gravity along the axis may be in it or not
+    Vec3 spin;      ///< [rad/s]
+    Vec3 torque;    ///< [N m]
+  };
+  double time = 0;  ///< [s]
+  std::vector<Ball> balls;
+};
+
+/// Means over a window.
+struct Physics {
+  struct Impacts {
+    double rate = 0;      ///< [1/s] touches faster than `slowest_impact`, of all balls together
+    double speed = 0;     ///< [m/s] their mean normal speed
+    double all_rate = 0;  ///< [1/s] touches at any speed
+  };
+  double power = 0;             ///< [W] of the vial's walls on the balls: in the mean what is lost
+  double kinetic = 0;           ///< [J] of translation, laboratory frame
+  double rotational = 0;        ///< [J]
+  double kinetic_on_plate = 0;  ///< [J] of translation, in the frame that turns with the disc
+  Impacts ball_ball, ball_side;
+};
+
+/// [m/s] Slower touches depend on how a program treats lasting contacts and a vial's facets.
+inline constexpr double slowest_impact = 0.1;
+
+/// Takes samples in the order of time and keeps none.
+class Analysis {
+ public:
+  /// Samples from `from` to `to` [s] count.
+  Analysis(double from, double to) : from_(from), to_(to) {}
+
+  void see(const Sample& sample);
+  /// No numbers if no two samples lay in the window.
+  Physics physics() const;
+  double seen_to() const { return seen_to_; }  ///< [s] time of the last sample
+
+ private:
+  /// Of the pairs that may touch: when two come to touch their speed is that at which the gap
+  /// shrank since the sample before.
+  struct Gaps {
+    std::vector<double> now, before;  ///< [m]
+    double touches = 0, impacts = 0, speeds = 0;
+
+    void compare(double passed);
+    Physics::Impacts over(double duration) const;
+  };
+
+  void add_means(const Sample& sample);
+  void add_touches(const Sample& sample);
+
+  double from_, to_, first_ = NAN, last_ = NAN, seen_to_ = NAN;
+  double samples_ = 0;
+  Physics sum_;
+  Gaps ball_ball_, ball_side_;
+};
+
+/// Reads what LAMMPS and LIGGGHTS write for "dump custom id x y z vx vy vz fx fy fz omegax omegay
+/// omegaz tqx tqy tqz", in the laboratory frame, and hands each moment to `analysis`. Lines that
+/// belong to no such moment are passed over.
+class DumpReader {
+ public:
+  /// `step` [s] is the time from one step of the program to the next.
+  DumpReader(int balls, double step, Analysis& analysis);
+
+  void line(std::string_view text);
+
+ private:
+  void ball(std::string_view text);
+  void finish();
+
+  double step_;
+  Analysis& analysis_;
+  enum class Awaiting { header, step, balls } awaiting_ = Awaiting::header;
+  int missing_ = 0;
+  Sample sample_;
+};
+
+}  // namespace mahlwerk::bench

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "peers_programs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+
+#include "child.hpp"
+#include "peers_case.hpp"
+
+namespace mahlwerk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int never = 1000000000;  // [steps]
+
+Child child_for(const Program& program, const fs::path& folder, int steps, int every) {
+  const std::string deck = fmt::format("{}/bench/peers/{}", MAHLWERK_HOME, program.deck);
+  const std::string count = fmt::format("{}", steps), often = fmt::format("{}", every);
+  // Open MPI refuses to serve root, as whom containers commonly run, unless told twice.
+  Child child{{},
+              folder,
+              {"OMP_NUM_THREADS=1", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+               "STEPS=" + count, "EVERY=" + often},
+              every == never ? 120.0 : 900.0};
+  const std::string command(program.command);
+  if (command == "yade")
+    child.words = {command, "-j1", "-n", "-x", deck};
+  else
+    child.words = {command, "-in",   deck,  "-log", "log.txt", "-screen", "screen.txt",
+                   "-var",  "steps", count, "-var", "every",   often};
+  return child;
+}
+
+/// What the program said last about why it gave up.
+std::string complaint(const fs::path& folder) {
+  std::string line, last;
+  for (const char* name : {"errors.txt", "log.txt"}) {
+    std::ifstream file(folder / name);
+    while (std::getline(file, line))
+      if (line.find("ERROR") != line.npos || line.find("Error") != line.npos) last = line;
+  }
+  return last;
+}
+
+/// [s] of the loop of steps, from the program's log; no number if it has not come so far.
+double loop_time(const fs::path& folder) {
+  std::ifstream file(folder / "log.txt");
+  double seconds = NAN;
+  for (std::string line; std::getline(file, line);)
+    std::sscanf(line.c_str(), "Loop time of %lf", &seconds);
+  return seconds;
+}
+
+/// Runs the program in a folder of its own, where it writes the balls down `every` so many steps;
+/// tells its loop's time [s].
+Found<double> run(const Program& program, const Start& start, int steps, int every,
+                  const std::function<void(std::string_view)>& line) {
+  const TemporaryFolder folder;
+  write_case(folder.path() / "case.in", start);
+  write_vial(folder.path() / "vial.stl");
+  std::string fault = run_child(child_for(program, folder.path(), steps, every), line);
+  const double taken = loop_time(folder.path());
+  if (fault.empty() && !std::isfinite(taken)) fault = "did not come to its end";
+  if (fault.empty()) return {taken, {}};
+  const std::string said = complaint(folder.path());
+  return {NAN, said.empty() ? fault : fault + ": " + said};
+}
+
+}  // namespace
+
+Found<double> speed_of(const Program& program, const Start& start) {
+  const Found<double> taken = run(program, start, program.steps, never, [](std::string_view) {});
+  const double particle_steps = static_cast<double>(start.size()) * program.steps;
+  return {particle_steps / taken.value, taken.fault};
+}
+
+Found<Physics> physics_of(const Program& program, const Start& start) {
+  constexpr const PlanetaryCase& c = planetary_case;
+  Analysis analysis(c.from, c.to);
+  DumpReader reader(static_cast<int>(start.size()), c.step, analysis);
+  const auto steps = static_cast<int>(std::lround(c.to / c.step));
+  const auto every = static_cast<int>(std::lround(c.between_samples / c.step));
+  const Found<double> taken =
+      run(program, start, steps, every, [&](std::string_view line) { reader.line(line); });
+  if (!taken.fault.empty()) return {{}, taken.fault};
+  const Physics physics = analysis.physics();
+  if (!(analysis.seen_to() > c.to - c.between_samples / 2))
+    return {{}, fmt::format("was seen only to {} s", analysis.seen_to())};
+  if (!std::isfinite(physics.power) || !std::isfinite(physics.kinetic))
+    return {{}, "lost its balls: what they do is not a number"};
+  return {physics, {}};
+}
+
+}  // namespace mahlwerk::bench
