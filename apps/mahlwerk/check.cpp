@@ -14,8 +14,10 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/engine_choice.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 
@@ -40,6 +42,7 @@ struct Checked {
   cases::Case what;
   std::vector<cases::Consequence> follows;
   std::vector<Fault> engine;
+  std::vector<std::string> notes;  ///< on the engine that will run it
 };
 
 Checked look_at(const Request& request, const std::filesystem::path& file,
@@ -50,13 +53,28 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const std::vector<cases::Case> points = campaign::points(c.what, known, set);
   const cases::Case& first = points.front();
   c.follows = cases::consequences(first);
-  c.engine = cases::engine_faults(first);
+  c.engine = campaign::run_faults(first);
   if (!c.engine.empty()) return c;
+  const campaign::Choice choice = campaign::choose(first);
+  cases::Case decided = first;
+  decided.run.engine = choice.engine;
+  c.notes = choice.reason;
+  if (choice.engine == "soft") {
+    const campaign::SoftSettings s = campaign::soft_settings(decided);
+    c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
+    c.follows.push_back(
+        {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (soft.30)"});
+    c.follows.push_back(
+        {"contact_time", s.steps.contact, "s", "of the shortest collision (soft.31)"});
+    c.follows.push_back(
+        {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (soft.8)"});
+    for (std::string& note : campaign::soft_notes(decided)) c.notes.push_back(std::move(note));
+  }
   const double seconds =
       static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
       (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  c.follows.push_back({"run_time", cost(first) * seconds / cores, "s",
+  c.follows.push_back({"run_time", cost(decided) * seconds / cores, "s",
                        "estimate on this machine, all cores, from a pilot of a second at most"});
   return c;
 }
@@ -107,6 +125,7 @@ void print(const Checked& c, const std::filesystem::path& file) {
     if (origin.assumed)
       assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
   if (!assumed.empty()) fmt::print("\nassumed, because the case does not say it:\n{}", assumed);
+  for (const std::string& note : c.notes) fmt::print("\n{}\n", note);
   if (!c.engine.empty())
     fmt::print("\nThis version cannot run it:\n{}\n", mahlwerk::describe(c.engine));
 }

@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
@@ -57,7 +58,7 @@ Job prepare(const Request& request, const fs::path& file, bool several,
   job.what = cases::read(file, catalogue, set);
   job.points = campaign::points(job.what, catalogue, set);
   for (const cases::Case& point : job.points)
-    if (std::vector<Fault> wrong = cases::engine_faults(point); !wrong.empty())
+    if (std::vector<Fault> wrong = campaign::run_faults(point); !wrong.empty())
       throw InputError(std::move(wrong));
   const fs::path place = !request.out ? default_place(request.target, file, several)
                          : several    ? *request.out / file.stem()
@@ -241,6 +242,8 @@ int run(const Request& request) {
   if (request.json) print_json(jobs);
   if (talks) fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
   const int ended = how_it_ended(outcomes);
+  if (kept && !kept->written())
+    fmt::print(stderr, "the checkpoint could not be written: check space and rights\n");
   if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");
   if (kept && ended == fine) kept->remove();
   return ended;

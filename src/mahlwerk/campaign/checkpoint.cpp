@@ -94,8 +94,9 @@ void Checkpoint::write() {
   std::ofstream stream(aside, std::ios::binary);
   stream.write(archive.bytes().data(), static_cast<std::streamsize>(archive.bytes().size()));
   stream.close();
-  if (!stream) throw trouble(aside, "the checkpoint cannot be written", "check space and rights");
-  std::filesystem::rename(aside, file_);
+  std::error_code failed;
+  if (stream) std::filesystem::rename(aside, file_, failed);
+  written_ = stream && !failed;  // the run goes on without it; who asked for it is told at the end
 }
 
 void Checkpoint::remove() {

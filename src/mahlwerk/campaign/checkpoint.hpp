@@ -27,7 +27,8 @@ class Checkpoint {
   void restore(std::size_t job, Replica& replica);  ///< to its kept state, if there is one
   bool due(std::size_t job) const;
   void keep(std::size_t job, Replica& replica);
-  void remove();  ///< the run has ended as wanted
+  void remove();                             ///< the run has ended as wanted
+  bool written() const { return written_; }  ///< whether the last try to write the file succeeded
 
  private:
   void write();
@@ -37,6 +38,7 @@ class Checkpoint {
   std::chrono::duration<double> every_;
   std::vector<std::string> states_;                          // by job
   std::vector<std::chrono::steady_clock::time_point> kept_;  // when
+  bool written_ = true;
   mutable std::mutex mutex_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -16,38 +17,19 @@ struct Nobody final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
-double balls(const cases::Case& what) {
-  double count = 0;
-  for (const cases::BallSet& set : what.balls) count += static_cast<double>(set.count);
+std::int64_t balls(const cases::Case& what) {
+  std::int64_t count = 0;
+  for (const cases::BallSet& set : what.balls) count += set.count;
   return count;
 }
 
-double contact_share(const scene::Account& from, const scene::Account& to, double balls) {
-  const double time = (to.time - from.time) * balls;
-  return time > 0 ? (to.contact_time - from.contact_time) / time : 0;
-}
+/// What the share of time in contact of a short run by the event engine says.
+struct Pilot {
+  double time = 0;   ///< [s] simulated
+  double share = 0;  ///< of the balls' time in contact, in the second half
+};
 
-std::string percent(double share) {
-  return fmt::format("{:.0f} %", 100 * share);
-}
-
-constexpr std::string_view soft_is_missing =
-    "For such a charge the soft engine is advised; it is not part of this version. Power and dose "
-    "are sound; the number of hits, and forces inside the bed, depend on contact.contact_time.";
-
-/// Of the balls' time, over all replicates.
-double contact_share(const results::Outcome& outcome) {
-  double time = 0, contact = 0;
-  for (const results::Replicate& r : outcome.replicates) {
-    time += r.time() * balls(outcome.what);
-    contact += r.account.contact_time - r.at_settled.contact_time;
-  }
-  return time > 0 ? contact / time : 0;
-}
-
-}  // namespace
-
-Pilot pilot(const cases::Case& what) {
+Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop) {
   constexpr int parts = 100;
   constexpr std::int64_t enough = 400'000;  // collisions: half a second or so of work
   const double whole = std::min(1.0, what.run.settle + what.run.time);
@@ -56,37 +38,84 @@ Pilot pilot(const cases::Case& what) {
   std::vector<scene::Account> seen{trial->account()};
   try {
     for (int i = 1; i <= parts && seen.back().collisions < enough; ++i) {
+      if (stop != nullptr && *stop) break;
       trial->advance(whole * i / parts, nobody);
       seen.push_back(trial->account());
     }
-  } catch (const RunError&) {  // the run itself will say so
+  } catch (const RunError&) {  // what it saw until then has to do
   }
   const scene::Account &middle = seen[seen.size() / 2], &end = seen.back();
-  return {end.time, contact_share(middle, end, balls(what))};
+  const double time = (end.time - middle.time) * static_cast<double>(balls(what));
+  return {end.time, time > 0 ? (end.contact_time - middle.contact_time) / time : 0};
 }
 
-std::vector<std::string> notes_on(const results::Outcome& outcome) {
-  const cases::Case& what = outcome.what;
-  const bool chosen = what.run.engine == "auto";
-  if (balls(what) == 1) {
-    if (!chosen) return {};
-    return {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."};
+std::string percent(double share) {
+  return fmt::format("{:.0f} %", 100 * share);
+}
+
+/// Of the balls' time, over all replicates.
+double contact_share(const results::Outcome& outcome) {
+  double time = 0, contact = 0;
+  for (const results::Replicate& r : outcome.replicates) {
+    time += r.time() * static_cast<double>(balls(outcome.what));
+    contact += r.account.contact_time - r.at_settled.contact_time;
+  }
+  return time > 0 ? contact / time : 0;
+}
+
+/// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
+std::string against_soft(const cases::Case& what) {
+  if (balls(what) > most_soft_balls)
+    return fmt::format("more than {} balls would take it long; engine = \"soft\" asks for it",
+                       most_soft_balls);
+  cases::Case soft = what;
+  soft.run.engine = "soft";
+  const std::vector<Fault> wrong = run_faults(soft);
+  return wrong.empty() ? "" : wrong.front().what;
+}
+
+}  // namespace
+
+Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
+  if (what.run.engine != "auto") return {what.run.engine, {}};
+  if (balls(what) == 1)
+    return {"event",
+            {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."}};
+  cases::Case event = what;
+  event.run.engine = "event";
+  const Pilot p = pilot(event, stop);
+  const std::string seen = fmt::format(
+      "In a pilot run of {:.3g} s by the event engine the balls were in contact {} of the time.",
+      p.time, percent(p.share));
+  if (p.share <= most_contact)
+    return {"event",
+            {fmt::format("Engine: event, chosen by auto. {} Up to {} it is advised.", seen,
+                         percent(most_contact))}};
+  if (const std::string why = against_soft(what); !why.empty())
+    return {
+        "event",
+        {fmt::format("Engine: event, chosen by auto. {} The soft engine would be advised, but {}.",
+                     seen, why)}};
+  return {"soft",
+          {fmt::format("Engine: soft, chosen by auto. {} Above {} contacts are better "
+                       "followed than counted as bounces.",
+                       seen, percent(most_contact))}};
+}
+
+std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice& choice) {
+  std::vector<std::string> notes = choice.reason;
+  if (choice.engine == "soft") {
+    for (std::string& note : soft_notes(outcome.what)) notes.push_back(std::move(note));
+    return notes;
   }
   const double share = contact_share(outcome);
-  if (!chosen) {
-    if (share <= most_contact) return {};
-    return {fmt::format("The balls were in contact {} of the time. {}", percent(share),
-                        soft_is_missing)};
-  }
-  const Pilot p = pilot(what);
-  return {fmt::format(
-      "Engine: event, chosen by auto. In a pilot run of {:.3g} s the balls were in contact {} of "
-      "the "
-      "time, in the run itself {}. {}",
-      p.time, percent(p.share), percent(share),
-      std::max(p.share, share) > most_contact
-          ? std::string(soft_is_missing)
-          : fmt::format("Up to {} the event engine is advised.", percent(most_contact)))};
+  if (balls(outcome.what) > 1 && share > most_contact)
+    notes.push_back(fmt::format(
+        "The balls were in contact {} of the time. For such a charge the soft engine is advised "
+        "(engine = \"soft\"). Power and dose are sound; the number of hits, and forces inside the "
+        "bed, depend on contact.contact_time.",
+        percent(share)));
+  return notes;
 }
 
 }  // namespace mahlwerk::campaign

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,20 @@ namespace mahlwerk::campaign {
 /// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
 /// bounces, and the soft engine is advised (docs/theory/many-balls.md).
 constexpr double most_contact = 0.25;
+/// Beyond so many balls the soft engine of this version is slow, and is not chosen by itself.
+constexpr std::int64_t most_soft_balls = 200;
 
-/// What the share of time in contact of a short pilot run says; the same on any machine.
-struct Pilot {
-  double time = 0;   ///< [s] simulated
-  double share = 0;  ///< of the balls' time in contact, in the second half
+/// Which engine a case is run by, and why.
+struct Choice {
+  std::string engine;               ///< "event" or "soft"
+  std::vector<std::string> reason;  ///< empty where the case said it
 };
-Pilot pilot(const cases::Case& what);
 
-/// Which engine ran, why, and whether another is advised.
-std::vector<std::string> notes_on(const results::Outcome& outcome);
+/// As the case says; "auto" makes a short pilot run by the event engine, the same on any machine.
+/// `stop` set ends the pilot.
+Choice choose(const cases::Case& what, const std::atomic<bool>* stop = nullptr);
+
+/// Which engine ran, why, and what to make of it.
+std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice& choice);
 
 }  // namespace mahlwerk::campaign

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
 
@@ -61,6 +62,8 @@ class Replica::Ears final : public scene::Observer {
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
   const scene::Chamber mill = cases::chamber(what);
   const std::vector<scene::Ball> balls = cases::starting_balls(what, index);
+  if (what.run.engine == "soft")
+    return soft::engine(mill, balls, soft_settings(what).rules, cases::pair_table(what));
   const contact::BounceTable bounces = cases::bounce_table(what);
   event::Rules treatment = rules(what.contact);
   if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);

@@ -41,7 +41,7 @@ class Replica {
   double portion_ = 1e-3;      // [s] simulated
 };
 
-/// The engine of one replicate at its start.
+/// The engine of one replicate at its start: run.engine, where "auto" counts as "event".
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index);
 
 }  // namespace mahlwerk::campaign

@@ -12,6 +12,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/engine_choice.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -83,7 +84,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   std::vector<results::Outcome> outcomes;
   double wanted = 0;
   for (const cases::Case& what : points) {
-    for (Fault& fault : cases::engine_faults(what)) wrong.push_back(std::move(fault));
+    for (Fault& fault : run_faults(what)) wrong.push_back(std::move(fault));
     const auto count = static_cast<std::size_t>(what.run.replicates);
     for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
     wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
@@ -96,9 +97,15 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   const auto started = std::chrono::steady_clock::now();
   Teller teller(options, wanted);
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  std::vector<Choice> choices(points.size());
+  std::vector<cases::Case> decided = points;  // with the engine that runs them
+  in_parallel(options.threads, points.size(), [&](std::size_t i) {
+    choices[i] = choose(points[i], options.stop);
+    decided[i].run.engine = choices[i].engine;
+  });
   in_parallel(options.threads, jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
-    Replica replica(points[job.point], job.replicate,
+    Replica replica(decided[job.point], job.replicate,
                     options.records ? options.records(job.point, job.replicate) : nullptr);
     if (options.checkpoint != nullptr) options.checkpoint->restore(i, replica);
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
@@ -115,12 +122,14 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     if (options.checkpoint != nullptr) options.checkpoint->keep(i, replica);
     outcomes[job.point].replicates[static_cast<std::size_t>(job.replicate)] = replica.result();
   });
-  for (results::Outcome& outcome : outcomes) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    results::Outcome& outcome = outcomes[i];
+    outcome.engine = choices[i].engine;
     outcome.interrupted = stopped();
     outcome.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     for (const results::Replicate& r : outcome.replicates) outcome.cpu_seconds += r.cpu_seconds;
-    if (!stopped()) outcome.notes = notes_on(outcome);
+    outcome.notes = notes_on(outcome, choices[i]);
   }
   return outcomes;
 }

@@ -47,12 +47,8 @@ struct AdamsImpact {
   double stored(const LawNumbers& k, const double*, double overlap) const {
     return hertz_energy(k[0], overlap);
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return hertz_overlap(t, speed);
-  }
-  double shortest_time(const Touching& t, double speed) const {
-    return hertz_time(t, speed);
-  }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   // In units where m = k = v = 1 the largest overlap is (5/4)^(2/5), and k* its square root.

@@ -35,12 +35,8 @@ struct HertzTsuji {
   double stored(const LawNumbers& k, const double*, double overlap) const {
     return hertz_energy(k[0], overlap);
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return hertz_overlap(t, speed);
-  }
-  double shortest_time(const Touching& t, double speed) const {
-    return hertz_time(t, speed);
-  }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 };
 
 }  // namespace mahlwerk::contact

@@ -65,12 +65,8 @@ struct Jkr {
     };
     return from_none(overlap) - from_none(0);
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return hertz_overlap(t, speed);
-  }
-  double shortest_time(const Touching& t, double speed) const {
-    return hertz_time(t, speed);
-  }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   HertzMindlin plain_;

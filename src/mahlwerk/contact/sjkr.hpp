@@ -33,12 +33,8 @@ struct Sjkr {
     if (!(overlap > 0)) return 0;
     return hertz_energy(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return hertz_overlap(t, speed);
-  }
-  double shortest_time(const Touching& t, double speed) const {
-    return hertz_time(t, speed);
-  }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   HertzMindlin plain_;

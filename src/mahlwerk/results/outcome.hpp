@@ -42,6 +42,7 @@ struct Replicate {
 struct Outcome {
   cases::Case what;
   std::vector<Replicate> replicates;
+  std::string engine = "event";  ///< that ran it: "event" or "soft"
   /// How it was computed, where a user ought to know: the engine chosen and why, advice.
   std::vector<std::string> notes;
   double wall_seconds = 0, cpu_seconds = 0;

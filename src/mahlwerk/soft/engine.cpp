@@ -30,14 +30,22 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawCh
   const contact::AnyLaw law = contact::law(choice);
   const Breeds breeds(balls, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, 0};
-  for (const Breed& b : breeds.all())
+  const auto look = [&](std::int32_t breed, double radius) {
+    const contact::Touching& t = breeds[breed].touching;
     std::visit(
         [&](const auto& l) {
-          found.contact = std::min(found.contact, l.shortest_time(b.touching, speed));
-          found.overlap =
-              std::max(found.overlap, l.largest_overlap(b.touching, speed) / b.touching.radius);
+          found.contact = std::min(found.contact, l.shortest_time(t, speed));
+          found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
+  };
+  const auto species = static_cast<std::int32_t>(breeds.all_species().size());
+  for (std::int32_t a = 0; a < species; ++a) {
+    for (std::int32_t b = 0; b < species; ++b)
+      look(breeds.balls(a, b), std::min(breeds.species(a).radius, breeds.species(b).radius));
+    for (int face = 0; face < pairs.faces(); ++face)
+      look(breeds.wall(a, face), breeds.species(a).radius);
+  }
   for (const scene::Ball& ball : balls) {
     // Of the softest it meets: G* and E* give the wave speed of the pair (soft.30).
     for (int k = 0; k < pairs.kinds(); ++k) {

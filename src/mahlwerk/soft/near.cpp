@@ -101,8 +101,8 @@ void SoftBalls::near_walls(std::vector<Candidate>& found) const {
 /// the box repeats along x, every pair is.
 void SoftBalls::near_balls(std::vector<Candidate>& found) const {
   const Vec3& period = jar_->periods();
-  const bool repeats = std::isfinite(period.x), folds = repeats || std::isfinite(period.y) ||
-                                                       std::isfinite(period.z);
+  const bool repeats = std::isfinite(period.x),
+             folds = repeats || std::isfinite(period.y) || std::isfinite(period.z);
   double largest = 0, reach = 0;
   for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);
   for (const Breed& b : breeds_.all()) reach = std::max(reach, b.reach);

@@ -44,7 +44,7 @@ struct alignas(64) Packet {
   Vec<Lanes> spring{};  ///< [m] xi, the tangential spring
   Vec<Lanes> normal{};  ///< at the last step, from i to j
   Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
-  Lanes stiffness{};  ///< [N/m] across, at the last step
+  Lanes stiffness{};    ///< [N/m] across, at the last step
   Deeds deeds;
 
   std::array<std::int32_t, lanes> face{};   ///< of a wall; < 0: balls

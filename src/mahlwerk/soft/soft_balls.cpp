@@ -65,6 +65,7 @@ double SoftBalls::clock(std::int64_t step) const {
 
 void SoftBalls::advance(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  asked_ = time;
   const auto hand_over = [&] {
     if (!ended_.empty()) observer.collisions(ended_);
     ended_.clear();
@@ -143,6 +144,7 @@ double SoftBalls::stored() const {
 scene::Account SoftBalls::reckoned() const {
   scene::Account a = account_;
   a.time = time_of(now_);
+  if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
   const kinematics::Ride ride = jar_->ride(clock(swarm_.step));
   const Flown way = flown(now_ - swarm_.step);
   const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;

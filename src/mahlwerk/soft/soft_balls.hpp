@@ -81,7 +81,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   std::int64_t landing_ = -1;  // of a hop under way; < 0: none
   std::int64_t now_ = 0;       // the step reached; ahead of the swarm's in a hop
   bool touched_ = true;        // in the last step
-  std::int64_t taken_ = 0;     // steps computed
+  double asked_ = 0;           // [s] where the last call wanted to go
 
   scene::Account account_;                 // of contacts that have ended
   std::vector<std::int32_t> contacts_of_;  // each ball
