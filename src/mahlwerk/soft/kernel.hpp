@@ -81,10 +81,9 @@ struct alignas(64) Meeting {
   const Lanes most = p.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    const Lanes factor = choose(slides, most / root(squared), Lanes{} + 1.0);
-    force = factor * force;
-    const Lanes soft = choose(less(Lanes{}, push.stiffness), 1.0 / push.stiffness, Lanes{});
-    const Vec<Lanes> left = -(soft * (force + push.damping * m.slip));
+    const Lanes size = root(squared), both = 1.0 / (size * push.stiffness);
+    force = choose(slides, most * push.stiffness * both, Lanes{} + 1.0) * force;
+    const Vec<Lanes> left = -((size * both) * (force + push.damping * m.slip));
     const Lanes slid = dot(force, left - spring);
     p.deeds.sliding += choose(slides, slid, Lanes{});
     spring = choose<Lanes>(slides, left, spring);

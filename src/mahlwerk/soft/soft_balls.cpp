@@ -32,7 +32,11 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
       steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
       start_(start),
       hops_(rules.hop && balls.size() <= hopping),
+      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
+             std::isfinite(jar_->periods().z)),
+      distances_(static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
+  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
   Swarm& w = swarm_;
   w.balls = balls.size();
   w.blocks = (balls.size() + lanes - 1) / lanes;
@@ -49,7 +53,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
     w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
   }
-  skin_ = 0.05 * smallest;
+  skin_ = 0.03 * smallest;
   look();
   account_.started_with = 0;
   const scene::Account now = reckoned();
@@ -97,8 +101,6 @@ void SoftBalls::stretch(std::int64_t until) {
   if (waits) end = std::min(end, try_hop_);
   beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->beats(start_, rules_.time_step, w.step, beats_);
-  const bool periodic = std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
-                        std::isfinite(jar_->periods().z);
   Stretch s{.swarm = w,
             .jar = *jar_,
             .seldom = *this,
@@ -107,7 +109,7 @@ void SoftBalls::stretch(std::int64_t until) {
                       .rolling = rules_.law.rolling,
                       .rolling_damping = rules_.law.rolling_damping,
                       .rescaled = rules_.law.rescaled_unloading,
-                      .periodic = periodic,
+                      .periodic = folds_,
                       .periods = periods_of(jar_->periods())},
             .beats = beats_,
             .start = start_,

@@ -39,9 +39,10 @@ class SoftBalls final : public scene::Engine, private Seldom {
     friend auto operator<=>(const Candidate&, const Candidate&) = default;
   };
   void look() override;
-  void find_candidates();
-  void near_walls(std::vector<Candidate>& found) const;
-  void near_balls(std::vector<Candidate>& found) const;
+  void near_walls(std::size_t ball);
+  void near_ball(std::size_t i, std::size_t j);
+  void near_balls();
+  bool touching_first();
   void fill_lanes(const std::vector<Candidate>& wanted);
   void give_lane(Packet& p, int lane, const Candidate& c);
   void find_feet();
@@ -72,7 +73,9 @@ class SoftBalls final : public scene::Engine, private Seldom {
   Breeds breeds_;
   Steps steps_;
   double start_, skin_;
-  bool hops_;
+  double reach_ = 0;   // [m] farthest that a contact holds beyond touch
+  bool hops_, folds_;  // over free flight; places repeat
+  std::vector<double> distances_;
 
   Swarm swarm_;
   std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane

@@ -36,6 +36,11 @@ class Surrounded final : public Surroundings {
     found.inward = q * found.inward;
     return found;
   }
+  void distances(const Vec3& position, double t, std::span<double> out) const override {
+    const Vec3 p = jar_.plain() ? position : jar_.axes(t).back(position);
+    for (int face = 0; face < S::faces; ++face)
+      out[static_cast<std::size_t>(face)] = jar_.shape().gap(face, p).distance;
+  }
   void feet(std::span<const Near> near, double t, const Vec3& spin,
             const Places& p) const override {
     const bool plain = jar_.plain();

@@ -41,6 +41,8 @@ class Surroundings {
   virtual kinematics::Ride ride(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
   virtual geometry::Gap gap(int face, const Vec3& position, double t) const = 0;
+  /// How far `position` is from every face [m].
+  virtual void distances(const Vec3& position, double t, std::span<double> out) const = 0;
   /// Where the balls meet the faces they are near to.
   virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
                     const Places& places) const = 0;
