@@ -5,7 +5,7 @@
 
 #include "mahlwerk/soft/soft_balls.hpp"
 
-// Time in which nothing touches and nothing can is passed in one leap (soft.29).
+// Time in which nothing touches and nothing can is passed in one leap (dem.27).
 namespace mahlwerk::soft {
 
 /// Begins a hop if one is due and worth it.

@@ -185,8 +185,10 @@ void SoftBalls::check_energy() {
   const double jump = std::abs(a.residual() - last_residual_);
   last_residual_ = a.residual();
   const Species& first = breeds_.species(0);
-  const double scale = a.kinetic + a.elastic + first.mass * norm(jar_->gravity()) * first.radius;
-  if (jump <= 0.1 * scale) return;
+  // A charge may come to rest; what it once had is the measure.
+  most_energy_ = std::max(most_energy_, a.kinetic + a.elastic);
+  const double least = first.mass * norm(jar_->gravity()) * first.radius;
+  if (jump <= 0.1 * (most_energy_ + least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < swarm_.balls; ++b)
     if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
@@ -221,7 +223,7 @@ void SoftBalls::carry(Archive& archive) {
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
-  archive(account_)(in_touch_)(in_touch_since_)(last_residual_);
+  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(most_energy_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }

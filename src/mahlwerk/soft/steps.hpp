@@ -30,7 +30,7 @@ template <bool wide>
   return {pick<wide>(c.x, at, few), pick<wide>(c.y, at, few), pick<wide>(c.z, at, few)};
 }
 
-/// Half a kick, a drift, and the speeds the contacts of this step will see (soft.28). Returns
+/// Half a kick, a drift, and the speeds the contacts of this step will see (dem.26). Returns
 /// where a ball has moved farther than it may.
 [[gnu::always_inline]] inline bool drift(Stretch& s, const Beat& before, const Beat& after) {
   Swarm& w = s.swarm;
