@@ -88,6 +88,9 @@ void SoftBalls::look() {
     find_feet();
     find_owners();
   }
+  if (jar_->sweep() > 0) return;  // the wall comes by itself
+  for (Near& n : swarm_.near)
+    n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - reach_;
 }
 
 /// Finds a ball that has gone wrong, too.
@@ -95,10 +98,12 @@ void SoftBalls::near_walls(std::size_t b) {
   const Vec3 x = swarm_.place.one(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
     stop(b, "its place or speed is no number");
-  jar_->distances(x, clock(swarm_.step), distances_);
+  const auto faces = static_cast<std::size_t>(jar_->faces());
+  const std::span<double> gaps(gaps_.data() + b * faces, faces);
+  jar_->distances(x, clock(swarm_.step), gaps);
   const double radius = made_of_[b].radius;
   for (int face = 0; face < jar_->faces(); ++face) {
-    const double gap = distances_[static_cast<std::size_t>(face)] - radius;
+    const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
     if (gap > skin_ + reach_ || !jar_->meets(face, radius)) continue;
     if (!(gap > -radius)) stop(b, "it is outside the jar");
     wanted_.push_back({static_cast<std::int32_t>(b), -1, face});

@@ -34,7 +34,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
       hops_(rules.hop && balls.size() <= hopping),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
              std::isfinite(jar_->periods().z)),
-      distances_(static_cast<std::size_t>(jar_->faces())),
+      gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
   for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
   Swarm& w = swarm_;
@@ -44,6 +44,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
   for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(w.blocks + 1);
   w.half_kick.resize(w.blocks);
   w.half_turn.resize(w.blocks);
+  w.moved.resize(w.blocks);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     w.place.put_one(b, balls[b].position);

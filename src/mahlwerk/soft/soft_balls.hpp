@@ -75,7 +75,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   double start_, skin_;
   double reach_ = 0;   // [m] farthest that a contact holds beyond touch
   bool hops_, folds_;  // over free flight; places repeat
-  std::vector<double> distances_;
+  std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at
 
   Swarm swarm_;
   std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane

@@ -47,6 +47,8 @@ class Surrounded final : public Surroundings {
     const Rotation q = plain ? Rotation{} : jar_.axes(t);
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball);
+      const double slack = near[k].slack;
+      if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
       const Vec3 place{p.x[b], p.y[b], p.z[b]};
       geometry::Gap gap = jar_.shape().gap(near[k].face, plain ? place : q.back(place));
       if (!plain) gap.inward = q * gap.inward;
