@@ -83,8 +83,9 @@ struct alignas(64) Meeting {
   if (any(slides)) {
     const Lanes factor = choose(slides, most / root(squared), Lanes{} + 1.0);
     force = factor * force;
-    const Lanes soft = choose(less(Lanes{}, push.stiffness), 1.0 / push.stiffness, Lanes{});
-    const Vec<Lanes> left = -(soft * (force + push.damping * m.slip));
+    // What the spring alone can hold: the dashpot stretches no spring, however hard it pulls.
+    const Lanes pull = push.stiffness * root(dot(spring, spring));
+    const Vec<Lanes> left = choose(less(most, pull), most / pull, Lanes{} + 1.0) * spring;
     const Lanes slid = dot(force, left - spring);
     p.deeds.sliding += choose(slides, slid, Lanes{});
     spring = choose<Lanes>(slides, left, spring);
