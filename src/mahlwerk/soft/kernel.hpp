@@ -102,8 +102,10 @@ struct alignas(64) Meeting {
   Vec<Lanes> turning = b.wi - b.wj;
   turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
   const Lanes none{}, most = p.rolling * push.load;
-  const auto limited = [&](const Lanes& size) {  // no more than stops it within a step
-    return smaller(size, p.inertia / frame.step);
+  // What stops it within two steps: speeds are predicted from the last step's torque, and a torque
+  // that stops it within one would swing for ever.
+  const auto limited = [&](const Lanes& size) {
+    return smaller(size, 0.5 * p.inertia / frame.step);
   };
   Vec<Lanes> torque;
   if (frame.rolling == contact::Rolling::cdt) {
