@@ -181,7 +181,10 @@ void SoftBalls::check_energy() {
   const double jump = std::abs(a.residual() - last_residual_);
   last_residual_ = a.residual();
   const Species& first = breeds_.species(0);
-  const double scale = a.kinetic + a.elastic + first.mass * norm(jar_->gravity()) * first.radius;
+  // A wall may take nearly all a ball has between two looks: what there was before counts as well.
+  const double now = a.kinetic + a.elastic + first.mass * norm(jar_->gravity()) * first.radius;
+  const double scale = std::max(now, last_scale_);
+  last_scale_ = now;
   if (jump <= 0.1 * scale) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < swarm_.balls; ++b)
@@ -217,7 +220,7 @@ void SoftBalls::carry(Archive& archive) {
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
-  archive(account_)(in_touch_)(in_touch_since_)(last_residual_);
+  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(last_scale_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }

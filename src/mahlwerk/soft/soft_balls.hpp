@@ -87,7 +87,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   std::vector<std::int32_t> contacts_of_;  // each ball
   std::int64_t in_touch_ = 0;              // balls that touch something
   std::int64_t in_touch_since_ = 0;
-  double last_residual_ = 0;
+  double last_residual_ = 0, last_scale_ = 0;  // [J] when energy was last looked at
   std::vector<scene::Collision> ended_;
   std::vector<Beat> beats_;
 };
