@@ -213,5 +213,34 @@ TEST(ClosedForms, an_elastic_oblique_collision_without_slip_makes_no_energy) {
               -least_rescaled);
 }
 
+/// The same collision in the middle of a box that repeats itself and across its edges.
+TEST(ClosedForms, balls_collide_across_the_edges_of_a_periodic_box_as_in_its_middle) {
+  const contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, 0.7, 0.3);
+  const double side = 0.06;
+  const scene::Chamber box{geometry::PeriodicBox{side, side, side}, kinematics::Still{}, {}, {}};
+  const auto after = [&](const Vec3& place) {
+    std::vector<scene::Ball> balls = unequal();
+    const Vec3 apart{0.009, 0.005, -0.005};
+    balls[0].position = place - 0.5 * apart;
+    balls[1].position = place + 0.5 * apart;
+    const auto engine = soft_engine(box, balls, of_law(LawName::hertz_mindlin), pair, 1e-7);
+    Recorder recorder;
+    engine->advance(0.005, recorder);
+    EXPECT_EQ(recorder.all.size(), 1U);
+    return engine->balls();
+  };
+  const auto middle = after({});
+  for (const Vec3& place : {Vec3{0.5 * side, 0, 0}, Vec3{0, -0.5 * side, 0.5 * side},
+                            Vec3{0.5 * side, 0.5 * side, 0.5 * side}}) {
+    const auto edge = after(place);
+    double worst = 0;
+    for (std::size_t b = 0; b < 2; ++b)
+      worst = std::max({worst, norm(edge[b].velocity - middle[b].velocity),
+                        1e-2 * norm(edge[b].spin - middle[b].spin)});
+    // Rounding of places: 1e-17 m over overlaps of 1e-5 m, and speeds of 1 m/s.
+    stays_below("speeds after, across an edge [m/s]", worst, 1e-10, "it repeats itself");
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests
