@@ -81,9 +81,12 @@ struct alignas(64) Meeting {
   const Lanes most = p.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    const Lanes size = root(squared), both = 1.0 / (size * push.stiffness);
-    force = choose(slides, most * push.stiffness * both, Lanes{} + 1.0) * force;
-    const Vec<Lanes> left = -((size * both) * (force + push.damping * m.slip));
+    const Lanes size = root(squared);
+    // What the spring alone can hold: the dashpot stretches no spring, however hard it pulls.
+    const Lanes pull = larger(push.stiffness * root(dot(spring, spring)), Lanes{} + 1e-150);
+    const Lanes both = most / (size * pull), one = Lanes{} + 1.0;
+    force = choose(slides, pull * both, one) * force;
+    const Vec<Lanes> left = choose(less(most, pull), size * both, one) * spring;
     const Lanes slid = dot(force, left - spring);
     p.deeds.sliding += choose(slides, slid, Lanes{});
     spring = choose<Lanes>(slides, left, spring);
@@ -100,8 +103,10 @@ struct alignas(64) Meeting {
   Vec<Lanes> turning = b.wi - b.wj;
   turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
   const Lanes none{}, most = p.rolling * push.load;
-  const auto limited = [&](const Lanes& size) {  // no more than stops it within a step
-    return smaller(size, p.inertia / frame.step);
+  // What stops it within two steps: speeds are predicted from the last step's torque, and a torque
+  // that stops it within one would swing for ever.
+  const auto limited = [&](const Lanes& size) {
+    return smaller(size, 0.5 * p.inertia / frame.step);
   };
   Vec<Lanes> torque;
   if (frame.rolling == contact::Rolling::cdt) {

@@ -73,8 +73,8 @@ class SoftBalls final : public scene::Engine, private Seldom {
   Breeds breeds_;
   Steps steps_;
   double start_, skin_;
-  double reach_ = 0;   // [m] farthest that a contact holds beyond touch
-  bool hops_, folds_;  // over free flight; places repeat
+  double reach_ = 0;          // [m] farthest that a contact holds beyond touch
+  bool hops_, folds_;         // over free flight; places repeat
   std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at
 
   Swarm swarm_;

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/engine.hpp"
+#include "one_ball.hpp"
+
+// The jars, balls and collisions that tests of the soft engine share.
+namespace mahlwerk::tests {
+
+constexpr contact::Elastic rigid{INFINITY, 0};
+
+inline contact::Pair pair_of(const contact::Elastic& a, const contact::Elastic& b, double e,
+                             double mu = 0) {
+  contact::Pair pair;
+  pair.modulus = contact::effective_modulus(a, b);
+  pair.shear_modulus = contact::effective_shear_modulus(a, b);
+  pair.restitution = e;
+  pair.friction = mu;
+  return pair;
+}
+
+inline scene::Chamber still_box(double side, const Vec3& pull = {}) {
+  return {geometry::Box{side, side, side}, kinematics::Still{}, {}, pull};
+}
+
+inline contact::LawChoice of_law(contact::LawName name,
+                                 contact::Rolling rolling = contact::Rolling::none) {
+  contact::LawChoice choice;
+  choice.law = name;
+  choice.rolling = rolling;
+  return choice;
+}
+
+/// An engine whose bodies all meet as `pair` says.
+inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
+                                                  const std::vector<scene::Ball>& balls,
+                                                  const contact::LawChoice& law,
+                                                  const contact::Pair& pair, double step,
+                                                  bool hop = false, double start = 0) {
+  const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
+  return soft::engine(chamber, balls, {law, step, hop}, contact::PairTable(1, faces, pair), start);
+}
+
+/// R* and m* of a ball at a flat wall.
+inline contact::Touching touching(const contact::Pair& pair, const scene::Ball& b) {
+  return {pair, b.radius, b.mass()};
+}
+/// Of a ball at a flat wall, or of two balls.
+inline contact::Touching touching(const contact::Pair& pair, const std::vector<scene::Ball>& both) {
+  const scene::Ball &a = both.front(), &b = both.back();
+  if (both.size() == 1) return touching(pair, a);
+  return {pair, a.radius * b.radius / (a.radius + b.radius),
+          a.mass() * b.mass() / (a.mass() + b.mass())};
+}
+
+/// How long a collision lasts, by the law's own reckoning; of the swiftest part of it [s].
+inline double contact_time(const contact::LawChoice& choice, const contact::Touching& t,
+                           double speed) {
+  return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, contact::law(choice));
+}
+
+/// A collision without gravity, of a ball with the floor (normal -z) or of two balls (normal +x).
+struct Impact {
+  std::vector<scene::Ball> before, after;
+  scene::Collision record;
+  scene::Account account;
+  double duration = 0;     ///< [s] between the touches, to a fraction of a step
+  double deepest = 0;      ///< [m]
+  double restitution = 0;  ///< found
+  double step = 0;         ///< [s]
+};
+
+/// In steps of `share` of the contact time; the touch falls `phase` of a step after one.
+inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
+                     const contact::LawChoice& choice, double share, double phase = 0.37) {
+  const bool floor = balls.size() == 1;
+  const Vec3 n = floor ? Vec3{0, 0, -1} : Vec3{1, 0, 0};
+  const double side = 40 * balls[0].radius + (floor ? 0 : 40 * balls[1].radius);
+  const auto closing = [&](const std::vector<scene::Ball>& b) {
+    return dot(b[0].velocity - (floor ? Vec3{} : b[1].velocity), n);
+  };
+  const auto gap = [&](const std::vector<scene::Ball>& b) {
+    if (floor) return b[0].position.z + 0.5 * side - b[0].radius;
+    return norm(b[1].position - b[0].position) - b[0].radius - b[1].radius;
+  };
+  const double speed = closing(balls);
+  Impact found;
+  found.step = share * contact_time(choice, touching(pair, balls), speed);
+  const double wanted = (3 + phase) * found.step * speed;
+  if (floor)
+    balls[0].position = {0, 0, -0.5 * side + balls[0].radius + wanted};
+  else
+    balls[1].position = (balls[0].radius + balls[1].radius + wanted) * n;
+  const double apart = gap(balls);
+  const auto engine = soft_engine(still_box(side), balls, choice, pair, found.step);
+  Recorder recorder;
+  double time = 0;
+  for (int i = 0; recorder.all.empty() && i < 1000; ++i) {
+    time += 50 * found.step;
+    engine->advance(time, recorder);
+  }
+  found.before = balls;
+  found.after = engine->balls();
+  found.account = engine->account();
+  if (!recorder.all.empty()) found.record = recorder.all.front();
+  found.restitution = -closing(found.after) / speed;
+  found.deepest = found.account.deepest_overlap * balls[0].radius;
+  found.duration = found.account.time - apart / speed + gap(found.after) / closing(found.after);
+  return found;
+}
+
+}  // namespace mahlwerk::tests

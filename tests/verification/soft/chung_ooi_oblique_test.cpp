@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The last five of the eight tests of Chung and Ooi (2011): collisions with slip and spin. Gross
+// slip has closed forms for a ball that keeps its radius; the engine's contact lies one overlap
+// deeper, so that its lever, and the spin it gains, is shorter by `shorter` at most.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+constexpr double share = 1.0 / 400;  // of the contact time to a step
+const std::string source = "gross slip, rigid; Chung and Ooi 2011";
+
+double shorter(const Impact& found) {
+  return found.account.deepest_overlap;
+}
+/// By the mean overlap, weighed by the force: 0.81756 of the deepest in an elastic Hertz collision,
+/// B(7/5, 1/2) / B(1, 1/2).
+double mean_lever(const Impact& found) {
+  return 1 - 0.81756 * found.account.deepest_overlap;
+}
+
+struct Oblique {
+  Impact impact;
+  double kept;     ///< [1] v_t' / v_t
+  double spin;     ///< [rad/s] after
+  double rebound;  ///< [rad] of the contact point, from the normal
+};
+
+Oblique slide(const contact::Elastic& of, double density, double radius, const Vec3& velocity,
+              double e, double mu, LawName law, double steps = share) {
+  Oblique o{
+      impact({{radius, density, {}, velocity, {}}}, pair_of(of, rigid, e, mu), of_law(law), steps),
+      0, 0, 0};
+  const scene::Ball& after = o.impact.after[0];
+  o.kept = after.velocity.x / velocity.x;
+  o.spin = after.spin.y;
+  o.rebound = std::atan2(after.velocity.x - radius * after.spin.y, after.velocity.z);
+  return o;
+}
+
+Vec3 at_angle(double speed, double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  return {speed * std::sin(a), 0, -speed * std::cos(a)};
+}
+
+/// The same collision integrated apart, in its plane and in far smaller steps. As in the sheet of
+/// numbers below: the lever is the whole radius, and at the limit the spring is set to what force
+/// and dashpot leave over. As in the engine: neither.
+Oblique apart(double density, const contact::Pair& pair, double r, const Vec3& start,
+              bool as_in_sheet) {
+  const double m = scene::Ball{r, density, {}, {}, {}}.mass(), turn = 0.4 * m * r * r;
+  const double b = contact::damping_ratio(pair.restitution), k = -2 * std::sqrt(5.0 / 6.0) * b;
+  const double dt = 1e-5 * contact::hertz_time({pair, r, m}, -start.z);
+  double u = -start.z, v = start.x, w = 0, spring = 0;
+  for (double depth = u * dt; depth > 0; depth += u * dt) {
+    const double a = std::sqrt(r * depth), lever = as_in_sheet ? r : r - depth,
+                 slip = v - lever * w;
+    const double along = 2 * pair.modulus * a, across = 8 * pair.shear_modulus * a;
+    const double push = 4.0 / 3.0 * pair.modulus * a * depth + k * std::sqrt(along * m) * u;
+    const double dashpot = k * std::sqrt(across * m) * slip, most = pair.friction * std::abs(push);
+    spring += slip * dt;
+    double rub = -across * spring - dashpot;
+    if (std::abs(rub) > most) {
+      rub = std::copysign(most, rub);
+      const double held = most / across;
+      spring = as_in_sheet ? -(rub + dashpot) / across : std::clamp(spring, -held, held);
+    }
+    u -= push / m * dt;
+    v += rub / m * dt;
+    w -= rub * lever / turn * dt;
+  }
+  return {{}, v / start.x, w, std::atan2(v - r * w, -u)};
+}
+
+/// Below 30 degrees the history of the tangential spring decides.
+TEST(ChungOoi, test_4_oblique_at_constant_speed_as_integrated_apart) {
+  const double mu = 0.092, degree = std::numbers::pi / 180;
+  const contact::Elastic oxide{380e9, 0.23};
+  const contact::Pair pair = pair_of(oxide, rigid, 0.98, mu);
+  struct Row {
+    double angle, kept, spin, rebound;
+  };
+  for (const Row& row :
+       {Row{5, 0.9476, 17.8, 4.17}, Row{10, 0.7024, 201.6, -0.43}, Row{20, 0.6225, 503.6, -6.81},
+        Row{30, 0.6845, 615.2, -3.51}, Row{40, 0.7829, 544.2, 11.62}, Row{60, 0.8948, 355.2, 48.16},
+        Row{80, 0.9679, 123.4, 78.98}}) {
+    const Vec3 v = at_angle(3.9, row.angle);
+    const std::string at = " at " + std::to_string(static_cast<int>(row.angle)) + " deg";
+    const Oblique sheet = apart(4000, pair, 0.0025, v, true);
+    const std::string of_sheet = "reference sheet, its steps coarser than here";
+    states("sheet: e_t" + at, sheet.kept, row.kept, 4e-4, of_sheet);
+    states("sheet: spin after [rad/s]" + at, sheet.spin, row.spin, 0.3, of_sheet);
+    states("sheet: rebound [deg]" + at, sheet.rebound / degree, row.rebound, 0.02, of_sheet);
+    const Oblique own = apart(4000, pair, 0.0025, v, false);
+    const Oblique o = slide(oxide, 4000, 0.0025, v, 0.98, mu, LawName::hertz_mindlin, 1.0 / 4000);
+    const std::string here = "integrated apart, the engine's lever and spring";
+    states("e_t" + at, o.kept, own.kept, 1e-3, here);
+    states("spin after [rad/s]" + at, o.spin, own.spin, 1e-3 * 2.5 * norm(v) / 0.0025, here);
+    states("rebound [deg]" + at, o.rebound / degree, own.rebound / degree, 0.06, here);
+  }
+}
+
+TEST(ChungOoi, test_4_oblique_beyond_onset_slips_as_in_closed_form) {
+  const double e = 0.98, mu = 0.092, radius = 0.0025, speed = 3.9, beta = contact::damping_ratio(e);
+  const auto run = [&](const std::string& what, const contact::Elastic& of, double density,
+                       LawName law, double tail) {
+    for (const double angle : {35.0, 45.0, 60.0, 75.0, 85.0}) {
+      const Vec3 v = at_angle(speed, angle);
+      const Oblique o = slide(of, density, radius, v, e, mu, law);
+      const std::string at = what + " at " + std::to_string(static_cast<int>(angle)) + " deg";
+      const double slope = std::tan(angle * std::numbers::pi / 180), total = 1 + e + tail;
+      const double lost = mu * total / slope, gained = 2.5 * mu * total * -v.z / radius;
+      states("e_t, " + at, o.kept, 1 - lost, 1e-4 * lost, source);
+      states("spin after [rad/s], " + at, o.spin, gained, (1e-4 + shorter(o.impact)) * gained,
+             source);
+    }
+  };
+  run("oxide, tsuji", {380e9, 0.23}, 4000, LawName::hertz_tsuji, 0);
+  run("alloy, tsuji", {70e9, 0.33}, 2700, LawName::hertz_tsuji, 0);
+  // The tail that pulls rubs as hard as if it pushed. Where x'' = -x^1.5 - c x^0.25 x' ends its
+  // impulse is 2/5 c^2, c = sqrt(5) beta, counted twice against the normal impulse.
+  run("oxide, mindlin", {380e9, 0.23}, 4000, LawName::hertz_mindlin, 4 * beta * beta);
+}
+
+TEST(ChungOoi, test_5_oblique_at_constant_normal_speed) {
+  const double mu = 0.3, radius = 0.01, vn = 5;
+  const auto run = [&](const std::string& what, const contact::Elastic& of, double density) {
+    for (const double vt : {12.0, 15.0, 18.0, 21.0}) {  // slips from vt = 7 mu vn = 10.5 on
+      const Oblique o = slide(of, density, radius, {vt, 0, -vn}, 1, mu, LawName::hertz_mindlin);
+      const scene::Ball& after = o.impact.after[0];
+      const double psi1 = vt / vn / mu, lever = mean_lever(o.impact);
+      const std::string at = what + ", v_t " + std::to_string(static_cast<int>(vt)) + " m/s";
+      states("psi2 - psi1, " + at, std::tan(o.rebound) / mu - psi1, -2 - 5 * lever, 7e-3,
+             "-7, lever R less the mean overlap; Chung and Ooi 2011");
+      states("spin R/(mu v_n), " + at, after.spin.y * radius / (mu * vn), 5 * lever, 5e-3,
+             "5, lever R less the mean overlap; Chung and Ooi 2011");
+    }
+  };
+  run("steel", {208e9, 0.30}, 7850);
+  run("polyethylene", {1e9, 0.40}, 1400);
+}
+
+const contact::Elastic alloy{70e9, 0.33}, nylon{2.5e9, 0.40}, copper{120e9, 0.35};
+constexpr double e = 0.5, mu = 0.4, radius = 0.1, vn = 0.2;
+constexpr double slipped = mu * (1 + e) * vn;  // [m/s] a ball gains
+
+void states_spun(const std::string& what, const Impact& found, double w, double gained) {
+  const scene::Ball& after = found.after[0];
+  const double turned = 2.5 * slipped / radius;
+  states("speed gained [m/s], " + what, gained, slipped, 1e-3 * slipped, source);
+  states("spin lost [rad/s], " + what, w - std::abs(after.spin.y), turned,
+         (1e-3 + shorter(found)) * turned, source);
+  const double left = radius * w - 3.5 * slipped;
+  states("slip after [m/s], " + what, radius * std::abs(after.spin.y) - gained, left,
+         (1e-3 + shorter(found)) * 3.5 * slipped, source);
+}
+
+TEST(ChungOoi, test_6_a_spinning_sphere_falls_onto_a_plane) {
+  const auto run = [](const std::string& what, const contact::Elastic& of, double density) {
+    for (const double w : {6.0, 12.0, 21.0}) {  // slips from 7/2 slipped / R = 4.2 rad/s on
+      const Impact found = impact({{radius, density, {}, {0, 0, -vn}, {0, w, 0}}},
+                                  pair_of(of, rigid, e, mu), of_law(LawName::hertz_tsuji), share);
+      states_spun(what + ", " + std::to_string(static_cast<int>(w)) + " rad/s", found, w,
+                  found.after[0].velocity.x);
+    }
+  };
+  run("alloy", alloy, 2700);
+  run("nylon", nylon, 1000);
+}
+
+TEST(ChungOoi, test_7_two_equal_spinning_spheres) {
+  const auto run = [](const std::string& what, const contact::Elastic& of, double density) {
+    for (const double w : {6.0, 21.0}) {
+      std::vector<scene::Ball> balls(2, {radius, density, {}, {vn, 0, 0}, {0, w, 0}});
+      balls[1].velocity = -balls[0].velocity;
+      const Impact found =
+          impact(balls, pair_of(of, of, e, mu), of_law(LawName::hertz_tsuji), share);
+      const std::string at = what + ", " + std::to_string(static_cast<int>(w)) + " rad/s";
+      states_spun(at, found, w, found.after[0].velocity.z);
+      stays_below("speeds are opposite [m/s], " + at,
+                  norm(found.after[0].velocity + found.after[1].velocity), 1e-14, "symmetry");
+      // Turning against each other they roll like gears, and nothing rubs.
+      balls[1].spin = -balls[0].spin;
+      const Impact gears =
+          impact(balls, pair_of(of, of, e, mu), of_law(LawName::hertz_tsuji), share);
+      stays_below("spin changed by gears [rad/s], " + at, norm(gears.after[0].spin - balls[0].spin),
+                  1e-12, "symmetry");
+    }
+  };
+  run("alloy", alloy, 2700);
+  run("copper", copper, 8900);
+}
+
+TEST(ChungOoi, test_8_a_spinning_sphere_falls_onto_a_far_heavier_one) {
+  const auto run = [](const std::string& what, const contact::Elastic& of, double density) {
+    for (const double w : {6.0, 21.0}) {
+      const std::vector<scene::Ball> balls{{radius, density, {}, {vn, 0, 0}, {0, w, 0}},
+                                           {5 * radius, 1000 * density, {}, {}, {}}};
+      const Impact found =
+          impact(balls, pair_of(of, of, e, mu), of_law(LawName::hertz_tsuji), share);
+      states_spun(what + ", " + std::to_string(static_cast<int>(w)) + " rad/s", found, w,
+                  found.after[0].velocity.z);
+    }
+  };
+  run("alloy", alloy, 2700);
+  run("nylon", nylon, 1000);
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How a run of the soft engine is cut, or stopped and taken up again, does not change it by a bit;
+// one that goes wrong stops; a pile stays.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/random.hpp"
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+using contact::Rolling;
+using Make = std::function<std::unique_ptr<scene::Engine>()>;
+
+contact::Pair soft_pair(double e = 0.7) {
+  contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, e, 0.3);
+  pair.rolling_friction = 0.02;
+  pair.surface_energy = 0.05;
+  pair.cohesion = 1e4;
+  return pair;
+}
+
+std::vector<scene::Ball> charge(int count) {
+  Random random(9, 0);
+  std::vector<scene::Ball> balls;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 cell{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+    balls.push_back({0.003 * (1 - 0.05 * (i % 3)), 7850, 0.0063 * cell,
+                     random.uniform(0, 0.5) * random.direction(),
+                     random.uniform(0, 30) * random.direction()});
+  }
+  return balls;
+}
+
+Make made(const scene::Chamber& mill, int count, LawName law, Rolling rolling, bool hop) {
+  return [=] {
+    return soft_engine(mill, charge(count), of_law(law, rolling), soft_pair(), 2e-6, hop, 0.37);
+  };
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+void expect_same(const scene::Engine& a, const scene::Engine& b) {
+  EXPECT_TRUE(same_bits(a.account(), b.account()));
+  const auto balls = a.balls(), others = b.balls();
+  ASSERT_EQ(balls.size(), others.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_EQ(balls[i].position, others[i].position) << i;
+    EXPECT_EQ(balls[i].velocity, others[i].velocity) << i;
+    EXPECT_EQ(balls[i].spin, others[i].spin) << i;
+  }
+}
+void expect_same(const Recorder& a, const Recorder& b) {
+  ASSERT_EQ(a.all.size(), b.all.size());
+  for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
+}
+
+/// Runs of one kind each: few balls that hop, few that do not, many through memory.
+std::vector<std::pair<std::string, Make>> runs() {
+  const Vec3 down{0, 0, -gravity};
+  const scene::Chamber capsule{geometry::Capsule{0.04, 0.02}, shaken(20, 0.015), {}, down};
+  const scene::Chamber planet{
+      geometry::Box{0.03, 0.03, 0.03}, kinematics::Planetary{0.07, 40, -2}, {}, down};
+  const scene::Chamber drum{geometry::Cylinder{0.04, 0.03}, kinematics::Tumbling{12},
+                            scene::mounted_along({1, 0, 0}), down};
+  return {
+      {"two balls that hop", made(capsule, 2, LawName::hertz_mindlin, Rolling::cdt, true)},
+      {"five balls", made(planet, 5, LawName::walton_braun, Rolling::epsd, false)},
+      {"five that stick", made(drum, 5, LawName::jkr, Rolling::viscous, true)},
+      {"twenty balls", made(capsule, 20, LawName::adams_impact, Rolling::epsd, true)},
+      {"twenty in a drum", made(drum, 20, LawName::sjkr, Rolling::cdt, true)},
+  };
+}
+
+TEST(SoftCuts, do_not_change_a_run_by_a_bit) {
+  constexpr double time = 0.08;
+  for (const auto& [what, make] : runs()) {
+    SCOPED_TRACE(what);
+    const auto whole = make(), pieces = make();
+    Recorder in_one, in_many;
+    whole->advance(time, in_one);
+    EXPECT_GT(in_one.all.size(), 5U);
+    Random random(3, 0);
+    std::vector<double> cuts{time};
+    for (int i = 0; i < 300; ++i) cuts.push_back(random.uniform(0, time));
+    for (const scene::Collision& c : in_one.all)
+      cuts.insert(cuts.end(), {c.time - 2e-6, c.time, c.time + 2e-6, c.time + c.duration});
+    std::ranges::sort(cuts);
+    for (const double cut : cuts)
+      if (cut <= time) pieces->advance(cut, in_many);
+    expect_same(in_one, in_many);
+    expect_same(*whole, *pieces);
+  }
+}
+
+TEST(SoftArchives, go_on_to_the_bit) {
+  constexpr double time = 0.05;
+  for (const auto& [what, make] : runs())
+    for (const double when : {0.0, 1e-4, 0.0173, 0.031, 0.0444}) {
+      SCOPED_TRACE(what + " at " + std::to_string(when));
+      const auto whole = make(), first = make(), second = make();
+      Recorder in_one, in_two;
+      whole->advance(when, in_one);
+      whole->advance(time, in_one);
+      first->advance(when, in_two);
+      Archive out;
+      first->carry(out);
+      Archive in(out.bytes());
+      second->carry(in);
+      in.finish();
+      expect_same(*first, *second);
+      second->advance(time, in_two);
+      expect_same(in_one, in_two);
+      expect_same(*whole, *second);
+    }
+}
+
+TEST(SoftArchives, cut_short_or_too_long_are_refused) {
+  const Make make = runs().front().second;
+  const auto engine = make();
+  Recorder none;
+  engine->advance(0.02, none);
+  Archive out;
+  engine->carry(out);
+  for (std::size_t size = 0; size < out.bytes().size(); size += 1 + size / 20) {
+    Archive in(out.bytes().substr(0, size));
+    EXPECT_THROW(make()->carry(in), RunError) << size;
+  }
+  Archive in(out.bytes() + "x");
+  make()->carry(in);
+  EXPECT_THROW(in.finish(), RunError);
+}
+
+/// From the first step in which something can go wrong to the error.
+std::int64_t steps_until_error(scene::Engine& engine, double step, std::int64_t wrong_from) {
+  Recorder none;
+  try {
+    engine.advance(1000 * step + static_cast<double>(wrong_from) * step, none);
+  } catch (const RunError& e) {
+    std::printf("    %s\n", e.what());
+    return std::lround(engine.account().time / step) - wrong_from;
+  }
+  return 1000;
+}
+
+TEST(SoftFaults, a_step_far_too_long_stops_the_run_within_100_steps) {
+  // Twice a collision: a ball goes through half of it at the wrong place, or out of the box.
+  for (const double share : {1.0, 2.0, 5.0}) {
+    const contact::Pair pair = soft_pair();
+    scene::Ball ball = ball_a({}, {0.1, 0.2, -2});
+    const double step =
+        share * contact_time(of_law(LawName::hertz_mindlin), touching(pair, ball), 2);
+    const auto engine =
+        soft_engine(still_box(0.1), {ball}, of_law(LawName::hertz_mindlin), pair, step);
+    const auto flight = static_cast<std::int64_t>(0.046 / 2 / step);
+    EXPECT_LE(steps_until_error(*engine, step, flight), 100) << share;
+  }
+}
+
+TEST(SoftFaults, a_force_that_is_no_number_stops_the_run_within_100_steps) {
+  for (const bool hop : {false, true})
+    for (const int count : {1, 12}) {
+      std::vector<scene::Ball> balls = charge(count);
+      balls[0].position.z = 0.004 - 0.05;
+      balls[0].velocity = {0, 0, -1};
+      contact::Pair pair = soft_pair();
+      pair.modulus = NAN;
+      const auto engine =
+          soft_engine(still_box(0.1), balls, of_law(LawName::hertz_mindlin), pair, 1e-5, hop);
+      EXPECT_LE(steps_until_error(*engine, 1e-5, 0), 100 + 100) << count;  // 100 until touch
+    }
+}
+
+/// Seen to stop: a ball at rest in the laboratory after its wall took nearly all it had.
+TEST(SoftFaults, a_ball_nearly_stopped_by_a_wall_is_none) {
+  const scene::Chamber mill{
+      geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.015), {}, {0, 0, -gravity}};
+  const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, 0.9, 0.3);
+  const auto engine = soft_engine(mill, {ball_a({0.001, 0.002, 0.003}, {0.3, 0.2, 0})},
+                                  of_law(LawName::hertz_mindlin), pair, 3.9398e-7);
+  Recorder none;
+  EXPECT_NO_THROW(engine->advance(0.2, none));
+}
+
+TEST(SoftRest, a_pile_of_three_balls_stays) {
+  // Two on the floor, held together by the walls; the third lies on them.
+  const double r = 0.005;
+  const scene::Chamber box{
+      geometry::Box{4 * r + 1e-5, 2 * r + 1e-5, 0.04}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  for (const Rolling rule : {Rolling::none, Rolling::cdt, Rolling::epsd}) {
+    std::vector<scene::Ball> balls{{r, 7850, {-r - 1e-6, 0, r - 0.0199}, {}, {}},
+                                   {r, 7850, {r + 1e-6, 0, r - 0.0199}, {}, {}},
+                                   {r, 7850, {1e-4, 0, 3 * r - 0.0199}, {0.05, 0.01, 0}, {}}};
+    const auto engine =
+        soft_engine(box, balls, of_law(LawName::hertz_mindlin, rule), soft_pair(0.4), 5e-6, true);
+    Recorder none;
+    engine->advance(1.5, none);
+    const auto settled = engine->balls();
+    double fastest = 0, moved = 0;
+    for (int i = 1; i <= 50; ++i) {
+      engine->advance(1.5 + 0.01 * i, none);
+      for (const scene::Ball& b : engine->balls()) fastest = std::max(fastest, norm(b.velocity));
+    }
+    const auto later = engine->balls();
+    for (std::size_t b = 0; b < 3; ++b)
+      moved = std::max(moved, norm(later[b].position - settled[b].position));
+    const std::string with = ", rolling rule " + std::to_string(static_cast<int>(rule));
+    stays_below("fastest of a settled pile [m/s]" + with, fastest, 1e-4, "at rest");
+    stays_below("moved in 0.5 s [m]" + with, moved, 0.5 * 1e-4, "at rest");
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Hops over free flight, and the event engine to which the soft one tends.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+
+struct Followed {
+  std::vector<scene::Collision> seen;
+  scene::Account account;
+};
+Followed followed(const scene::Chamber& mill, const std::vector<scene::Ball>& balls,
+                  const contact::Pair& pair, double step, double time, bool hop) {
+  const auto engine = soft_engine(mill, balls, of_law(LawName::hertz_mindlin), pair, step, hop);
+  Recorder recorder;
+  engine->advance(time, recorder);
+  return {recorder.all, engine->account()};
+}
+
+/// Largest differences of the first collisions of two runs.
+struct Difference {
+  double time = 0, speed = 0;
+};
+Difference difference(const Followed& a, const Followed& b, std::size_t count) {
+  Difference d;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(a.seen[i].ball, b.seen[i].ball) << i;
+    EXPECT_EQ(a.seen[i].other, b.seen[i].other) << i;
+    d.time = std::max(d.time, std::abs(a.seen[i].time - b.seen[i].time));
+    d.speed = std::max(d.speed, std::abs(a.seen[i].approach - b.seen[i].approach));
+  }
+  return d;
+}
+
+/// A hop is the flight itself; steps follow a mill that swings with w and A to A (w dt)^2. Each
+/// bounce makes such an error grow: how much is seen from a start put off by as much.
+void same_collisions(const std::string& what, const scene::Chamber& mill,
+                     const std::vector<scene::Ball>& balls, double e, std::size_t count) {
+  const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
+  const contact::PairTable pairs(1, 6, pair);
+  const double step = soft::time_steps(balls, of_law(LawName::hertz_mindlin), pairs, 3).usual(0.2);
+  const auto& motion = std::get<kinematics::Vibration>(mill.motion);
+  std::vector<scene::Ball> nudged = balls;
+  nudged[0].position.z +=
+      motion.amplitude * std::pow(2 * std::numbers::pi * motion.frequency * step, 2);
+  const Followed hops = followed(mill, balls, pair, step, 0.2, true);
+  const Followed aside = followed(mill, nudged, pair, step, 0.2, true);
+  const Followed steps = followed(mill, balls, pair, step, 0.2, false);
+  ASSERT_GE(std::min({hops.seen.size(), steps.seen.size(), aside.seen.size()}), count);
+  const Difference found = difference(hops, steps, count), grown = difference(hops, aside, count);
+  stays_below(what + ", times of touch [s]", found.time, 2 * step + 2 * grown.time,
+              "two steps, or what its error grows to");
+  stays_below(what + ", speeds of approach [m/s]", found.speed,
+              2 * step * motion.bounds().acceleration.z + 2 * grown.speed,
+              "two steps of the mill's acceleration, or what its error grows to");
+  const double ratio =
+      static_cast<double>(steps.account.time_steps) / static_cast<double>(hops.account.time_steps);
+  std::printf("    %-58s %lld steps with hops, %lld without: a ratio of %.0f\n", what.c_str(),
+              static_cast<long long>(hops.account.time_steps),
+              static_cast<long long>(steps.account.time_steps), ratio);
+  EXPECT_GE(ratio, 10);
+}
+
+scene::Chamber box_mill() {
+  return {geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.015), {}, {0, 0, -gravity}};
+}
+
+TEST(Hops, one_ball_in_a_vibration_mill_collides_the_same) {
+  same_collisions("one ball", box_mill(), {ball_a({0.001, 0.002, 0.003}, {0.3, 0.2, 0})}, 0.9, 8);
+}
+TEST(Hops, three_balls_in_a_vibration_mill_collide_the_same) {
+  const std::vector<scene::Ball> balls{ball_a({-0.006, -0.004, -0.003}, {0.5, 0.2, 0.1}),
+                                       ball_a({0.006, -0.004, 0.001}, {-0.4, 0.3, 0}),
+                                       ball_a({0.001, 0.006, 0.004}, {0.1, -0.5, 0.2})};
+  same_collisions("three balls", box_mill(), balls, 0.9, 10);
+}
+
+/// Smooth, e the same at all speeds: only that contacts take time sets the engines apart.
+TEST(TowardsEvent, collisions_tend_to_the_event_engine_s_as_contacts_shorten) {
+  const scene::Chamber mill = box_mill();
+  const scene::Ball ball = ball_a({0.001, 0.002, 0.003}, {0.3, 0.2, 0});
+  event::Rules rules;
+  rules.bounce = {0.9, 1, 0};
+  const auto sharp = event::one_ball(mill, ball, rules);
+  Recorder expected;
+  sharp->advance(0.3, expected);
+  constexpr std::size_t count = 8;
+  double first_time = 0, first_speed = 0, time = 0, speed = 0, first_contact = 0, contact = 0;
+  for (const double modulus : {1e9, 1e10, 1e11, 1e12}) {
+    const contact::Pair pair = pair_of({modulus, 0.3}, {modulus, 0.3}, 0.9, 0);
+    contact = contact_time(of_law(LawName::hertz_mindlin), touching(pair, ball), 2);
+    const Followed soft = followed(mill, {ball}, pair, contact / 4000, 0.3, true);
+    ASSERT_GE(soft.seen.size(), count);
+    time = speed = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(soft.seen[i].other, expected.all[i].other) << i;
+      time = std::max(time, std::abs(soft.seen[i].time - expected.all[i].time));
+      speed = std::max(speed, std::abs(soft.seen[i].approach - expected.all[i].approach));
+    }
+    std::printf("    E %.0e Pa, t_c %.3g s: times off by %.3g s, speeds by %.3g m/s\n", modulus,
+                contact, time, speed);
+    if (first_time == 0) first_time = time, first_speed = speed, first_contact = contact;
+  }
+  const double shorter = first_contact / contact;
+  states("order of the times in t_c", std::log(first_time / time) / std::log(shorter), 1, 0.15,
+         "a contact delays by a share of its time");
+  states("order of the speeds in t_c", std::log(first_speed / speed) / std::log(shorter), 1, 0.15,
+         "the mill moves on meanwhile");
+  stays_below("times of 8 collisions at the stiffest, in t_c", time / contact, 8,
+              "each contact delays by one t_c at most");
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

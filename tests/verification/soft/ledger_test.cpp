@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The energy account closes, and errors fall with the step at the order of the method.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+using contact::Rolling;
+
+constexpr contact::Elastic steel{200e9, 0.265};
+
+contact::Pair mill_pair() {
+  contact::Pair pair = pair_of(steel, steel, 0.35, 0.3);
+  pair.rolling_friction = 0.01;
+  return pair;
+}
+std::vector<scene::Ball> five(double radius) {
+  std::vector<scene::Ball> balls;
+  for (int i = 0; i < 5; ++i) {
+    const double a = 0.4 * std::numbers::pi * i;
+    const Vec3 place{0.0125 * std::cos(a), 0.0125 * std::sin(a), 0.001 * i};
+    const Vec3 velocity{0.3 * std::sin(2.0 * i), 0.2 * std::cos(3.0 * i), 0.1};
+    balls.push_back({radius, 7700, place, velocity, {}});
+  }
+  return balls;
+}
+scene::Chamber shaken_jar() {
+  return {geometry::Cylinder{0.042, 0.0325}, shaken(20, 0.015), {}, {0, 0, -gravity}};
+}
+scene::Chamber planetary() {  // paper B's mill at 400 rpm
+  return {geometry::Cylinder{0.042, 0.0325},
+          kinematics::Planetary{0.07, 400 * 2 * std::numbers::pi / 60, -2},
+          {},
+          {0, 0, -gravity}};
+}
+
+/// What appeared from nowhere over the work done, by the walls and against losses.
+double residual(const scene::Chamber& mill, double radius, const contact::LawChoice& law,
+                double step, double time) {
+  const auto engine = soft_engine(mill, five(radius), law, mill_pair(), step, true);
+  Recorder none;
+  engine->advance(time, none);
+  const scene::Account a = engine->account();
+  return std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost());
+}
+
+TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
+  for (const bool planet : {false, true}) {
+    const scene::Chamber mill = planet ? planetary() : shaken_jar();
+    const double radius = planet ? 0.007 : 0.005;
+    contact::LawChoice law = of_law(LawName::hertz_mindlin, Rolling::cdt);
+    const contact::PairTable pairs(1, 3, mill_pair());
+    const double usual = soft::time_steps(five(radius), law, pairs, 3).usual(0.2);
+    std::printf("    usual step %.3g s\n", usual);
+    for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous}) {
+      law.rolling = rule;
+      stays_below(std::string(planet ? "planetary mill" : "shaken jar") +
+                      ", 5 balls, rolling rule " + std::to_string(static_cast<int>(rule)) +
+                      ": residual over work",
+                  residual(mill, radius, law, usual, 0.2), 1e-3, "ledger at the usual step");
+    }
+  }
+}
+
+/// Of the residual, of many steps; chance is averaged out by many starts.
+TEST(Ledger, residual_falls_with_the_step) {
+  double first = 0, last = 0;
+  for (const double share : {1.0 / 50, 1.0 / 100, 1.0 / 200, 1.0 / 400, 1.0 / 800}) {
+    double sum = 0;
+    for (int i = 0; i < 20; ++i) {
+      std::vector<scene::Ball> balls(2, {0.0075, 7700, {}, {}, {0, 40.0 + 10 * i, 5}});
+      balls[0].velocity = {1, 0.05 * i, 0.3};
+      const Impact hit =
+          impact(balls, mill_pair(), of_law(LawName::hertz_mindlin, Rolling::cdt), share, 0.05 * i);
+      sum += std::pow(hit.account.residual() / hit.account.lost(), 2) / 20;
+    }
+    last = std::sqrt(sum);
+    if (first == 0) first = last;
+    std::printf("    step t_c/%.0f: residual over loss %.3g\n", 1 / share, last);
+  }
+  stays_below("residual, a sixteenth of the step over all of it", last / first, 1.0 / 256,
+              "order 2 at least");
+}
+
+/// Over a collision that is the same forwards and backwards the errors of Verlet's even orders
+/// cancel, and what is left is how Hertz's force begins, as t^1.5, anywhere within a step.
+TEST(Order, of_an_elastic_collision_is_above_two) {
+  double before = 0;
+  for (const double share : {1.0 / 50, 1.0 / 100, 1.0 / 200, 1.0 / 400}) {
+    double sum = 0;
+    for (int i = 0; i < 32; ++i) {
+      const scene::Ball ball{0.0075, 7700, {}, {0, 0, -1}, {}};
+      const Impact hit =
+          impact({ball}, pair_of(steel, rigid, 1), of_law(LawName::hertz_mindlin), share, i / 32.0);
+      sum += std::pow(hit.restitution - 1, 2) / 32;
+    }
+    const double now = std::sqrt(sum);
+    std::printf("    step t_c/%.0f: speed off by %.3g\n", 1 / share, now);
+    if (before > 0)
+      states("order of the speed after an elastic collision", std::log2(before / now), 2.5, 0.1,
+             "1.5 + 1, of a force that begins as t^1.5");
+    before = now;
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

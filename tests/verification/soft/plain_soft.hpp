@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "soft.hpp"
+
+namespace mahlwerk::tests {
+
+/// A wall under a ball, as a frame sees it.
+struct PlainWall {
+  double distance = 0;          ///< [m] of the ball's centre
+  Vec3 inward, velocity, spin;  ///< velocity of its material at the foot
+};
+
+/// A frame in which balls are followed: walls that may move, a field that accelerates balls, and
+/// how fast the frame itself turns.
+struct PlainWorld {
+  std::function<std::vector<PlainWall>(const Vec3& place, double t)> walls;
+  std::function<Vec3(const Vec3& place, const Vec3& velocity, double t)> field;
+  Vec3 turning;  ///< [rad/s], constant
+};
+
+/// The soft engine as plain as can be, the reference kept for ever: one number at a time, all pairs
+/// at every step, Hertz and Mindlin written out, velocity Verlet with the velocities that damp
+/// predicted. No packets, no neighbours, no hops. Balls must not touch at the start.
+class PlainSoft {
+ public:
+  struct Touch {
+    double time = 0, approach = 0;
+    int ball = 0, other = 0;  ///< other < 0: face ~other
+  };
+
+  PlainSoft(PlainWorld world, std::vector<scene::Ball> balls, const contact::Pair& pair,
+            double step, bool rolls = false)
+      : world_(std::move(world)), balls_(std::move(balls)), pair_(pair), dt_(step), rolls_(rolls) {
+    for (const scene::Ball& b : balls_)
+      pushed_.push_back({world_.field(b.position, b.velocity, 0), turned(b.spin)});
+  }
+
+  const std::vector<scene::Ball>& balls() const { return balls_; }
+  const std::vector<Touch>& touches() const { return touches_; }
+  double time() const { return static_cast<double>(steps_) * dt_; }
+
+  void advance(int steps) {
+    for (int i = 0; i < steps; ++i) step();
+  }
+
+ private:
+  struct Pushed {
+    Vec3 acceleration, spin_up;
+  };
+  struct History {
+    Vec3 spring, normal;
+  };
+  struct Meeting {
+    Vec3 n, u, spin;  ///< from the first to the second; of their surfaces; of one against the other
+    double overlap = 0, lever = 0, other_lever = 0, radius = 0, mass = 0, inertia = 0;
+  };
+
+  /// In a frame that turns, a spin that stays turns backwards.
+  Vec3 turned(const Vec3& spin) const { return -cross(world_.turning, spin); }
+
+  void step() {
+    const std::size_t n = balls_.size();
+    std::vector<scene::Ball> seen = balls_;
+    for (std::size_t i = 0; i < n; ++i) {
+      scene::Ball& b = balls_[i];
+      seen[i].velocity = b.velocity + dt_ * pushed_[i].acceleration;
+      seen[i].spin = b.spin + dt_ * pushed_[i].spin_up;
+      b.velocity += 0.5 * dt_ * pushed_[i].acceleration;
+      b.spin += 0.5 * dt_ * pushed_[i].spin_up;
+      b.position += dt_ * b.velocity;
+      seen[i].position = b.position;
+    }
+    ++steps_;
+    for (std::size_t i = 0; i < n; ++i)
+      pushed_[i] = {world_.field(seen[i].position, seen[i].velocity, time()), turned(seen[i].spin)};
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) meet(seen, i, j);
+      const std::vector<PlainWall> walls = world_.walls(seen[i].position, time());
+      for (std::size_t face = 0; face < walls.size(); ++face) meet(seen, i, walls[face], face);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      balls_[i].velocity += 0.5 * dt_ * pushed_[i].acceleration;
+      balls_[i].spin += 0.5 * dt_ * pushed_[i].spin_up;
+    }
+  }
+
+  void meet(const std::vector<scene::Ball>& seen, std::size_t i, std::size_t j) {
+    const scene::Ball &a = seen[i], &b = seen[j];
+    const Vec3 apart = b.position - a.position;
+    Meeting m;
+    m.n = apart / norm(apart);
+    m.overlap = a.radius + b.radius - norm(apart);
+    m.lever = a.radius - 0.5 * m.overlap;
+    m.other_lever = b.radius - 0.5 * m.overlap;
+    m.u = a.velocity - b.velocity + cross(m.lever * a.spin + m.other_lever * b.spin, m.n);
+    m.spin = a.spin - b.spin;
+    m.radius = a.radius * b.radius / (a.radius + b.radius);
+    m.mass = a.mass() * b.mass() / (a.mass() + b.mass());
+    m.inertia = a.inertia() * b.inertia() / (a.inertia() + b.inertia());
+    const auto [force, torque] = push(m, static_cast<int>(i), static_cast<int>(j));
+    give(i, force, m.lever * cross(m.n, force) + torque);
+    give(j, -force, m.other_lever * cross(m.n, force) - torque);
+  }
+  void meet(const std::vector<scene::Ball>& seen, std::size_t i, const PlainWall& wall,
+            std::size_t face) {
+    const scene::Ball& a = seen[i];
+    Meeting m;
+    m.n = -wall.inward;
+    m.overlap = a.radius - wall.distance;
+    m.lever = wall.distance;
+    m.u = a.velocity - wall.velocity + cross(m.lever * a.spin, m.n);
+    m.spin = a.spin - wall.spin;
+    m.radius = a.radius;
+    m.mass = a.mass();
+    m.inertia = a.inertia();
+    const auto [force, torque] = push(m, static_cast<int>(i), ~static_cast<int>(face));
+    give(i, force, m.lever * cross(m.n, force) + torque);
+  }
+  void give(std::size_t i, const Vec3& force, const Vec3& torque) {
+    pushed_[i].acceleration += force / balls_[i].mass();
+    pushed_[i].spin_up += torque / balls_[i].inertia();
+  }
+
+  /// Force and rolling torque on the first.
+  std::pair<Vec3, Vec3> push(const Meeting& m, int i, int j) {
+    if (m.overlap <= 0) {
+      history_.erase({i, j});
+      return {};
+    }
+    const double rate = dot(m.u, m.n);
+    const Vec3 slip = m.u - rate * m.n;
+    const auto [at, fresh] = history_.try_emplace({i, j});
+    History& h = at->second;
+    if (fresh) {
+      h.normal = m.n;
+      touches_.push_back({time(), rate, i, j});
+    }
+    // Hertz and Mindlin, damped.
+    const double a = std::sqrt(m.radius * m.overlap), ln = std::log(pair_.restitution);
+    const double beta = ln / std::sqrt(ln * ln + std::numbers::pi * std::numbers::pi);
+    const double along = 2 * pair_.modulus * a, across = 8 * pair_.shear_modulus * a;
+    const double damp = -2 * std::sqrt(5.0 / 6) * beta;
+    const double normal =
+        4.0 / 3 * pair_.modulus * a * m.overlap + damp * std::sqrt(along * m.mass) * rate;
+    // The spring turns with the contact, grows by the slip, and is cut off at Coulomb's limit.
+    const Vec3 axis = cross(h.normal, m.n);
+    const double sine = norm(axis);
+    Vec3 spring = sine > 0 ? turning(axis / sine, std::asin(sine)) * h.spring : h.spring;
+    spring += dt_ * slip;
+    Vec3 force = -across * spring - damp * std::sqrt(across * m.mass) * slip;
+    const double most = pair_.friction * std::abs(normal);
+    if (norm(force) > most) {
+      force *= most / norm(force);
+      if (across * norm(spring) > most) spring *= most / (across * norm(spring));
+    }
+    h = {spring, m.n};
+    Vec3 torque{};
+    const Vec3 rolling = m.spin - dot(m.spin, m.n) * m.n;
+    if (rolls_ && norm(rolling) > 0)
+      torque = -std::min(pair_.rolling_friction * m.radius * std::abs(normal) / norm(rolling),
+                         0.5 * m.inertia / dt_) *
+               rolling;
+    return {force - normal * m.n, torque};
+  }
+
+  PlainWorld world_;
+  std::vector<scene::Ball> balls_;
+  contact::Pair pair_;
+  double dt_;
+  bool rolls_;
+  std::vector<Pushed> pushed_;
+  std::map<std::pair<int, int>, History> history_;
+  std::vector<Touch> touches_;
+  long steps_ = 0;
+};
+
+/// The laboratory: the jar moves, balls fall. Places are the laboratory's own.
+inline PlainWorld laboratory(const scene::Chamber& chamber) {
+  const auto walls = [chamber](const Vec3& place, double t) {
+    const auto [ride, turn, spin] = std::visit(
+        [t](const auto& m) { return std::tuple(m.ride(t), m.turn(t), m.spin(t)); }, chamber.motion);
+    const Rotation q = turn * chamber.mount;
+    const Vec3 here = place - ride.centre;
+    std::vector<PlainWall> found;
+    std::visit(
+        [&, &r = ride, &w = spin](const auto& shape) {
+          for (int face = 0; face < shape.faces; ++face) {
+            const geometry::Gap gap = shape.gap(face, q.back(here));
+            const Vec3 inward = q * gap.inward;
+            const Vec3 foot = here - gap.distance * inward;
+            found.push_back({gap.distance, inward, r.velocity + cross(w, foot), w});
+          }
+        },
+        chamber.shape);
+    return found;
+  };
+  const Vec3 g = chamber.gravity;
+  return {walls, [g](const Vec3&, const Vec3&, double) { return g; }, {}};
+}
+
+}  // namespace mahlwerk::tests
