@@ -224,7 +224,7 @@ void SoftBalls::carry(Archive& archive) {
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
-  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(most_energy_);
+  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(most_energy_)(asked_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }
