@@ -8,9 +8,8 @@
 // Time in which nothing touches and nothing can is passed in one leap (dem.27).
 namespace mahlwerk::soft {
 
-/// Begins a hop if one is due and worth it.
-bool SoftBalls::hop(std::int64_t until) {
-  (void)until;  // a hop ends where it does, however a run is cut
+/// Begins a hop if one is due and worth it. It ends where it does, however a run is cut.
+bool SoftBalls::hop() {
   if (!hops_ || touched_ || swarm_.step < try_hop_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
   const std::int64_t steps = free_steps();

@@ -56,9 +56,37 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
   }
   skin_ = 0.03 * smallest;
   look();
+  refuse_overlaps();
   account_.started_with = 0;
   const scene::Account now = reckoned();
   account_.started_with = now.kinetic + now.potential + now.elastic;
+}
+
+/// Bodies that overlap much at the start would fly apart.
+void SoftBalls::refuse_overlaps() const {
+  constexpr double most = 0.01;  // of a radius
+  const double t = clock(swarm_.step);
+  const auto refuse = [](std::size_t ball, const std::string& with, double overlap) {
+    throw InputError(Fault{"balls",
+                           fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
+                                       ball + 1, with, overlap),
+                           "give places apart from each other and from the jar",
+                           "overlapping-balls"});
+  };
+  for (const Candidate& c : seated_) {
+    const auto i = static_cast<std::size_t>(c.i);
+    const double radius = made_of_[i].radius;
+    const Vec3 x = swarm_.place.one(i);
+    if (c.face >= 0) {
+      const double overlap = (radius - jar_->gap(c.face, x, t).distance) / radius;
+      if (overlap > most) refuse(i, "the jar", overlap);
+      continue;
+    }
+    const auto j = static_cast<std::size_t>(c.j);
+    const double touch = radius + made_of_[j].radius;
+    const double overlap = (touch - norm(nearest(swarm_.place.one(j) - x))) / radius;
+    if (overlap > most) refuse(i, fmt::format("ball {}", j + 1), overlap);
+  }
 }
 
 double SoftBalls::time_of(std::int64_t step) const {
@@ -80,7 +108,7 @@ void SoftBalls::advance(double time, scene::Observer& observer) {
       if (landing_ >= 0) {
         now_ = std::min(landing_, until);
         if (now_ == landing_) land();
-      } else if (!hop(until)) {
+      } else if (!hop()) {
         stretch(until);
         now_ = swarm_.step;
       }
@@ -131,11 +159,8 @@ double SoftBalls::stored() const {
       contact::LawNumbers k;
       for (std::size_t n = 0; n < k.size(); ++n) k[n] = p.numbers[n][l];
       const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
-      Vec3 apart = swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
-                   swarm_.place.one(static_cast<std::size_t>(p.i[l]));
-      apart = {std::remainder(apart.x, jar_->periods().x),
-               std::remainder(apart.y, jar_->periods().y),
-               std::remainder(apart.z, jar_->periods().z)};
+      const Vec3 apart = nearest(swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
+                                 swarm_.place.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
       energy += std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
       const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};

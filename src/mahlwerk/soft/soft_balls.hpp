@@ -31,6 +31,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   void check_energy();
   scene::Account reckoned() const;
   double stored() const;  // [J] in contacts, now
+  void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
   // Who is near whom (near.cpp).
@@ -41,7 +42,10 @@ class SoftBalls final : public scene::Engine, private Seldom {
   void look() override;
   void near_walls(std::size_t ball);
   void near_ball(std::size_t i, std::size_t j);
+  Vec3 nearest(const Vec3& apart) const;
   void near_balls();
+
+  // Which lane each pair has (seats.cpp).
   bool touching_first();
   void fill_lanes(const std::vector<Candidate>& wanted);
   void give_lane(Packet& p, int lane, const Candidate& c);
@@ -57,7 +61,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   void bend(Packet& p, int lane);             // R* of a curved wall
 
   // Free flight (hop.cpp).
-  bool hop(std::int64_t until);
+  bool hop();
   std::int64_t free_steps() const;
   struct Flown {
     Vec3 shift, gain;  // of every place and velocity, besides those of straight flight
