@@ -13,7 +13,7 @@ namespace mahlwerk::contact {
 /// spring and a damper that grows over the depth d to c_m; never pulls. c_m depends on the speed at
 /// touch. It is solved for the wanted e, or the paper's estimate, which misses it (physics of paper
 /// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
-struct AdamsImpact {
+struct AdamsImpact : HertzSpring {
   static constexpr LawName name = LawName::adams_impact;
   static constexpr double usual_depth = 0.01;  // of the largest overlap
   explicit AdamsImpact(const LawChoice& choice) : choice_(choice) {}
@@ -41,14 +41,6 @@ struct AdamsImpact {
     const V force = larger(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
     return {force, choose(less(V{}, force), k[2] * half, V{}), V{}, force};
   }
-
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
-  double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz_energy(k[0], overlap);
-  }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   // In units where m = k = v = 1 the largest overlap is (5/4)^(2/5), and k* its square root.

@@ -33,4 +33,16 @@ inline double hertz_energy(double stiffness, double overlap) {
   return overlap > 0 ? 0.4 * stiffness * overlap * overlap * std::sqrt(overlap) : 0;
 }
 
+/// What laws with Hertz's spring have in common; its stiffness is the first of their numbers.
+struct HertzSpring {
+  void begin(const LawNumbers&, double*, double) const {}
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching& t) const { return mindlin_secant(t); }
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    return hertz_energy(k[0], overlap);
+  }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
+};
+
 }  // namespace mahlwerk::contact

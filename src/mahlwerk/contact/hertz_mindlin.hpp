@@ -9,7 +9,7 @@ namespace mahlwerk::contact {
 /// Hertz and Mindlin without slip, damped so that restitution does not depend on speed: paper B
 /// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
 /// the overlap does; shortly before it the force pulls, which makes e exact.
-struct HertzMindlin {
+struct HertzMindlin : HertzSpring {
   static constexpr LawName name = LawName::hertz_mindlin;
   explicit HertzMindlin(const LawChoice&) {}
 
@@ -20,7 +20,6 @@ struct HertzMindlin {
             damping * std::sqrt(2 * t.pair.modulus * std::sqrt(t.radius) * t.mass), across,
             damping * std::sqrt(across * t.mass)};
   }
-  void begin(const LawNumbers&, double*, double) const {}
 
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
@@ -28,14 +27,6 @@ struct HertzMindlin {
     const V force = k[0] * overlap * half + k[1] * quarter * rate;
     return {force, k[2] * half, k[3] * quarter, size_of(force)};
   }
-
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
-  double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz_energy(k[0], overlap);
-  }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 };
 
 }  // namespace mahlwerk::contact

@@ -10,7 +10,7 @@ namespace mahlwerk::contact {
 /// Hertz's spring with the damper of Tsuji, Tanaka and Ishida (1992), the same along and across the
 /// normal (dem.10). The bodies never pull: the contact ends when the force does, and the damping
 /// is solved for that end, so that e is exact.
-struct HertzTsuji {
+struct HertzTsuji : HertzSpring {
   static constexpr LawName name = LawName::hertz_tsuji;
   explicit HertzTsuji(const LawChoice&) {}
 
@@ -20,7 +20,6 @@ struct HertzTsuji {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t)};
   }
-  void begin(const LawNumbers&, double*, double) const {}
 
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
@@ -29,14 +28,6 @@ struct HertzTsuji {
     const auto pushes = less(V{}, force);  // in the tail without force nothing rubs either
     return {force, choose(pushes, k[2] * half, V{}), choose(pushes, damping, V{}), force};
   }
-
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
-  double stored(const LawNumbers& k, const double*, double overlap) const {
-    return hertz_energy(k[0], overlap);
-  }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 };
 
 }  // namespace mahlwerk::contact

@@ -9,7 +9,7 @@ namespace mahlwerk::contact {
 /// Johnson, Kendall and Roberts (1971): elastic spheres whose surfaces stick (dem.16), with the
 /// dampers of Hertz-Mindlin. A contact begins at touch and ends at the pull-off overlap, beyond it;
 /// friction acts under the load plus twice the pull-off force.
-struct Jkr {
+struct Jkr : HertzSpring {
   static constexpr LawName name = LawName::jkr;
   explicit Jkr(const LawChoice& choice) : plain_(choice) {}
 
@@ -23,7 +23,6 @@ struct Jkr {
             t.radius,      pull,
             pull_off(t),   std::cbrt(t.radius * pull)};
   }
-  void begin(const LawNumbers&, double*, double) const {}
 
   /// Radius of contact [m]: l^4 / R* - c l = overlap with l its square root, by Newton's steps
   /// from above, where the left side is convex.
@@ -55,7 +54,6 @@ struct Jkr {
                                (4 * t.pair.modulus));
     return 3 * a * a / t.radius;
   }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
   /// Work done against the elastic force from touch on, where bodies that part have none.
   double stored(const LawNumbers& k, const double*, double overlap) const {
     const auto from_none = [&](double at) {  // integral of F d(overlap) over the contact radius
@@ -65,8 +63,6 @@ struct Jkr {
     };
     return from_none(overlap) - from_none(0);
   }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   HertzMindlin plain_;

@@ -16,15 +16,31 @@ inline double spring_stiffness(const LawChoice& choice, const Touching& t) {
 /// Across the normal, so that both motions of a collision have one period (dem.12).
 constexpr double spring_across = 2.0 / 7.0;
 
+/// What laws with a linear spring have in common.
+class Spring {
+ public:
+  explicit Spring(const LawChoice& choice) : choice_(choice) {}
+
+  double stiffness(const Touching& t) const { return spring_stiffness(choice_, t); }
+  double reach(const Touching&) const { return 0; }
+  double secant(const Touching&) const { return 1 / spring_across; }
+  double largest_overlap(const Touching& t, double speed) const {
+    return speed * std::sqrt(t.mass / stiffness(t));
+  }
+
+ private:
+  LawChoice choice_;
+};
+
 /// Linear spring and dashpot along and across the normal (Cundall and Strack 1979). The contact
 /// ends when the overlap does; shortly before it the force pulls, which makes e exact.
-struct LinearSpring {
+struct LinearSpring : Spring {
   static constexpr LawName name = LawName::linear_spring;
-  explicit LinearSpring(const LawChoice& choice) : choice_(choice) {}
+  using Spring::Spring;
 
   double damping(double e) const { return -2 * damping_ratio(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double k = spring_stiffness(choice_, t), c = damping * std::sqrt(t.mass * k);
+    const double k = stiffness(t), c = damping * std::sqrt(t.mass * k);
     return {k, c, spring_across * k, spring_across * c};
   }
   void begin(const LawNumbers&, double*, double) const {}
@@ -35,20 +51,12 @@ struct LinearSpring {
     return {force, k[2], k[3], size_of(force)};
   }
 
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching&) const { return 1 / spring_across; }
   double stored(const LawNumbers& k, const double*, double overlap) const {
     return overlap > 0 ? 0.5 * k[0] * overlap * overlap : 0;
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return speed * std::sqrt(t.mass / spring_stiffness(choice_, t));
-  }
   double shortest_time(const Touching& t, double) const {
-    return std::numbers::pi * std::sqrt(t.mass / spring_stiffness(choice_, t));
+    return std::numbers::pi * std::sqrt(t.mass / stiffness(t));
   }
-
- private:
-  LawChoice choice_;
 };
 
 }  // namespace mahlwerk::contact

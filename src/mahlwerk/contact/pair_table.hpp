@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
+
+#include "mahlwerk/contact/by_pair.hpp"
 
 namespace mahlwerk::contact {
 
@@ -41,33 +41,7 @@ inline double effective_shear_modulus(const Elastic& a, const Elastic& b) {
   return 1 / (compliance(a) + compliance(b));
 }
 
-/// The pair properties of every two kinds of balls, and of each kind and face of the jar.
-class PairTable {
- public:
-  PairTable(int kinds, int faces, const Pair& all)
-      : kinds_(static_cast<std::size_t>(kinds)),
-        row_(kinds_ + static_cast<std::size_t>(faces)),
-        pairs_(kinds_ * row_, all) {}
-
-  const Pair& balls(int a, int b) const { return pairs_[index(a, b)]; }
-  const Pair& wall(int kind, int face) const { return pairs_[index(kind, face) + kinds_]; }
-  void set_balls(int a, int b, const Pair& pair) {
-    pairs_[index(a, b)] = pairs_[index(b, a)] = pair;
-  }
-  void set_wall(int kind, int face, const Pair& pair) { pairs_[index(kind, face) + kinds_] = pair; }
-
-  int kinds() const { return static_cast<int>(kinds_); }
-  int faces() const { return static_cast<int>(row_ - kinds_); }
-  bool operator==(const PairTable&) const = default;
-
- private:
-  /// A row of pairs for each kind: against every kind, then against every face.
-  std::size_t index(int kind, int other) const {
-    return static_cast<std::size_t>(kind) * row_ + static_cast<std::size_t>(other);
-  }
-
-  std::size_t kinds_, row_;
-  std::vector<Pair> pairs_;
-};
+/// The properties of every pair.
+using PairTable = ByPair<Pair>;
 
 }  // namespace mahlwerk::contact

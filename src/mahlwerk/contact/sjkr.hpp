@@ -8,7 +8,7 @@ namespace mahlwerk::contact {
 
 /// Hertz-Mindlin and a simplified cohesion in proportion to the area of contact, 2 pi overlap times
 /// 2 R* (SJKR2 of LIGGGHTS; dem.17). Friction acts under the load without the cohesion.
-struct Sjkr {
+struct Sjkr : HertzSpring {
   static constexpr LawName name = LawName::sjkr;
   explicit Sjkr(const LawChoice& choice) : plain_(choice) {}
 
@@ -18,7 +18,6 @@ struct Sjkr {
     k[4] = 4 * std::numbers::pi * t.radius * t.pair.cohesion;
     return k;
   }
-  void begin(const LawNumbers&, double*, double) const {}
 
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
@@ -27,14 +26,10 @@ struct Sjkr {
     return p;
   }
 
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {
     if (!(overlap > 0)) return 0;
     return hertz_energy(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
   }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
 
  private:
   HertzMindlin plain_;

@@ -11,14 +11,14 @@ namespace mahlwerk::contact {
 /// Walton and Braun (1986): loads along k1, unloads along the stiffer k2 = k1 / e^2 (dem.13), so
 /// that the area of the loop is what the collision loses. The contact ends when the force does, at
 /// a lasting dent that is forgotten when the bodies part.
-struct WaltonBraun {
+struct WaltonBraun : Spring {
   static constexpr LawName name = LawName::walton_braun;
-  explicit WaltonBraun(const LawChoice& choice) : choice_(choice) {}
+  using Spring::Spring;
 
   static double least(double e) { return std::max(e, 0.01); }  // k2 = 1e4 k1 is soft as can be
   double damping(double e) const { return 1 / (least(e) * least(e)); }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double k = spring_stiffness(choice_, t);
+    const double k = stiffness(t);
     return {k, k * damping, 1 - 1 / damping, spring_across * k};
   }
   void begin(const LawNumbers&, double* m, double) const { m[0] = 0; }  // [m] deepest overlap
@@ -30,22 +30,14 @@ struct WaltonBraun {
     return {force, choose(less(V{}, force), k[3], V{}), V{}, force};
   }
 
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching&) const { return 1 / spring_across; }
   double stored(const LawNumbers& k, const double* m, double overlap) const {
     const double left = overlap - k[2] * m[0];
     return left > 0 ? 0.5 * k[1] * left * left : 0;
   }
-  double largest_overlap(const Touching& t, double speed) const {
-    return speed * std::sqrt(t.mass / spring_stiffness(choice_, t));
-  }
   double shortest_time(const Touching& t, double) const {
-    const double stiffest = spring_stiffness(choice_, t) * damping(t.pair.restitution);
+    const double stiffest = stiffness(t) * damping(t.pair.restitution);
     return std::numbers::pi * std::sqrt(t.mass / stiffest);
   }
-
- private:
-  LawChoice choice_;
 };
 
 }  // namespace mahlwerk::contact
