@@ -21,6 +21,7 @@ struct Row {
 std::vector<Row> one_ball();
 std::vector<Row> fluid();
 std::vector<Row> event();
+std::vector<Row> soft();
 std::vector<Row> beside_peers();
 
 struct Benchmark {
@@ -32,6 +33,7 @@ inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
     Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
+    Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
     Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
               beside_peers},
 };

@@ -47,6 +47,7 @@ int starts_of(const Program& program) {
   const char* wish = std::getenv("MAHLWERK_PEERS_PHYSICS");
   const bool full = wish != nullptr && std::string_view(wish) == "full";
   if (program.name == "LAMMPS") return replicates;
+  if (program.numbers != "once") return 0;  // the same physics as the other deck's
   if (full) return program.name == "LIGGGHTS" ? 2 : 1;
   say(fmt::format("{}, physics left out; MAHLWERK_PEERS_PHYSICS=full asks for it", program.name));
   return 0;

@@ -32,8 +32,10 @@ Child child_for(const Program& program, const fs::path& folder, int steps, int e
   if (command == "yade")
     child.words = {command, "-j1", "-n", "-x", deck};
   else
-    child.words = {command, "-in",   deck,  "-log", "log.txt", "-screen", "screen.txt",
-                   "-var",  "steps", count, "-var", "every",   often};
+    child.words = {command,   "-in",     deck,         "-log",
+                   "log.txt", "-screen", "screen.txt", "-var",
+                   "steps",   count,     "-var",       "every",
+                   often,     "-var",    "numbers",    std::string(program.numbers)};
   return child;
 }
 

@@ -13,13 +13,15 @@ namespace mahlwerk::bench {
 
 struct Program {
   std::string_view name, command;
-  std::string_view package;  ///< Debian's
-  std::string_view deck;     ///< in bench/peers/
-  int steps;                 ///< that take a few seconds
+  std::string_view package;           ///< Debian's
+  std::string_view deck;              ///< in bench/peers/
+  int steps;                          ///< that take a few seconds
+  std::string_view numbers = "once";  ///< of LAMMPS's deck
 };
 
 inline constexpr std::array programs{
     Program{"LAMMPS", "lmp", "lammps", "planetary.lmp", 300000},
+    Program{"LAMMPS as commonly written", "lmp", "lammps", "planetary.lmp", 300000, "looked_up"},
     Program{"LIGGGHTS", "liggghts", "liggghts", "planetary.lig", 50000},
     Program{"YADE", "yade", "yade", "planetary_yade.py", 30000},
 };

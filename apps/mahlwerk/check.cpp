@@ -63,11 +63,11 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
     c.follows.push_back(
-        {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (soft.30)"});
+        {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (dem.28)"});
     c.follows.push_back(
-        {"contact_time", s.steps.contact, "s", "of the shortest collision (soft.31)"});
+        {"contact_time", s.steps.contact, "s", "of the shortest collision (dem.29)"});
     c.follows.push_back(
-        {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (soft.8)"});
+        {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
     for (std::string& note : campaign::soft_notes(decided)) c.notes.push_back(std::move(note));
   }
   const double seconds =

@@ -66,9 +66,9 @@ class SweepReader {
 /// may look at all.
 bool matters(std::string_view dotted, std::string_view engine) {
   static const std::vector<std::string_view> of_soft{
-      "law",           "rolling",   "rolling_damping", "stiffness_speed",
-      "damping",       "softening", "curved_walls",    "time_step_fraction",
-      "damping_depth", "hop",       "youngs_modulus",  "poisson_ratio"};
+      "law",       "rolling",        "rolling_damping",    "stiffness_speed",    "damping",
+      "softening", "curved_walls",   "rescaled_unloading", "time_step_fraction", "damping_depth",
+      "hop",       "youngs_modulus", "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
   if (engine != "event" && engine != "soft") return true;

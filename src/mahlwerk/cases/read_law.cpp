@@ -88,6 +88,8 @@ std::optional<LawChoice> read_law_choice(Section& in) {
   const bool damped = meant(in, "damping", choice), deep = meant(in, depth.key, choice);
   if (damped && deep) read_damping(in, made, depth);
   made.curved_walls = in.flag("curved_walls", false, "walls count as flat under a ball");
+  made.rescaled_unloading =
+      in.flag("rescaled_unloading", false, "the tangential spring stays as it is while unloading");
   return choice ? std::optional(made) : std::nullopt;
 }
 

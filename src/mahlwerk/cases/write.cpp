@@ -131,6 +131,7 @@ void write_law(Writer& out, const contact::LawChoice& law) {
     if (has_meaning(f.key, law) && value > 0 && !other) out.number(f.key, value, f.unit);
   }
   out.line("curved_walls", law.curved_walls ? "true" : "false");
+  out.line("rescaled_unloading", law.rescaled_unloading ? "true" : "false");
 }
 
 void write_contact(Writer& out, const Contact& contact) {

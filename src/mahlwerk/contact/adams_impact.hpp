@@ -9,7 +9,7 @@
 
 namespace mahlwerk::contact {
 
-/// The impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (soft.16, soft.17): Hertz's
+/// The impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (dem.14, dem.15): Hertz's
 /// spring and a damper that grows over the depth d to c_m; never pulls. c_m depends on the speed at
 /// touch. It is solved for the wanted e, or the paper's estimate, which misses it (physics of paper
 /// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
@@ -18,7 +18,7 @@ struct AdamsImpact {
   static constexpr double usual_depth = 0.01;  // of the largest overlap
   explicit AdamsImpact(const LawChoice& choice) : choice_(choice) {}
 
-  /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (soft.17).
+  /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (dem.15).
   double damping(double e) const {
     if (choice_.published_damping) return -2 * damping_ratio(e);
     return stepped_damping(e, usual_depth * scale) / root_of_scale;

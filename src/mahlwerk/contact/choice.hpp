@@ -30,12 +30,13 @@ constexpr std::array<std::string_view, 4> rolling_words{"none", "cdt", "viscous"
 struct LawChoice {
   LawName law = LawName::hertz_mindlin;
   Rolling rolling = Rolling::cdt;
-  double rolling_damping = 0.2;     ///< [1] eta_r of epsd, share of critical damping
-  bool curved_walls = false;        ///< R* of a ball at a wall takes the wall's curvature in
-  bool rescaled_unloading = false;  ///< the tangential spring gives way as a contact unloads
-  double stiffness_speed = 1;       ///< [m/s] linear-spring, walton-braun: where k equals Hertz's
-  double stiffness = 0;             ///< [N/m] k itself, of those two; 0: from stiffness_speed
-  bool published_damping = false;  ///< adams-impact: the paper's damping (soft.17) instead of exact
+  double rolling_damping = 0.2;  ///< [1] eta_r of epsd, share of critical damping
+  bool curved_walls = false;     ///< R* of a ball at a wall takes the wall's curvature in
+  bool rescaled_unloading =
+      false;                   ///< the tangential spring gives way as a contact unloads (dem.21)
+  double stiffness_speed = 1;  ///< [m/s] linear-spring, walton-braun: where k equals Hertz's
+  double stiffness = 0;        ///< [N/m] k itself, of those two; 0: from stiffness_speed
+  bool published_damping = false;  ///< adams-impact: the paper's damping (dem.15) instead of exact
   double damping_depth = 0;        ///< [m] adams-impact: d; 0: a hundredth of the largest overlap
   bool operator==(const LawChoice&) const = default;
 };

@@ -6,7 +6,7 @@ namespace mahlwerk::contact {
 
 /// Dimensionless collisions of a Hertz spring x'' = -x^1.5 - damper with x(0) = 0, x'(0) = 1, from
 /// which laws find the damping that ends with a wanted restitution. Solved numerically, once for
-/// each pair; docs/theory/soft.md (soft.12).
+/// each pair; docs/theory/soft.md (dem.10).
 
 /// Damper c x^(1/4) x'; the contact ends when the force does.
 double tensionless_damping(double restitution);

@@ -7,11 +7,11 @@
 // Elastic spheres by Hertz (1881): what the laws built on them share.
 namespace mahlwerk::contact {
 
-/// F = this times overlap^1.5 [N/m^1.5] (soft.5).
+/// F = this times overlap^1.5 [N/m^1.5] (dem.5).
 inline double hertz_stiffness(const Touching& t) {
   return 4.0 / 3.0 * t.pair.modulus * std::sqrt(t.radius);
 }
-/// Mindlin's stiffness across the normal is this times sqrt(overlap) [N/m^1.5] (soft.6).
+/// Mindlin's stiffness across the normal is this times sqrt(overlap) [N/m^1.5] (dem.6).
 inline double mindlin_stiffness(const Touching& t) {
   return 8 * t.pair.shear_modulus * std::sqrt(t.radius);
 }
@@ -19,11 +19,11 @@ inline double mindlin_stiffness(const Touching& t) {
 inline double mindlin_secant(const Touching& t) {
   return t.pair.modulus / (6 * t.pair.shear_modulus);
 }
-/// Of an elastic collision at `speed` [m/s] (soft.8).
+/// Of an elastic collision at `speed` [m/s] (dem.8).
 inline double hertz_overlap(const Touching& t, double speed) {
   return std::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
-/// How long it lasts [s] (soft.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 overlaps a speed.
+/// How long it lasts [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 overlaps a speed.
 inline double hertz_time(const Touching& t, double speed) {
   const double ratio = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
   return ratio * hertz_overlap(t, speed) / speed;

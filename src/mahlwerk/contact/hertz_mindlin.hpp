@@ -7,7 +7,7 @@
 namespace mahlwerk::contact {
 
 /// Hertz and Mindlin without slip, damped so that restitution does not depend on speed: paper B
-/// eqs. 3 to 10 as corrected (soft.5 to soft.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
+/// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
 /// the overlap does; shortly before it the force pulls, which makes e exact.
 struct HertzMindlin {
   static constexpr LawName name = LawName::hertz_mindlin;

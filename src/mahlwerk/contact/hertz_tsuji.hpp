@@ -8,7 +8,7 @@
 namespace mahlwerk::contact {
 
 /// Hertz's spring with the damper of Tsuji, Tanaka and Ishida (1992), the same along and across the
-/// normal (soft.12). The bodies never pull: the contact ends when the force does, and the damping
+/// normal (dem.10). The bodies never pull: the contact ends when the force does, and the damping
 /// is solved for that end, so that e is exact.
 struct HertzTsuji {
   static constexpr LawName name = LawName::hertz_tsuji;

@@ -6,7 +6,7 @@
 
 namespace mahlwerk::contact {
 
-/// Johnson, Kendall and Roberts (1971): elastic spheres whose surfaces stick (soft.18), with the
+/// Johnson, Kendall and Roberts (1971): elastic spheres whose surfaces stick (dem.16), with the
 /// dampers of Hertz-Mindlin. A contact begins at touch and ends at the pull-off overlap, beyond it;
 /// friction acts under the load plus twice the pull-off force.
 struct Jkr {

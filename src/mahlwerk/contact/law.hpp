@@ -13,10 +13,10 @@
 
 // A contact law says what force two bodies that touch exert on each other along their normal, and
 // how stiff and how damped the contact is across it. Written for a number type V: one contact, or
-// eight side by side. Overlap and its rate are > 0 in contact and while approaching (soft.1).
+// eight side by side. Overlap and its rate are > 0 in contact and while approaching (dem.1).
 namespace mahlwerk::contact {
 
-/// Two bodies that may touch: their pair's properties, R* [m] and m* [kg] (soft.4).
+/// Two bodies that may touch: their pair's properties, R* [m] and m* [kg] (dem.4).
 struct Touching {
   Pair pair;
   double radius = 0, mass = 0;
@@ -56,7 +56,7 @@ concept Law = requires(const L law, const Touching& t, const LawNumbers& k, doub
   { law.shortest_time(t, x) } -> std::same_as<double>;
 };
 
-/// ln e / sqrt(ln^2 e + pi^2), from 0 at e = 1 to -1 at e = 0 (soft.7).
+/// ln e / sqrt(ln^2 e + pi^2), from 0 at e = 1 to -1 at e = 0 (dem.7).
 inline double damping_ratio(double e) {
   if (e <= 0) return -1;
   const double ln = std::log(e);

@@ -7,13 +7,13 @@
 namespace mahlwerk::contact {
 
 /// A linear spring as stiff as the law was told, or one that stores as much energy as Hertz's at
-/// the same overlap when bodies meet at a characteristic speed (soft.13) [N/m].
+/// the same overlap when bodies meet at a characteristic speed (dem.11) [N/m].
 inline double spring_stiffness(const LawChoice& choice, const Touching& t) {
   if (choice.stiffness > 0) return choice.stiffness;
   const double d = hertz_overlap(t, choice.stiffness_speed);
   return 0.8 * hertz_stiffness(t) * std::sqrt(d);  // k d^2 / 2 = (2/5) k_Hertz d^2.5
 }
-/// Across the normal, so that both motions of a collision have one period (soft.14).
+/// Across the normal, so that both motions of a collision have one period (dem.12).
 constexpr double spring_across = 2.0 / 7.0;
 
 /// Linear spring and dashpot along and across the normal (Cundall and Strack 1979). The contact

@@ -17,8 +17,8 @@ struct Elastic {
 
 /// What a contact law needs to know of two bodies that may touch, but for their radii and masses.
 struct Pair {
-  double modulus = 0;           ///< [Pa] E* (soft.2)
-  double shear_modulus = 0;     ///< [Pa] G* (soft.3)
+  double modulus = 0;           ///< [Pa] E* (dem.2)
+  double shear_modulus = 0;     ///< [Pa] G* (dem.3)
   double restitution = 1;       ///< [1] e in [0, 1]
   double friction = INFINITY;   ///< [1] mu >= 0; infinite: sticks at any load
   double rolling_friction = 0;  ///< [1] mu_r >= 0; [s/m] for the viscous rule
@@ -27,7 +27,7 @@ struct Pair {
   bool operator==(const Pair&) const = default;
 };
 
-/// E* and G* of two bodies, both 1 / (sum of compliances) (soft.2, soft.3).
+/// E* and G* of two bodies, both 1 / (sum of compliances) (dem.2, dem.3).
 inline double effective_modulus(const Elastic& a, const Elastic& b) {
   const auto compliance = [](const Elastic& x) {
     return (1 - x.poisson_ratio * x.poisson_ratio) / x.youngs_modulus;

@@ -7,7 +7,7 @@
 namespace mahlwerk::contact {
 
 /// Hertz-Mindlin and a simplified cohesion in proportion to the area of contact, 2 pi overlap times
-/// 2 R* (SJKR2 of LIGGGHTS; soft.19). Friction acts under the load without the cohesion.
+/// 2 R* (SJKR2 of LIGGGHTS; dem.17). Friction acts under the load without the cohesion.
 struct Sjkr {
   static constexpr LawName name = LawName::sjkr;
   explicit Sjkr(const LawChoice& choice) : plain_(choice) {}

@@ -8,7 +8,7 @@
 
 namespace mahlwerk::contact {
 
-/// Walton and Braun (1986): loads along k1, unloads along the stiffer k2 = k1 / e^2 (soft.15), so
+/// Walton and Braun (1986): loads along k1, unloads along the stiffer k2 = k1 / e^2 (dem.13), so
 /// that the area of the loop is what the collision loses. The contact ends when the force does, at
 /// a lasting dent that is forgotten when the bodies part.
 struct WaltonBraun {

@@ -30,7 +30,7 @@ struct Account {
   std::int64_t time_steps = 0;        ///< computed by the soft engine
 
   double lost() const { return lost_normal + lost_tangential + lost_lasting + lost_rolling; }
-  /// Energy that appeared from nowhere.
+  /// Energy that appeared from nowhere (dem.32).
   double residual() const {
     return kinetic + potential + elastic - started_with - wall_work + lost();
   }

@@ -64,7 +64,7 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   for (int i = 0; i < contact::law_memories; ++i) p.memory[i][lane] = memory[i];
 }
 
-/// The ball at a curved wall: R* from both principal curvatures (soft.4).
+/// The ball at a curved wall: R* from both principal curvatures (dem.4).
 void SoftBalls::bend(Packet& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   const auto ball = static_cast<std::size_t>(p.i[lane]);

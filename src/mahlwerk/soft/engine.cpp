@@ -47,11 +47,11 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawCh
       look(breeds.wall(a, face), breeds.species(a).radius);
   }
   for (const scene::Ball& ball : balls) {
-    // Of the softest it meets: G* and E* give the wave speed of the pair (soft.30).
+    // Of the softest it meets: G* and E* give the wave speed of the pair (dem.28).
     for (int k = 0; k < pairs.kinds(); ++k) {
       const contact::Pair& pair = pairs.balls(ball.kind, k);
-      const double nu =
-          std::clamp(2 - 2 / (0.5 + pair.modulus / (4 * pair.shear_modulus)), 0.0, 0.5);
+      const double q = pair.modulus / (2 * pair.shear_modulus);  // (2 - nu)/(1 - nu)
+      const double nu = std::clamp((q - 2) / (q - 1), -0.99, 0.5);
       const double shear = 2 * (2 - nu) * pair.shear_modulus;
       found.rayleigh =
           std::min(found.rayleigh, std::numbers::pi * ball.radius *

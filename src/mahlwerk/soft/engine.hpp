@@ -21,7 +21,7 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const contact::PairTable& pairs, double start = 0);
 
 /// What a time step may be, for balls that meet at up to `speed` [m/s], the least over all pairs
-/// (soft.30 to soft.33). All in s.
+/// (dem.28 to dem.31). All in s.
 struct TimeSteps {
   double rayleigh = 0;  ///< time a surface wave takes round the smallest or softest ball
   double contact = 0;   ///< shortest collision

@@ -5,7 +5,7 @@
 
 #include "mahlwerk/soft/soft_balls.hpp"
 
-// Time in which nothing touches and nothing can is passed in one leap (soft.29).
+// Time in which nothing touches and nothing can is passed in one leap (dem.27).
 namespace mahlwerk::soft {
 
 /// Begins a hop if one is due and worth it.
@@ -28,8 +28,7 @@ std::int64_t SoftBalls::free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;
   const double now = clock(swarm_.step);
-  const Vec3& period = jar_->periods();
-  if (std::isfinite(period.x) || std::isfinite(period.y) || std::isfinite(period.z)) return 0;
+  if (folds_) return 0;
   for (std::size_t i = 0; i < swarm_.balls; ++i) {
     const Vec3 x = swarm_.place.one(i), v = swarm_.velocity.one(i);
     time = std::min(time, jar_->clear({x, v}, now, made_of_[i].radius));

@@ -36,7 +36,7 @@ struct alignas(64) Meeting {
   Vec<Lanes> n;            ///< from i to j
   Lanes overlap;           ///< [m]
   Lanes lever_i, lever_j;  ///< [m] from the centres to the contact
-  Vec<Lanes> u;            ///< [m/s] relative velocity there (soft.1)
+  Vec<Lanes> u;            ///< [m/s] relative velocity there (dem.1)
   Lanes rate;              ///< [m/s] u.n, of the overlap
   Vec<Lanes> slip;         ///< [m/s] u across n
 };
@@ -59,7 +59,7 @@ struct alignas(64) Meeting {
   return m;
 }
 
-/// A vector across the old normal turned with it to the new one, its length kept (soft.21): the
+/// A vector across the old normal turned with it to the new one, its length kept (dem.19): the
 /// exact rotation in the plane of both, with 1/(1 + cos) by its series about no turn at all.
 [[gnu::always_inline]] inline Vec<Lanes> carried(const Vec<Lanes>& a, const Vec<Lanes>& from,
                                                  const Vec<Lanes>& to) {
@@ -68,8 +68,8 @@ struct alignas(64) Meeting {
   return a - factor * (from + to);
 }
 
-/// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (soft.20 to
-/// soft.23). Returns the force on i.
+/// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
+/// dem.21). Returns the force on i.
 [[gnu::always_inline]] inline Vec<Lanes> rub(Packet& p, const Frame& frame, const Meeting& m,
                                              const contact::Push<Lanes>& push, LaneMask touching) {
   if (frame.rescaled) {
@@ -81,10 +81,9 @@ struct alignas(64) Meeting {
   const Lanes most = p.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    const Lanes factor = choose(slides, most / root(squared), Lanes{} + 1.0);
-    force = factor * force;
-    const Lanes soft = choose(less(Lanes{}, push.stiffness), 1.0 / push.stiffness, Lanes{});
-    const Vec<Lanes> left = -(soft * (force + push.damping * m.slip));
+    const Lanes size = root(squared), both = 1.0 / (size * push.stiffness);
+    force = choose(slides, most * push.stiffness * both, Lanes{} + 1.0) * force;
+    const Vec<Lanes> left = -((size * both) * (force + push.damping * m.slip));
     const Lanes slid = dot(force, left - spring);
     p.deeds.sliding += choose(slides, slid, Lanes{});
     spring = choose<Lanes>(slides, left, spring);
@@ -94,7 +93,7 @@ struct alignas(64) Meeting {
   return choose<Lanes>(touching, force, Vec<Lanes>{});
 }
 
-/// Rolling resistance: the torque on i, its opposite on j (soft.24 to soft.27).
+/// Rolling resistance: the torque on i, its opposite on j (dem.22 to dem.25).
 [[gnu::always_inline]] inline Vec<Lanes> resist(Packet& p, const Frame& frame, const Meeting& m,
                                                 const Bodies& b, const contact::Push<Lanes>& push,
                                                 LaneMask touching) {

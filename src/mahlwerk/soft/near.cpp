@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "mahlwerk/soft/soft_balls.hpp"
@@ -12,9 +11,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-double fold(double x, double period) {
-  return std::remainder(x, period);
-}
+constexpr std::size_t few = 8;  // balls whose pairs are all looked at
 
 /// Calls `f` with every column of a packet.
 template <class F>
@@ -41,20 +38,28 @@ void clear_lane(Packet& p, int lane) {
   });
 }
 
+/// Calls `f` with the same column of both.
+template <class F>
+void each_column_of_both(Packet& a, Packet& b, const F& f) {
+  const auto* here = reinterpret_cast<const char*>(&a);
+  auto* there = reinterpret_cast<char*>(&b);
+  each_column(a, [&](auto& column) {
+    using Column = std::remove_reference_t<decltype(column)>;
+    f(column, *reinterpret_cast<Column*>(there + (reinterpret_cast<const char*>(&column) - here)));
+  });
+}
+
+void swap_lanes(Packet& a, int lane, Packet& b, int place) {
+  each_column_of_both(a, b, [&](auto& one, auto& other) {
+    const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(place);
+    const auto kept = one[i];
+    one[i] = other[j];
+    other[j] = kept;
+  });
+}
+
 void move_lane(Packet& from, int lane, Packet& to, int place) {
-  std::vector<char> bytes;
-  each_column(from, [&](auto& column) {
-    const auto value = column[static_cast<std::size_t>(lane)];
-    const char* raw = reinterpret_cast<const char*>(&value);
-    bytes.insert(bytes.end(), raw, raw + sizeof value);
-  });
-  const char* next = bytes.data();
-  each_column(to, [&](auto& column) {
-    auto value = column[static_cast<std::size_t>(place)];
-    std::memcpy(static_cast<void*>(&value), next, sizeof value);
-    next += sizeof value;
-    column[static_cast<std::size_t>(place)] = value;
-  });
+  swap_lanes(from, lane, to, place);
   clear_lane(from, lane);
 }
 
@@ -63,49 +68,67 @@ void move_lane(Packet& from, int lane, Packet& to, int place) {
 void SoftBalls::look() {
   for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
   looked_step_ = swarm_.step;
-  find_candidates();
-  if (wanted_ == seated_) return;
-  seated_ = wanted_;
-  fill_lanes(wanted_);
-  find_feet();
-  find_owners();
-}
-
-void SoftBalls::find_candidates() {
   wanted_.clear();
-  near_balls(wanted_);
-  near_walls(wanted_);
-  std::ranges::sort(wanted_);
+  if (swarm_.balls <= few) {
+    for (std::size_t b = 0; b < swarm_.balls; ++b) {
+      near_walls(b);
+      for (std::size_t other = b + 1; other < swarm_.balls; ++other) near_ball(b, other);
+    }
+  } else {
+    near_balls();
+    for (std::size_t b = 0; b < swarm_.balls; ++b) near_walls(b);
+    std::ranges::sort(wanted_);
+  }
+  const bool same = wanted_ == seated_;
+  if (!same) {
+    seated_ = wanted_;
+    fill_lanes(wanted_);
+  }
+  if (touching_first() || !same) {
+    find_feet();
+    find_owners();
+  }
+  if (jar_->sweep() > 0) return;  // the wall comes by itself
+  for (Near& n : swarm_.near)
+    n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - reach_;
 }
 
 /// Finds a ball that has gone wrong, too.
-void SoftBalls::near_walls(std::vector<Candidate>& found) const {
-  const double t = clock(swarm_.step);
-  for (std::size_t b = 0; b < swarm_.balls; ++b) {
-    const Vec3 x = swarm_.place.one(b);
-    if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
-      stop(b, "its place or speed is no number");
-    for (int face = 0; face < jar_->faces(); ++face) {
-      const double radius = made_of_[b].radius;
-      if (!jar_->meets(face, radius)) continue;
-      const double distance = jar_->gap(face, x, t).distance;
-      if (!(distance > 0)) stop(b, "it is outside the jar");
-      const double reach = breeds_[breeds_.wall(breeds_.species_of(b), face)].reach;
-      if (distance - radius < skin_ + reach)
-        found.push_back({static_cast<std::int32_t>(b), -1, face});
-    }
+void SoftBalls::near_walls(std::size_t b) {
+  const Vec3 x = swarm_.place.one(b);
+  if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
+    stop(b, "its place or speed is no number");
+  const auto faces = static_cast<std::size_t>(jar_->faces());
+  const std::span<double> gaps(gaps_.data() + b * faces, faces);
+  jar_->distances(x, clock(swarm_.step), gaps);
+  const double radius = made_of_[b].radius;
+  for (int face = 0; face < jar_->faces(); ++face) {
+    const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
+    if (gap > skin_ + reach_ || !jar_->meets(face, radius)) continue;
+    if (!(gap > -radius)) stop(b, "it is outside the jar");
+    wanted_.push_back({static_cast<std::int32_t>(b), -1, face});
   }
+}
+
+/// i < j.
+void SoftBalls::near_ball(std::size_t i, std::size_t j) {
+  Vec3 apart = swarm_.place.one(j) - swarm_.place.one(i);
+  if (folds_) {
+    const Vec3& period = jar_->periods();
+    apart = {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
+             std::remainder(apart.z, period.z)};
+  }
+  const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach_;
+  if (squared(apart) < far * far)
+    wanted_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
 }
 
 /// All pairs along a line: sorted by x, only those whose shadows on x are near are looked at. Where
 /// the box repeats along x, every pair is.
-void SoftBalls::near_balls(std::vector<Candidate>& found) const {
-  const Vec3& period = jar_->periods();
-  const bool repeats = std::isfinite(period.x),
-             folds = repeats || std::isfinite(period.y) || std::isfinite(period.z);
-  double largest = 0, reach = 0;
+void SoftBalls::near_balls() {
+  const bool repeats = std::isfinite(jar_->periods().x);
+  double largest = 0;
   for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);
-  for (const Breed& b : breeds_.all()) reach = std::max(reach, b.reach);
   std::vector<std::int32_t> order(swarm_.balls);
   std::iota(order.begin(), order.end(), 0);
   const double* x = numbers(swarm_.place.x);
@@ -113,16 +136,32 @@ void SoftBalls::near_balls(std::vector<Candidate>& found) const {
       order, [&](std::int32_t a, std::int32_t b) { return x[a] != x[b] ? x[a] < x[b] : a < b; });
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a + 1; b < order.size(); ++b) {
-      const auto i = static_cast<std::size_t>(std::min(order[a], order[b]));
-      const auto j = static_cast<std::size_t>(std::max(order[a], order[b]));
-      if (!repeats && x[order[b]] - x[order[a]] > 2 * largest + skin_ + reach) break;
-      Vec3 apart = swarm_.place.one(j) - swarm_.place.one(i);
-      if (folds)
-        apart = {fold(apart.x, period.x), fold(apart.y, period.y), fold(apart.z, period.z)};
-      const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach;
-      if (squared(apart) < far * far)
-        found.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
+      if (!repeats && x[order[b]] - x[order[a]] > 2 * largest + skin_ + reach_) break;
+      near_ball(static_cast<std::size_t>(std::min(order[a], order[b])),
+                static_cast<std::size_t>(std::max(order[a], order[b])));
     }
+}
+
+/// Pairs that touch sit in the first packets, so that the others are passed over.
+bool SoftBalls::touching_first() {
+  std::vector<Packet>& packets = swarm_.packets;
+  bool moved = false;
+  std::size_t from = packets.size(), to = 0;
+  int lane = 0, place = 0;
+  const auto next_waiting = [&] {  // a lane that does not touch, from the front
+    for (; to < packets.size(); ++to, place = 0)
+      for (; place < lanes; ++place)
+        if (packets[to].touching[place] == 0) return;
+  };
+  while (from-- > to + 1)
+    for (lane = 0; lane < lanes; ++lane) {
+      if (packets[from].touching[lane] == 0) continue;
+      next_waiting();
+      if (to >= from) return moved;
+      swap_lanes(packets[from], lane, packets[to], place);
+      moved = true;
+    }
+  return moved;
 }
 
 /// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free

@@ -32,7 +32,11 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
       steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
       start_(start),
       hops_(rules.hop && balls.size() <= hopping),
+      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
+             std::isfinite(jar_->periods().z)),
+      gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
+  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
   Swarm& w = swarm_;
   w.balls = balls.size();
   w.blocks = (balls.size() + lanes - 1) / lanes;
@@ -40,6 +44,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
   for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(w.blocks + 1);
   w.half_kick.resize(w.blocks);
   w.half_turn.resize(w.blocks);
+  w.moved.resize(w.blocks);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     w.place.put_one(b, balls[b].position);
@@ -49,7 +54,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
     w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
   }
-  skin_ = 0.05 * smallest;
+  skin_ = 0.03 * smallest;
   look();
   account_.started_with = 0;
   const scene::Account now = reckoned();
@@ -97,8 +102,6 @@ void SoftBalls::stretch(std::int64_t until) {
   if (waits) end = std::min(end, try_hop_);
   beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->beats(start_, rules_.time_step, w.step, beats_);
-  const bool periodic = std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
-                        std::isfinite(jar_->periods().z);
   Stretch s{.swarm = w,
             .jar = *jar_,
             .seldom = *this,
@@ -107,7 +110,7 @@ void SoftBalls::stretch(std::int64_t until) {
                       .rolling = rules_.law.rolling,
                       .rolling_damping = rules_.law.rolling_damping,
                       .rescaled = rules_.law.rescaled_unloading,
-                      .periodic = periodic,
+                      .periodic = folds_,
                       .periods = periods_of(jar_->periods())},
             .beats = beats_,
             .start = start_,
@@ -183,8 +186,10 @@ void SoftBalls::check_energy() {
   const double jump = std::abs(a.residual() - last_residual_);
   last_residual_ = a.residual();
   const Species& first = breeds_.species(0);
-  const double scale = a.kinetic + a.elastic + first.mass * norm(jar_->gravity()) * first.radius;
-  if (jump <= 0.1 * scale) return;
+  // A charge may come to rest; what it once had is the measure.
+  most_energy_ = std::max(most_energy_, a.kinetic + a.elastic);
+  const double least = first.mass * norm(jar_->gravity()) * first.radius;
+  if (jump <= 0.1 * (most_energy_ + least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < swarm_.balls; ++b)
     if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
@@ -219,7 +224,7 @@ void SoftBalls::carry(Archive& archive) {
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
-  archive(account_)(in_touch_)(in_touch_since_)(last_residual_);
+  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(most_energy_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }

@@ -39,9 +39,10 @@ class SoftBalls final : public scene::Engine, private Seldom {
     friend auto operator<=>(const Candidate&, const Candidate&) = default;
   };
   void look() override;
-  void find_candidates();
-  void near_walls(std::vector<Candidate>& found) const;
-  void near_balls(std::vector<Candidate>& found) const;
+  void near_walls(std::size_t ball);
+  void near_ball(std::size_t i, std::size_t j);
+  void near_balls();
+  bool touching_first();
   void fill_lanes(const std::vector<Candidate>& wanted);
   void give_lane(Packet& p, int lane, const Candidate& c);
   void find_feet();
@@ -72,7 +73,9 @@ class SoftBalls final : public scene::Engine, private Seldom {
   Breeds breeds_;
   Steps steps_;
   double start_, skin_;
-  bool hops_;
+  double reach_ = 0;   // [m] farthest that a contact holds beyond touch
+  bool hops_, folds_;  // over free flight; places repeat
+  std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at
 
   Swarm swarm_;
   std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane
@@ -87,7 +90,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   std::vector<std::int32_t> contacts_of_;  // each ball
   std::int64_t in_touch_ = 0;              // balls that touch something
   std::int64_t in_touch_since_ = 0;
-  double last_residual_ = 0;
+  double last_residual_ = 0, most_energy_ = 0;  // [J] at the last look at the energy; ever
   std::vector<scene::Collision> ended_;
   std::vector<Beat> beats_;
 };

@@ -30,7 +30,7 @@ template <bool wide>
   return {pick<wide>(c.x, at, few), pick<wide>(c.y, at, few), pick<wide>(c.z, at, few)};
 }
 
-/// Half a kick, a drift, and the speeds the contacts of this step will see (soft.28). Returns
+/// Half a kick, a drift, and the speeds the contacts of this step will see (dem.26). Returns
 /// where a ball has moved farther than it may.
 [[gnu::always_inline]] inline bool drift(Stretch& s, const Beat& before, const Beat& after) {
   Swarm& w = s.swarm;
@@ -52,7 +52,9 @@ template <bool wide>
     w.spin.put(b, spin);
     w.seen_spin.put(b, spin + turn);
     const Vec<Lanes> way = x - w.looked.at(b);
-    far |= ~less(dot(way, way), none + limit);
+    const Lanes moved = dot(way, way);
+    w.moved[b].is = moved;
+    far |= ~less(moved, none + limit);
   }
   return any(far);
 }
@@ -152,7 +154,7 @@ template <class Law, bool wide>
       const std::size_t f = w.blocks * lanes;
       s.jar.feet(
           w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat.spin,
-          {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z), numbers(w.place.x) + f,
+          {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z), far ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
            numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
            numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
            numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});

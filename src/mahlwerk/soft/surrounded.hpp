@@ -36,12 +36,19 @@ class Surrounded final : public Surroundings {
     found.inward = q * found.inward;
     return found;
   }
+  void distances(const Vec3& position, double t, std::span<double> out) const override {
+    const Vec3 p = jar_.plain() ? position : jar_.axes(t).back(position);
+    for (int face = 0; face < S::faces; ++face)
+      out[static_cast<std::size_t>(face)] = jar_.shape().gap(face, p).distance;
+  }
   void feet(std::span<const Near> near, double t, const Vec3& spin,
             const Places& p) const override {
     const bool plain = jar_.plain();
     const Rotation q = plain ? Rotation{} : jar_.axes(t);
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball);
+      const double slack = near[k].slack;
+      if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
       const Vec3 place{p.x[b], p.y[b], p.z[b]};
       geometry::Gap gap = jar_.shape().gap(near[k].face, plain ? place : q.back(place));
       if (!plain) gap.inward = q * gap.inward;

@@ -17,15 +17,18 @@ struct Beat {
   Vec3 spin;   ///< [rad/s] of the jar
 };
 
-/// A ball that is near a face, and what it finds there.
+/// A ball that is near a face. Its foot may stay where it is while the ball has not moved by
+/// `slack` since nearness was looked at: from a point of the wall it is even farther.
 struct Near {
   std::int32_t ball = 0, face = 0;
+  double slack = 0;  ///< [m]
 };
 
 /// The balls' places and the walls' feet, component by component. A foot is the point of a face
 /// under a ball's centre; it moves as the wall there does.
 struct Places {
   const double *x, *y, *z;  // [m] of the balls
+  const double* moved;      // [m2] squared, since nearness was looked at; null: just now
   double *fx, *fy, *fz;     // [m] of the feet
   double *fu, *fv, *fw;     // [m/s]
   double *sx, *sy, *sz;     // [rad/s] spin of the wall
@@ -41,6 +44,8 @@ class Surroundings {
   virtual kinematics::Ride ride(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
   virtual geometry::Gap gap(int face, const Vec3& position, double t) const = 0;
+  /// How far `position` is from every face [m].
+  virtual void distances(const Vec3& position, double t, std::span<double> out) const = 0;
   /// Where the balls meet the faces they are near to.
   virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
                     const Places& places) const = 0;

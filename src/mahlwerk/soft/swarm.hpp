@@ -58,6 +58,7 @@ struct Swarm {
   std::vector<Owners> owners;  ///< of each packet, where `few`
   std::vector<Near> near;      ///< foot k belongs to near[k]
   Columns looked;              ///< places when nearness was last looked at
+  std::vector<Eight> moved;    ///< [m2] the square of how far balls have moved since
   bool few = false;            ///< all bodies fit into two registers
 };
 

@@ -79,6 +79,7 @@ TEST(ReadCase, every_value_has_its_origin) {
                           "contact.law",
                           "contact.rolling",
                           "contact.curved_walls",
+                          "contact.rescaled_unloading",
                           "contact.softening",
                           "contact.restitution_law",
                           "contact.bounce",

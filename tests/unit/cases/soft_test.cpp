@@ -121,6 +121,7 @@ TEST(ReadLaw, every_word_and_its_numbers) {
   EXPECT_TRUE(adams.law_choice.published_damping);
   EXPECT_EQ(adams.law_choice.damping_depth, 1e-6);
   EXPECT_TRUE(contact_of("curved_walls = true").law_choice.curved_walls);
+  EXPECT_TRUE(contact_of("rescaled_unloading = true").law_choice.rescaled_unloading);
 }
 
 TEST(ReadLaw, rolling_resistance) {

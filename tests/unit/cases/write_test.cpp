@@ -182,6 +182,7 @@ class AnyCase {
     law.law = static_cast<contact::LawName>(whole(8) - 1);
     law.rolling = static_cast<contact::Rolling>(whole(5) - 1);
     law.curved_walls = flip();
+    law.rescaled_unloading = flip();
     if (has_meaning("rolling_damping", law)) law.rolling_damping = random_.uniform();
     if (has_meaning("stiffness", law)) (flip() ? law.stiffness : law.stiffness_speed) = size();
     if (has_meaning("damping", law)) {
