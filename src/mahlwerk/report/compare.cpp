@@ -97,6 +97,21 @@ class Spectra {
   int first_ = LogHistogram::bins, last_ = 0;
 };
 
+/// A bounce's rebound along the wall is a number to the event engine alone.
+std::string caution(const cases::Contact& contact) {
+  std::vector<contact::BounceRule> rules{contact.rule};
+  for (const cases::PairRule& pair : contact.pairs) rules.push_back(pair.rule);
+  const auto said = std::find_if(rules.begin(), rules.end(), [](const contact::BounceRule& rule) {
+    return rule.tangential_restitution != 0;
+  });
+  if (said == rules.end()) return "";
+  return fmt::format(
+      "The case says tangential_restitution = {}. The event engine obeys it; the soft engine goes "
+      "by friction alone{}. Spins, tangential speeds, losses and powers differ for that reason.",
+      said->tangential_restitution,
+      std::isfinite(said->friction) ? "" : ", here without a limit: surfaces stick");
+}
+
 Side side(const Outcome& outcome) {
   return {outcome.cpu_seconds, outcome.notes, warnings(outcome)};
 }
@@ -136,6 +151,7 @@ Comparison compare(const Outcome& event, const Outcome& soft) {
           .threshold = event.what.observe.threshold,
           .event = side(event),
           .soft = side(soft),
+          .caution = caution(event.what.contact),
           .quantities = quantities(event, soft),
           .speeds = speeds.bins(octave, octaves, true),
           .energies = energies.bins(2 * octave, 2 * octaves, true),

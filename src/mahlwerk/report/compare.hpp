@@ -43,6 +43,7 @@ struct Comparison {
   std::string title;
   double threshold = 0;  ///< [m/s]
   Side event, soft;
+  std::string caution;  ///< where the case means another thing to each engine; may be empty
   std::vector<Compared> quantities;
   /// By normal speed [m/s], an octave each, and by normal energy [J], two octaves each; the first
   /// bin holds all below it, too.

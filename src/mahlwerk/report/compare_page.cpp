@@ -153,6 +153,7 @@ std::string compare_table(const Comparison& c) {
   for (const auto& [name, side] : {std::pair{"event", &c.event}, std::pair{"soft", &c.soft}})
     for (const auto* list : {&side->warnings, &side->notes})
       for (const std::string& words : *list) text += fmt::format("{} engine: {}\n\n", name, words);
+  if (!c.caution.empty()) text += c.caution + "\n\n";
   return text + fmt::format("The threshold is a normal speed of {}.\n\n{}\n",
                             threshold_text(c.threshold), how_to_read(c));
 }
@@ -166,6 +167,8 @@ std::string compare_page(const Comparison& c, std::string_view version) {
       "href=\"soft/report.html\">soft</a>. The threshold is a normal speed of {}.</p>\n"
       "<section class=\"box\"><p>{}</p></section>\n",
       escaped(threshold_text(c.threshold)), escaped(how_to_read(c)));
+  if (!c.caution.empty())
+    body += fmt::format("<section class=\"box warn\"><p>{}</p></section>\n", escaped(c.caution));
   body += boxes("Event", c.event) + boxes("Soft", c.soft);
   body += html_table("Side by side", quantity_lines(c), abouts);
   body +=

@@ -110,6 +110,17 @@ TEST(Compare, TableCsvAndPageShowBothColumns) {
   for (const char* part : {"nan", "inf", "src=", "href=\"http"}) EXPECT_FALSE(has(html, part));
 }
 
+TEST(Compare, SaysWhereTheCaseMeansAnotherThingToEachEngine) {
+  auto event = fake_outcome();
+  event.what.contact.rule.tangential_restitution = 0;  // surfaces stick, as friction makes them
+  EXPECT_EQ(compare(event, fake_outcome()).caution, "");
+  event.what.contact.rule.tangential_restitution = 0.9;
+  const Comparison c = compare(event, fake_outcome());
+  EXPECT_TRUE(has(c.caution, "tangential_restitution = 0.9"));
+  EXPECT_TRUE(has(compare_table(c), c.caution));
+  EXPECT_TRUE(has(compare_page(c, "1"), c.caution));
+}
+
 TEST(Compare, OfNothingIsStillAPage) {
   auto none = fake_outcome();
   none.replicates.assign(2, results::Replicate(0.1));
