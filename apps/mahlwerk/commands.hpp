@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/results/outcome.hpp"
 
 // The commands of the program: a row each, a file each.
 namespace mahlwerk::app {
@@ -37,13 +38,14 @@ enum Exit : int {
 };
 
 int run(const Request& request);
+int compare(const Request& request);
 int check(const Request& request);
 int list(const Request& request);
 int describe(const Request& request);
 int completion(const Request& request);
 
 /// Which options a command takes.
-enum class Takes { case_file, run, room, name, shell };
+enum class Takes { case_file, run, compare, room, name, shell };
 
 struct Command {
   std::string_view name, about;
@@ -53,6 +55,8 @@ struct Command {
 
 inline constexpr std::array commands{
     Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
+    Command{"compare", "run a case by both engines and show the results side by side",
+            Takes::compare, compare},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},
     Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room,
@@ -70,6 +74,14 @@ cases::Catalogue catalogue();
 /// The case files a user means: the file itself, the folder's case.toml, or else every .toml in the
 /// folder.
 std::vector<std::filesystem::path> case_files(const std::string& target);
+
+/// results/ and the name of the folder or file the user gave, with each case's name if there are
+/// several.
+std::filesystem::path default_place(const std::string& target, const std::filesystem::path& file,
+                                    bool several);
+
+/// Says on stderr if a run did not end as asked; the exit code.
+int how_it_ended(const std::vector<results::Outcome>& outcomes);
 
 /// --set and --seed together.
 std::vector<cases::Override> overrides(const Request& request);

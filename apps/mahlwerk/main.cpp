@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -19,40 +21,51 @@ cases::Override override_of(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+void add_case_options(CLI::App& sub, const Command& command, Request& request,
+                      std::vector<std::string>& set) {
+  sub.add_option("CASE", request.target,
+                 command.takes == Takes::compare
+                     ? "a case file, or a folder with one case"
+                     : "a case file, or a folder with a case.toml or several cases")
+      ->required();
+  sub.add_option("--set", set, "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  sub.add_option("--seed", request.seed, "seed of the random numbers, instead of the case's");
+}
+
+void add_run_options(CLI::App& sub, const Command& command, Request& request) {
+  sub.add_option(
+      "--out", request.out,
+      fmt::format("folder for the results (default: results/ and the name of the case{})",
+                  command.takes == Takes::compare ? ", with -compare" : ""));
+  sub.add_flag("--force", request.force, "replace results that are there");
+  sub.add_option("--threads", request.threads,
+                 "how many replicates run at a time (default: all cores)")
+      ->check(CLI::Range(1, 4096));
+  sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
+}
+
+void add_checkpoint_options(CLI::App& sub, Request& request) {
+  sub.add_option("--checkpoint", request.checkpoint,
+                 "keep the state of the run every so many seconds, beside the results, so that "
+                 "--resume can go on from there")
+      ->type_name("SECONDS")
+      ->check([](const std::string& text) -> std::string {
+        double seconds = 0;
+        if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
+        return "'" + text + "' is no number of seconds above 0; write for instance --checkpoint 60";
+      });
+  sub.add_flag("--resume", request.resume,
+               "go on with a run that was ended, from its last kept state");
+}
+
 void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
-  const bool takes_case = command.takes == Takes::case_file || command.takes == Takes::run;
-  if (takes_case) {
-    sub.add_option("CASE", request.target,
-                   "a case file, or a folder with a case.toml or several cases")
-        ->required();
-    sub.add_option("--set", set,
-                   "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    sub.add_option("--seed", request.seed, "seed of the random numbers, instead of the case's");
-  }
-  if (command.takes == Takes::run) {
-    sub.add_option("--out", request.out,
-                   "folder for the results (default: results/ and the name of the case)");
-    sub.add_flag("--force", request.force, "replace results that are there");
-    sub.add_option("--checkpoint", request.checkpoint,
-                   "keep the state of the run every so many seconds, beside the results, so that "
-                   "--resume can go on from there")
-        ->type_name("SECONDS")
-        ->check([](const std::string& text) -> std::string {
-          double seconds = 0;
-          if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
-          return "'" + text +
-                 "' is no number of seconds above 0; write for instance --checkpoint 60";
-        });
-    sub.add_flag("--resume", request.resume,
-                 "go on with a run that was ended, from its last kept state");
-    sub.add_option("--threads", request.threads,
-                   "how many replicates run at a time (default: all cores)")
-        ->check(CLI::Range(1, 4096));
-    sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
-  }
+  const bool runs = command.takes == Takes::run || command.takes == Takes::compare;
+  if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
+  if (runs) add_run_options(sub, command, request);
+  if (command.takes == Takes::run) add_checkpoint_options(sub, request);
   if (command.takes == Takes::room)
     sub.add_option("ROOM", request.target, "mills, jars, materials or media (default: all)");
   if (command.takes == Takes::name)

@@ -43,6 +43,14 @@ std::vector<fs::path> case_files(const std::string& target) {
   return found;
 }
 
+fs::path default_place(const std::string& target, const fs::path& file, bool several) {
+  const fs::path whole = fs::weakly_canonical(fs::path(target));
+  const bool by_file = !fs::is_directory(whole) && file.stem() != "case";
+  const fs::path name =
+      by_file ? file.stem() : (fs::is_directory(whole) ? whole : whole.parent_path()).filename();
+  return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
+}
+
 std::vector<cases::Override> overrides(const Request& request) {
   std::vector<cases::Override> all = request.set;
   if (request.seed) all.push_back({"seed", std::to_string(*request.seed)});

@@ -20,8 +20,8 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/hdf5.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -33,23 +33,12 @@ struct Job {
   cases::Case what;
   std::vector<cases::Case> points;  ///< one unless the case sweeps
   std::unique_ptr<results::Folder> folder;
-  std::vector<std::unique_ptr<results::CollisionFile>> kept;
 
   bool sweeps() const { return !what.sweep.empty(); }
   std::string below(std::size_t point) const {
     return sweeps() ? fmt::format("point-{:03}/", point + 1) : "";
   }
 };
-
-/// results/ and the name of the folder or file the user gave, with each case's name if there are
-/// several.
-fs::path default_place(const std::string& target, const fs::path& file, bool several) {
-  const fs::path whole = fs::weakly_canonical(fs::path(target));
-  const bool by_file = !fs::is_directory(whole) && file.stem() != "case";
-  const fs::path name =
-      by_file ? file.stem() : (fs::is_directory(whole) ? whole : whole.parent_path()).filename();
-  return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
-}
 
 Job prepare(const Request& request, const fs::path& file, bool several,
             const cases::Catalogue& catalogue) {
@@ -64,12 +53,6 @@ Job prepare(const Request& request, const fs::path& file, bool several,
                          : several    ? *request.out / file.stem()
                                       : *request.out;
   job.folder = std::make_unique<results::Folder>(place, request.force || request.resume);
-  for (std::size_t i = 0; i < job.points.size(); ++i)
-    job.kept.push_back(job.points[i].observe.collisions
-                           ? std::make_unique<results::CollisionFile>(
-                                 job.folder->file(job.below(i) + "collisions.h5"),
-                                 cases::write(job.points[i]), version())
-                           : nullptr);
   return job;
 }
 
@@ -94,10 +77,8 @@ report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>
 }
 
 void write(const Job& job, const std::vector<results::Outcome>& outcomes) {
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (job.kept[i]) job.kept[i]->close();
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
     report::write(*job.folder, outcomes[i], version(), job.below(i));
-  }
   if (job.sweeps()) {
     const report::Campaign campaign = campaign_of(job, outcomes);
     job.folder->write("campaign.csv", report::campaign_csv(campaign));
@@ -106,14 +87,6 @@ void write(const Job& job, const std::vector<results::Outcome>& outcomes) {
       job.folder->write(name, picture);
   }
   job.folder->commit();
-}
-
-/// Which runs did not end as asked, in words; empty if all did.
-std::string trouble(const std::vector<results::Outcome>& outcomes) {
-  for (const results::Outcome& outcome : outcomes)
-    for (const results::Replicate& r : outcome.replicates)
-      if (!r.stopped.empty()) return r.stopped;
-  return "";
 }
 
 /// The defaults nobody has calibrated, in a line; empty if the case rests on none.
@@ -172,10 +145,14 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   std::size_t replicates = 0;
   for (const Job& job : jobs)
     for (const cases::Case& point : job.points) {
-      if (point.observe.collisions)
-        throw InputError(Fault{
-            point.file, "a run that keeps every collision cannot be gone on with",
-            "write collisions = false, or leave out --checkpoint and --resume", "bad-checkpoint"});
+      if (point.observe.collisions || point.observe.frames)
+        throw InputError(Fault{point.file,
+                               fmt::format("a run that keeps {} cannot be gone on with",
+                                           point.observe.frames ? "frames" : "every collision"),
+                               fmt::format("{}, or leave out --checkpoint and --resume",
+                                           point.observe.frames ? "leave out [observe] frames"
+                                                                : "write collisions = false"),
+                               "bad-checkpoint"});
       what += cases::write(point);
       replicates += static_cast<std::size_t>(point.run.replicates);
     }
@@ -188,48 +165,21 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   return made;
 }
 
-/// The points of all jobs, in order, computed together.
-std::vector<results::Outcome> compute(const Request& request, const std::vector<Job>& jobs,
-                                      campaign::Checkpoint* checkpoint) {
-  std::vector<cases::Case> points;
-  std::vector<results::CollisionFile*> kept;
-  for (const Job& job : jobs) {
-    points.insert(points.end(), job.points.begin(), job.points.end());
-    for (const auto& file : job.kept) kept.push_back(file.get());
-  }
-  ProgressLine line(request.quiet);
-  campaign::Options options;
-  options.threads = request.threads;
-  options.stop = &stop_wanted();
-  options.checkpoint = checkpoint;
-  options.progress = [&](const campaign::Progress& p) { line.show(p); };
-  options.records = [&](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
-    if (kept[point] == nullptr) return nullptr;
-    return std::make_unique<results::CollisionLog>(*kept[point], replicate);
-  };
-  return campaign::run(points, options);
-}
-
-int how_it_ended(const std::vector<results::Outcome>& outcomes) {
-  if (const std::string why = trouble(outcomes); !why.empty()) {
-    fmt::print(stderr, "stopped: {}\nWhat was computed until then is kept.\n", why);
-    return stopped_by_physics;
-  }
-  if (stop_wanted()) {
-    fmt::print(stderr,
-               "interrupted: what was computed until then is kept, and marked incomplete.\n");
-    return interrupted;
-  }
-  return fine;
-}
-
 }  // namespace
 
 int run(const Request& request) {
   const std::vector<Job> jobs = prepare_all(request);
   const auto kept = checkpoint(request, jobs);
+  std::vector<cases::Case> points;
+  Streams streams;
+  for (const Job& job : jobs)
+    for (std::size_t i = 0; i < job.points.size(); ++i) {
+      points.push_back(job.points[i]);
+      streams.add(job.points[i], *job.folder, job.below(i));
+    }
   catch_ctrl_c();
-  const std::vector<results::Outcome> outcomes = compute(request, jobs, kept.get());
+  const std::vector<results::Outcome> outcomes = compute(request, points, streams, kept.get());
+  streams.close();
   const bool talks = !request.quiet && !request.json;
   auto next = outcomes.begin();
   for (const Job& job : jobs) {

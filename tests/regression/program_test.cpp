@@ -2,62 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The program as a user meets it: what it makes, and what it says when something is wrong.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "program.hpp"
 
 namespace mahlwerk::tests {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ended {
-  int code;
-  std::string said;  // on both streams
-};
-
-class Program : public ::testing::Test {
+class Program : public ProgramTest {
  protected:
-  void SetUp() override {
-    here_ = fs::temp_directory_path() /
-            ("mahlwerk-" +
-             std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(here_);
-    fs::create_directories(here_);
-  }
-  void TearDown() override { fs::remove_all(here_); }
-
-  Ended mahlwerk(const std::string& words) const {
-    const std::string command = "(cd '" + here_.string() + "' && '" +
-                                std::string(MAHLWERK_PROGRAM) + "' " + words + ") 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string said;
-    char part[4096];
-    while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
-    return {WEXITSTATUS(pclose(pipe)), said};
-  }
-  std::string text(const std::string& name) const {
-    std::ifstream in(here_ / name);
-    std::ostringstream all;
-    all << in.rdbuf();
-    return all.str();
-  }
-  void expect_refused(const std::string& words, const std::string& because) const {
-    const Ended e = mahlwerk(words);
-    EXPECT_EQ(e.code, 2) << words << "\n" << e.said;
-    EXPECT_NE(e.said.find(because), std::string::npos) << words << "\n" << e.said;
-    EXPECT_FALSE(fs::exists(here_ / "out")) << words;
-  }
-
-  std::string example_ = std::string("'") + MAHLWERK_HOME + "/examples/01-one-ball'";
+  std::string example_ = example("01-one-ball");
   std::string short_ = example_ + " --set run.time=\"0.5 s\" --out out ";
-  fs::path here_;
 };
 
 TEST_F(Program, run_leaves_every_file_and_a_table) {

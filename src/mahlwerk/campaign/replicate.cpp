@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/replicate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -9,6 +11,7 @@
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -72,35 +75,59 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
   return event::one_ball(mill, balls.front(), treatment);
 }
 
-Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper)
+Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
+                 std::unique_ptr<results::FrameFile> frames)
     : what_(&what),
+      index_(index),
       keeper_(std::move(keeper)),
+      frames_(std::move(frames)),
+      frame_times_(what),
       result_(what.observe.threshold),
       engine_(engine(what, index)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
   last_ = result_.account = result_.at_settled = engine_->account();
 }
 
-void Replica::go_on() {
-  using Clock = std::chrono::steady_clock;
-  const auto& run = what_->run;
-  const double end = run.settle + run.time * stretch_ / stretches;
-  const Clock::time_point began = Clock::now();
+double Replica::end_of(int stretch) const {
+  return what_->run.settle + what_->run.time * stretch / stretches;
+}
+
+/// To `time`, or to where physics stops it.
+void Replica::advance(double time) {
   Ears ears(*this);
   try {
-    engine_->advance(std::min(end, result_.account.time + portion_), ears);
+    engine_->advance(time, ears);
   } catch (const RunError& e) {
-    result_.stopped = e.what();
+    result_.stopped =
+        fmt::format("{}. The balls as they were then: {}", e.what(), results::stopped_name(index_));
+    result_.at_stop = engine_->balls();
   }
-  const double worked = std::chrono::duration<double>(Clock::now() - began).count();
-  portion_ = std::max(1e-9, portion_ * (worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1));
   result_.account = engine_->account();
+}
+
+/// Those that are due at the time reached.
+void Replica::add_frames() {
+  if (!frames_ || !result_.stopped.empty()) return;
+  for (; frame_times_.next() <= result_.account.time; frame_times_.go_on())
+    frames_->add(result_.account.time, engine_->balls());
+}
+
+void Replica::go_on() {
+  using Clock = std::chrono::steady_clock;
+  const double end = end_of(stretch_);
+  const double stop = frames_ ? std::min(end, frame_times_.next()) : end;
+  const Clock::time_point began = Clock::now();
+  advance(std::min(stop, result_.account.time + portion_));
+  add_frames();
+  const double worked = std::chrono::duration<double>(Clock::now() - began).count();
+  portion_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
+  portion_ = std::clamp(portion_, 1e-9, std::max(1e-9, end_of(stretches)));
   if (result_.account.time < end && result_.stopped.empty()) return;
   if (stretch_ == 0)
     result_.at_settled = result_.account;
   else
-    result_.windows.push_back(window(result_.account.time - run.settle, last_, result_.account,
-                                     all_, above_, result_.tally));
+    result_.windows.push_back(window(result_.account.time - what_->run.settle, last_,
+                                     result_.account, all_, above_, result_.tally));
   last_ = result_.account;
   all_ = result_.tally.all;
   above_ = result_.tally.above;
@@ -122,7 +149,7 @@ results::Replicate Replica::result() const {
 void Replica::carry(Archive& archive) {
   results::Replicate& r = result_;
   r.tally.carry(archive);
-  archive(r.windows)(r.account)(r.at_settled)(r.stopped)(r.cpu_seconds);
+  archive(r.windows)(r.account)(r.at_settled)(r.stopped)(r.at_stop)(r.cpu_seconds);
   archive(stretch_)(last_)(all_)(above_);
   engine_->carry(archive);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/results/frames.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
@@ -13,8 +14,9 @@ namespace mahlwerk::campaign {
 /// One replicate of a case in the making: settles, then counts, stretch by stretch.
 class Replica {
  public:
-  /// `keeper` gets every counted record.
-  Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr);
+  /// `keeper` gets every counted record, `frames` the frames that the case asks for.
+  Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
+          std::unique_ptr<results::FrameFile> frames = nullptr);
 
   bool done() const { return stretch_ > stretches || !result_.stopped.empty(); }
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
@@ -30,9 +32,15 @@ class Replica {
 
  private:
   class Ears;
+  double end_of(int stretch) const;  // [s]
+  void advance(double time);
+  void add_frames();
 
   const cases::Case* what_;
+  int index_;
   std::unique_ptr<scene::Observer> keeper_;
+  std::unique_ptr<results::FrameFile> frames_;
+  results::FrameTimes frame_times_;
   results::Replicate result_;
   std::unique_ptr<scene::Engine> engine_;
   int stretch_ = 0;            // 0: settling

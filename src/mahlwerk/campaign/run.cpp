@@ -106,7 +106,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   in_parallel(options.threads, jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
     Replica replica(decided[job.point], job.replicate,
-                    options.records ? options.records(job.point, job.replicate) : nullptr);
+                    options.records ? options.records(job.point, job.replicate) : nullptr,
+                    options.frames ? options.frames(job.point, job.replicate) : nullptr);
     if (options.checkpoint != nullptr) options.checkpoint->restore(i, replica);
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
     while (!replica.done() && !stopped()) {

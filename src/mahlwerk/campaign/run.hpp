@@ -24,11 +24,15 @@ struct Progress {
 /// Makes the observer that keeps every record of one replicate of one point; empty: none is kept.
 using Records = std::function<std::unique_ptr<scene::Observer>(std::size_t point, int replicate)>;
 
+/// Makes the file that gets the frames of one replicate of one point; empty: there are none.
+using Frames = std::function<std::unique_ptr<results::FrameFile>(std::size_t point, int replicate)>;
+
 struct Options {
   int threads = 0;                                ///< 0: as many as the machine has
   const std::atomic<bool>* stop = nullptr;        ///< set: end cleanly, keep what was computed
   std::function<void(const Progress&)> progress;  ///< never from two threads at once
   Records records;
+  Frames frames;
   Checkpoint* checkpoint = nullptr;  ///< where states are kept, and taken from
 };
 

@@ -116,6 +116,8 @@ struct Run {
 struct Observe {
   double threshold = 0;     ///< [m/s] on u_n
   bool collisions = false;  ///< keep every record in collisions.h5
+  /// [s] between two frames of the balls that are kept for replay; none: no frames
+  std::optional<double> frames = std::nullopt;
   bool operator==(const Observe&) const = default;
 };
 

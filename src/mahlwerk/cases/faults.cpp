@@ -123,6 +123,7 @@ std::vector<Fault> bad_values(const Case& c) {
   check_contact(check, c.contact);
   check_run(check, c.run);
   check.fields("observe.", c.observe, observe_fields());
+  if (c.observe.frames) check.number("observe.frames", *c.observe.frames, positive, "s");
   return std::move(check.found);
 }
 
@@ -187,6 +188,24 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
 }
 
+/// A file that nobody can want, by a slip of the unit.
+void too_many_frames(const Case& c, std::vector<Fault>& found) {
+  if (!c.observe.frames || !(*c.observe.frames > 0)) return;
+  const double count = c.run.time / *c.observe.frames;
+  const double each = frame_bytes + ball_bytes * static_cast<double>(balls_count(c.balls));
+  const double size = count * each;
+  if (!(count > most_frames) && !(size > largest_frames_file)) return;
+  const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames_file);
+  found.push_back({place_of(c, "observe.frames"),
+                   fmt::format("a frame every {} makes {:.2g} frames and about {:.2g} GB for each "
+                               "replicate, more than {:.0g} frames or {:.0f} GB",
+                               show_rounded(*c.observe.frames, "s"), count, size / 1e9, most_frames,
+                               largest_frames_file / 1e9),
+                   fmt::format("write frames = \"{}\" or more, or leave it out",
+                               show_rounded(1.05 * enough, "s")),
+                   "too-many-frames"});
+}
+
 /// Names that mean nobody, and pairs that never meet. Silent where the jar or its balls could not
 /// be read.
 void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
@@ -231,6 +250,7 @@ std::vector<Fault> misfits(const Case& c) {
   periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_places(c, found);
+  too_many_frames(c, found);
   return found;
 }
 

@@ -121,6 +121,11 @@ constexpr auto observe_fields() {
                                    0.1, "project convention; rates are given with and without it"}};
 }
 
+/// More frames than these are taken for a mistake.
+constexpr double most_frames = 1e6;                    ///< of one replicate
+constexpr double largest_frames_file = 10e9;           ///< [bytes] of one replicate, about
+constexpr double frame_bytes = 450, ball_bytes = 120;  ///< of a frame and of each ball in it, about
+
 const std::vector<std::string>& engines();
 const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
 const std::vector<std::string>& rolling_words();  ///< in the order of contact::Rolling

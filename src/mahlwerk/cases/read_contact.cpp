@@ -83,6 +83,7 @@ Observe read_observe(const Node* table, Findings& findings) {
   Section in(table, "observe", findings);
   for (const auto& field : observe_fields()) observe.*field.value = in.value(Wanted(field));
   observe.collisions = in.flag("collisions", false, "no record of every collision is kept");
+  observe.frames = in.maybe({"frames", "s", positive, "time between two frames for replay"});
   in.close();
   return observe;
 }

@@ -189,6 +189,7 @@ std::string write(const Case& c) {
   out.section("[observe]", "observe.");
   out.fields(c.observe, observe_fields());
   out.line("collisions", c.observe.collisions ? "true" : "false");
+  if (c.observe.frames) out.number("frames", *c.observe.frames, "s");
   write_sweep(out, c.sweep);
   return out.text();
 }

@@ -51,7 +51,8 @@ struct Span {
   }
   /// 0 at the least, 1 at the most.
   double at(double v) const {
-    if (logarithmic) return std::log(v / least) / std::log(most / least);
+    if (logarithmic)  // differences, as quotients may be too large for a number
+      return (std::log(v) - std::log(least)) / (std::log(most) - std::log(least));
     return (v - least) / (most - least);
   }
 };
@@ -126,6 +127,7 @@ void Canvas::measure() {
     for (const double v : s.x) x_.hold(v);
     for (std::size_t i = 0; i < s.y.size(); ++i) {
       const double error = i < s.error.size() && std::isfinite(s.error[i]) ? s.error[i] : 0;
+      y_.hold(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
       y_.hold(s.y[i] - error);
       y_.hold(s.y[i] + error);
     }

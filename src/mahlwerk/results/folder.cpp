@@ -23,10 +23,26 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a result or a campaign may hold: --force removes these and nothing else.
-constexpr std::array<std::string_view, 11> our_files{
-    "summary.json", "case.resolved.toml", "spectrum.csv",   "speeds.csv",
-    "angles.csv",   "timeseries.csv",     "replicates.csv", "collisions.h5",
-    "report.html",  "campaign.csv",       "campaign.html"};
+constexpr std::array<std::string_view, 13> our_files{
+    "summary.json",   "case.resolved.toml", "spectrum.csv",  "speeds.csv",  "angles.csv",
+    "timeseries.csv", "replicates.csv",     "collisions.h5", "report.html", "campaign.csv",
+    "campaign.html",  "compare.csv",        "compare.html"};
+
+/// Those there is one of for a replicate: what stands before and behind its number.
+constexpr std::array<std::array<std::string_view, 2>, 2> our_numbered{
+    {{"frames-", ".xyz"}, {"stopped-", ".csv"}}};
+
+bool is_our_name(std::string_view name) {
+  if (std::find(our_files.begin(), our_files.end(), name) != our_files.end()) return true;
+  return std::any_of(our_numbered.begin(), our_numbered.end(), [&](const auto& around) {
+    const auto& [before, behind] = around;
+    if (name.size() <= before.size() + behind.size()) return false;
+    const std::string_view number =
+        name.substr(before.size(), name.size() - before.size() - behind.size());
+    return name.starts_with(before) && name.ends_with(behind) &&
+           number.find_first_not_of("0123456789") == std::string_view::npos;
+  });
+}
 
 InputError cannot_write(const fs::path& place, const std::string& why) {
   return InputError(
@@ -43,10 +59,12 @@ std::string beginning(const fs::path& file) {
   return text;
 }
 
-/// Ours is a folder with a summary, or a campaign's table, that begins as we write it.
+/// Ours is a folder with a summary, or a table of a campaign or a comparison, that begins as we
+/// write it.
 bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
-         beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos;
+         beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
+         beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft");
 }
 
 /// Names inside a folder that no result of ours has.
@@ -69,12 +87,11 @@ std::vector<std::string> foreign(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool known = std::find(our_files.begin(), our_files.end(), name) != our_files.end();
     if (entry.is_symlink()) {
       names.push_back(name);
     } else if (entry.is_directory()) {
       for (const std::string& inner : foreign_inside(entry)) names.push_back(name + "/" + inner);
-    } else if (!known) {
+    } else if (!is_our_name(name)) {
       names.push_back(name);
     }
   }

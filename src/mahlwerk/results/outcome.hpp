@@ -8,6 +8,7 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/tally.hpp"
 #include "mahlwerk/scene/account.hpp"
+#include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::results {
 
@@ -31,10 +32,11 @@ struct Replicate {
   explicit Replicate(double threshold) : tally(threshold) {}
   observe::Tally tally;
   std::vector<Window> windows;
-  scene::Account account;     ///< at the end
-  scene::Account at_settled;  ///< when counting began
-  bool complete = true;       ///< false if stopped early
-  std::string stopped;        ///< why, if physics stopped it
+  scene::Account account;            ///< at the end
+  scene::Account at_settled;         ///< when counting began
+  bool complete = true;              ///< false if stopped early
+  std::string stopped;               ///< why, if physics stopped it
+  std::vector<scene::Ball> at_stop;  ///< the balls when physics stopped it, in the jar frame
   double cpu_seconds = 0;
   double time() const { return account.time - at_settled.time; }  ///< [s] counted
 };

@@ -215,9 +215,9 @@ class Gathering {
 };
 
 /// The TC rule's share is told where the case asks for the rule, so that names depend on the case
-/// alone.
+/// alone; the soft engine has no such rule.
 bool has_tc(const Outcome& o) {
-  return o.what.contact.lasting == cases::Lasting::tc;
+  return o.what.contact.lasting == cases::Lasting::tc && o.what.run.engine != "soft";
 }
 
 /// The mean of one quantity; a replicate in which it does not exist (no collision) is left out.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "mahlwerk/results/summary.hpp"
 
@@ -142,6 +143,23 @@ Table replicates(const Outcome& outcome) {
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+Table balls_at_stop(const Replicate& replicate) {
+  Table table{
+      {"ball", "kind", "radius_m", "x_m", "y_m", "z_m", "velocity_x_m_per_s", "velocity_y_m_per_s",
+       "velocity_z_m_per_s", "spin_x_rad_per_s", "spin_y_rad_per_s", "spin_z_rad_per_s"},
+      {}};
+  double number = 0;
+  for (const scene::Ball& b : replicate.at_stop)
+    table.rows.push_back({++number, b.kind + 1.0, b.radius, b.position.x, b.position.y,
+                          b.position.z, b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x,
+                          b.spin.y, b.spin.z});
+  return table;
+}
+
+std::string stopped_name(int replicate) {
+  return "stopped-" + std::to_string(replicate + 1) + ".csv";
 }
 
 }  // namespace mahlwerk::results

@@ -41,6 +41,9 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   put("angles.csv", csv(angles(outcome)));
   put("timeseries.csv", csv(time_series(outcome)));
   put("replicates.csv", csv(replicates(outcome)));
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
+    if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
+      put(stopped_name(static_cast<int>(i)), csv(balls_at_stop(r)));
   put("summary.json", summary_json(outcome, summarise(outcome), version));
 }
 

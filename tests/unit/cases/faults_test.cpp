@@ -217,6 +217,16 @@ TEST(CaseFaults, ratios_that_are_none) {
                    "bad-quantity"));
 }
 
+TEST(CaseFaults, frames_that_nobody_can_want) {
+  const auto every = [](const std::string& text) { return vial + "frames = \"" + text + "\"\n"; };
+  EXPECT_TRUE(faults_of(every("1 ms")).empty());
+  EXPECT_TRUE(faults_of(every("100 s")).empty()) << "one frame";
+  EXPECT_TRUE(only(every("1 us"), "case.toml:24", "frames = \"63 us\"", "too-many-frames"));
+  EXPECT_TRUE(faults_of(every("63 us")).empty());
+  EXPECT_TRUE(only(every("0 s"), "case.toml:24", "above 0", "out-of-range"));
+  EXPECT_TRUE(only(every("5 m"), "case.toml:24", "", "bad-quantity"));
+}
+
 TEST(CaseFaults, parts_that_do_not_go_together) {
   EXPECT_TRUE(only(with(vial, "diameter = \"8", "diameter = \"20 mm\""), "case.toml:14",
                    "the ball (20 mm) is larger than the jar (12 mm)", "ball-too-large"));

@@ -95,6 +95,11 @@ TEST(Report, WarnsOfWhatMakesItDoubtful) {
   o.replicates[0].account.kinetic = 1;
   o.replicates[0].account.worst_collision = 1e-3;
   EXPECT_EQ(warnings(o).size(), 4U);
+  auto steps = fake_outcome();
+  steps.replicates[0].account.kinetic = 1e-3;
+  EXPECT_EQ(warnings(steps).size(), 1U);
+  steps.engine = "soft";  // follows contacts in steps
+  EXPECT_TRUE(warnings(steps).empty());
   EXPECT_TRUE(has(report_page(o, "1"), "too many bounces"));
 }
 

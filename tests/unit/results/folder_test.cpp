@@ -107,6 +107,21 @@ TEST_F(FolderTest, ACampaignsPointsMayBeReplaced) {
   EXPECT_NE(refusal(place, true).find("point-001/notes.txt"), std::string::npos);
 }
 
+TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
+  const fs::path place = scratch() / "compared";
+  write_text_of(place / "compare.csv", "quantity,unit,event,event_ci95,soft,soft_ci95\n");
+  write_text_of(place / "compare.html", "<html>");
+  write_text_of(place / "soft" / "summary.json", our_summary);
+  write_text_of(place / "soft" / "frames-12.xyz", "0\n\n");
+  write_text_of(place / "soft" / "stopped-1.csv", "ball\n");
+  EXPECT_EQ(refusal(place, true), "");
+  for (const char* name : {"frames-.xyz", "frames-best.xyz", "stopped-1.csv.txt"}) {
+    write_text_of(place / "soft" / name, "mine");
+    EXPECT_NE(refusal(place, true).find(name), std::string::npos) << name;
+    fs::remove(place / "soft" / name);
+  }
+}
+
 TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
   const fs::path place = scratch() / "result";
   Folder folder(place, false);

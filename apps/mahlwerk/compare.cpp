@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// compare: one case by both engines, side by side.
+#include "mahlwerk/report/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 2> engines{"event", "soft"};
+
+std::string below(std::size_t engine) {
+  return std::string(engines[engine]) + "/";
+}
+
+/// The one case file that is meant.
+fs::path case_file(const std::string& target) {
+  const std::vector<fs::path> files = case_files(target);
+  if (files.size() == 1) return files.front();
+  throw InputError(Fault{target,
+                         fmt::format("the folder holds {} cases, compare takes one", files.size()),
+                         "name one of its files", "compare-one-case"});
+}
+
+/// The case for both engines, in their order.
+std::vector<cases::Case> both(const Request& request, const fs::path& file) {
+  const cases::Catalogue known = catalogue();
+  std::vector<cases::Override> set = overrides(request);
+  std::vector<cases::Case> made;
+  std::vector<Fault> wrong;
+  set.push_back({"run.engine", ""});
+  for (const char* engine : engines) {
+    set.back().value = engine;
+    made.push_back(cases::read(file, known, set));
+    if (const cases::Case& what = made.back(); !what.sweep.empty())
+      throw InputError(Fault{what.file, "the case has a [sweep], compare takes a single case",
+                             "take the section [sweep] away; --set gives one of its values",
+                             "compare-one-case"});
+    for (Fault& fault : campaign::run_faults(made.back())) {
+      fault.what = fmt::format("the {} engine cannot run this case: {}", engine, fault.what);
+      wrong.push_back(std::move(fault));
+    }
+  }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+void write(results::Folder& folder, const std::vector<results::Outcome>& outcomes,
+           const report::Comparison& comparison) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    report::write(folder, outcomes[i], version(), below(i));
+  folder.write("compare.csv", report::compare_csv(comparison));
+  folder.write("compare.html", report::compare_page(comparison, version()));
+  folder.commit();
+}
+
+void print_json(const report::Comparison& comparison, const fs::path& place) {
+  const auto number = [](double x) {
+    return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr;
+  };
+  nlohmann::ordered_json quantities;
+  for (const report::Compared& q : comparison.quantities)
+    quantities[q.name] = {{"event", number(q.both.event.mean)},
+                          {"event_ci95", number(q.both.event.ci95)},
+                          {"soft", number(q.both.soft.mean)},
+                          {"soft_ci95", number(q.both.soft.ci95)},
+                          {"ratio", number(q.both.ratio())},
+                          {"ratio_ci95", number(q.both.ratio_ci95())},
+                          {"apart", q.both.apart()},
+                          {"unit", q.unit}};
+  const nlohmann::ordered_json all{
+      {"title", comparison.title}, {"results", place.string()}, {"quantities", quantities}};
+  fmt::print("{}\n", all.dump(2));
+}
+
+void tell(const report::Comparison& comparison, const fs::path& place, double seconds) {
+  fmt::print("{}\n\n{}\n", comparison.title, report::compare_table(comparison));
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "compare.html").string());
+  fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());
+  fmt::print("computed in {:.2g} s\n", seconds);
+}
+
+}  // namespace
+
+int compare(const Request& request) {
+  const fs::path file = case_file(request.target);
+  const std::vector<cases::Case> cases = both(request, file);
+  const fs::path usual = default_place(request.target, file, false).string() + "-compare";
+  const fs::path place = request.out.value_or(usual);
+  results::Folder folder(place, request.force);
+  Streams streams;
+  for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
+
+  catch_ctrl_c();
+  const std::vector<results::Outcome> outcomes = compute(request, cases, streams, nullptr);
+  streams.close();
+  const report::Comparison comparison = report::compare(outcomes[0], outcomes[1]);
+  write(folder, outcomes, comparison);
+  if (request.json) print_json(comparison, folder.wanted());
+  if (!request.json && !request.quiet)
+    tell(comparison, folder.wanted(), outcomes.front().wall_seconds);
+  return how_it_ended(outcomes);
+}
+
+}  // namespace mahlwerk::app

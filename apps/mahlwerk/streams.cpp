@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "streams.hpp"
+
+#include "progress.hpp"
+
+namespace mahlwerk::app {
+
+void Streams::add(const cases::Case& point, const results::Folder& folder,
+                  const std::string& below) {
+  Point made;
+  if (point.observe.collisions)
+    made.collisions = std::make_unique<results::CollisionFile>(folder.file(below + "collisions.h5"),
+                                                               cases::write(point), version());
+  if (point.observe.frames)
+    made.frames = [point, &folder, below](int replicate) {
+      return std::make_unique<results::FrameFile>(
+          folder.file(below + results::frames_name(replicate)), point);
+    };
+  points_.push_back(std::move(made));
+}
+
+void Streams::join(campaign::Options& options) const {
+  options.records = [this](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
+    const Point& p = points_[point];
+    if (!p.collisions) return nullptr;
+    return std::make_unique<results::CollisionLog>(*p.collisions, replicate);
+  };
+  options.frames = [this](std::size_t point, int replicate) -> std::unique_ptr<results::FrameFile> {
+    const Point& p = points_[point];
+    return p.frames ? p.frames(replicate) : nullptr;
+  };
+}
+
+void Streams::close() {
+  for (Point& point : points_)
+    if (point.collisions) point.collisions->close();
+}
+
+std::vector<results::Outcome> compute(const Request& request,
+                                      const std::vector<cases::Case>& points,
+                                      const Streams& streams, campaign::Checkpoint* checkpoint) {
+  ProgressLine line(request.quiet);
+  campaign::Options options;
+  options.threads = request.threads;
+  options.stop = &stop_wanted();
+  options.checkpoint = checkpoint;
+  options.progress = [&](const campaign::Progress& p) { line.show(p); };
+  streams.join(options);
+  return campaign::run(points, options);
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/hdf5.hpp"
+
+namespace mahlwerk::app {
+
+/// What runs write while they go, for those of their points that ask for it: every collision, and
+/// frames for replay.
+class Streams {
+ public:
+  /// The next point of the run; its files go into `folder`, under `below`.
+  void add(const cases::Case& point, const results::Folder& folder, const std::string& below);
+
+  /// Lets a run of all points added write its files; it must end before the streams do.
+  void join(campaign::Options& options) const;
+
+  /// Ends the files. Call it before the folders' commit.
+  void close();
+
+ private:
+  struct Point {
+    std::unique_ptr<results::CollisionFile> collisions;  // or null
+    /// Makes the file of frames of a replicate; empty: none is kept.
+    std::function<std::unique_ptr<results::FrameFile>(int replicate)> frames;
+  };
+  std::vector<Point> points_;
+};
+
+/// All points computed together, with what `request` says of threads and of showing progress.
+std::vector<results::Outcome> compute(const Request& request,
+                                      const std::vector<cases::Case>& points,
+                                      const Streams& streams, campaign::Checkpoint* checkpoint);
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using observe::LogHistogram;
+using observe::Tally;
+using results::Outcome;
+using results::Quantity;
+using results::Replicate;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// What says how well a run was computed, or means another thing in each engine.
+constexpr std::array<std::string_view, 7> left_out{
+    "tc_collision_share", "lasting_contacts_rate", "energy_residual", "energy_balance",
+    "deepest_overlap",    "simulated_time",        "replicates"};
+
+std::vector<Compared> quantities(const Outcome& event, const Outcome& soft) {
+  std::vector<Compared> list;
+  const std::vector<Quantity> others = results::summarise(soft);
+  for (const Quantity& q : results::summarise(event)) {
+    if (std::find(left_out.begin(), left_out.end(), q.name) != left_out.end()) continue;
+    const auto twin = std::find_if(others.begin(), others.end(),
+                                   [&](const Quantity& o) { return o.name == q.name; });
+    if (twin == others.end()) continue;
+    list.push_back({q.name, q.unit, q.about, {{q.value, q.ci95}, {twin->value, twin->ci95}}});
+  }
+  list.push_back({"computing_time",
+                  "s",
+                  "of all replicates, on one core",
+                  {{event.cpu_seconds, nothing}, {soft.cpu_seconds, nothing}}});
+  return list;
+}
+
+using Chosen = std::vector<const Replicate*>;
+using Histogram = LogHistogram Tally::*;
+
+/// Collisions per second in the bins `first` to `last` - 1.
+observe::Estimate rate(const Chosen& chosen, Histogram part, int first, int last) {
+  std::vector<double> each;
+  for (const Replicate* r : chosen) {
+    std::int64_t count = 0;
+    for (int bin = first; bin < last; ++bin) count += (r->tally.*part).count(bin);
+    each.push_back(static_cast<double>(count) / r->time());
+  }
+  return each.empty() ? observe::Estimate{nothing, nothing} : observe::estimate(each);
+}
+
+/// What both engines filled, from the top bin down to a thousandth of the speed.
+class Spectra {
+ public:
+  Spectra(const Outcome& event, const Outcome& soft, Histogram part)
+      : event_(results::averaged(event)), soft_(results::averaged(soft)), part_(part) {
+    for (const Chosen* chosen : {&event_, &soft_})
+      for (const Replicate* r : *chosen) {
+        const auto [low, high] = (r->tally.*part).filled();
+        if (low == high) continue;
+        first_ = std::min(first_, low);
+        last_ = std::max(last_, high);
+      }
+  }
+
+  /// `wide` bins of the histogram in one; the first bin takes what lies below if `all`.
+  std::vector<ComparedBin> bins(int wide, int octaves, bool all) const {
+    std::vector<ComparedBin> list;
+    if (first_ >= last_) return list;
+    const int end = (last_ + wide - 1) / wide * wide;
+    const int begin = std::max(first_ / wide * wide, end - octaves * LogHistogram::per_octave);
+    for (int bin = begin; bin < end; bin += wide) {
+      const bool rest = all && bin == begin && first_ < begin;
+      const int from = rest ? 0 : bin, to = std::min(bin + wide, LogHistogram::bins);
+      list.push_back({rest ? 0 : LogHistogram::lower(bin),
+                      LogHistogram::lower(bin + wide),
+                      {rate(event_, part_, from, to), rate(soft_, part_, from, to)}});
+    }
+    return list;
+  }
+
+ private:
+  Chosen event_, soft_;
+  Histogram part_;
+  int first_ = LogHistogram::bins, last_ = 0;
+};
+
+/// A bounce's rebound along the wall is a number to the event engine alone.
+std::string caution(const cases::Contact& contact) {
+  std::vector<contact::BounceRule> rules{contact.rule};
+  for (const cases::PairRule& pair : contact.pairs) rules.push_back(pair.rule);
+  const auto said = std::find_if(rules.begin(), rules.end(), [](const contact::BounceRule& rule) {
+    return rule.tangential_restitution != 0;
+  });
+  if (said == rules.end()) return "";
+  return fmt::format(
+      "The case says tangential_restitution = {}. The event engine obeys it; the soft engine goes "
+      "by friction alone{}. Spins, tangential speeds, losses and powers differ for that reason.",
+      said->tangential_restitution,
+      std::isfinite(said->friction) ? "" : ", here without a limit: surfaces stick");
+}
+
+Side side(const Outcome& outcome) {
+  return {outcome.cpu_seconds, outcome.notes, warnings(outcome)};
+}
+
+double share_in_contact(const Comparison& c, observe::Estimate Beside::*engine) {
+  for (const Compared& q : c.quantities)
+    if (q.name == "contact_time_share") return (q.both.*engine).mean;
+  return nothing;
+}
+
+std::vector<std::string> cells(const Beside& b) {
+  const bool told = std::isfinite(b.event.ci95) && std::isfinite(b.soft.ci95);
+  std::vector<std::string> list;
+  for (const double x :
+       {b.event.mean, b.event.ci95, b.soft.mean, b.soft.ci95, b.ratio(), b.ratio_ci95()})
+    list.push_back(results::csv_cell(x));
+  list.push_back(told ? (b.apart() ? "1" : "0") : "");
+  return list;
+}
+
+}  // namespace
+
+double Beside::ratio_ci95() const {
+  return std::abs(ratio()) * std::hypot(event.ci95 / event.mean, soft.ci95 / soft.mean);
+}
+
+bool Beside::apart() const {
+  const double rounding = 1e-12 * (std::abs(event.mean) + std::abs(soft.mean));
+  return std::abs(event.mean - soft.mean) > event.ci95 + soft.ci95 + rounding;
+}
+
+Comparison compare(const Outcome& event, const Outcome& soft) {
+  constexpr int octaves = 10;  // of speed: the top thousandfold
+  constexpr int octave = LogHistogram::per_octave;
+  const Spectra speeds(event, soft, &Tally::approach), energies(event, soft, &Tally::energy_normal);
+  return {.title = event.what.title,
+          .threshold = event.what.observe.threshold,
+          .event = side(event),
+          .soft = side(soft),
+          .caution = caution(event.what.contact),
+          .quantities = quantities(event, soft),
+          .speeds = speeds.bins(octave, octaves, true),
+          .energies = energies.bins(2 * octave, 2 * octaves, true),
+          .speed_curve = speeds.bins(1, octaves, false),
+          .energy_curve = energies.bins(1, 2 * octaves, false)};
+}
+
+std::string how_to_read(const Comparison& c) {
+  const double event = 100 * share_in_contact(c, &Beside::event);
+  const double soft = 100 * share_in_contact(c, &Beside::soft);
+  std::string text =
+      "How to read it: where balls fly freely most of the time the engines should agree in the "
+      "rates and energies above the threshold and in the power. Where balls stay in touch or lie "
+      "in a bed they should not: the event engine makes many small bounces, or one ball that "
+      "rolls, of what the soft engine counts as one long contact, so that counts of all "
+      "collisions, and of slow ones, and their means differ.";
+  if (std::isfinite(event) && std::isfinite(soft))
+    text +=
+        fmt::format(" Here balls were in contact {:.2g} % (event) and {:.2g} % (soft) of the time.",
+                    event, soft);
+  return text + " ≠ marks numbers whose 95 % intervals do not overlap, which by chance is rare.";
+}
+
+std::string compare_csv(const Comparison& c) {
+  std::string text =
+      results::csv_line({"quantity", "unit", "event", "event_ci95", "soft", "soft_ci95", "ratio",
+                         "ratio_ci95", "apart", "bin_low", "bin_high", "bin_unit"});
+  const auto line = [&](std::string_view name, std::string_view unit, const Beside& both,
+                        const std::vector<std::string>& bin) {
+    std::vector<std::string> all{results::csv_cell(name), results::csv_cell(unit)};
+    for (const auto& part : {cells(both), bin}) all.insert(all.end(), part.begin(), part.end());
+    text += results::csv_line(all);
+  };
+  for (const Compared& q : c.quantities) line(q.name, q.unit, q.both, {"", "", ""});
+  const auto spectrum = [&](const char* name, const char* unit, const auto& bins) {
+    for (const ComparedBin& b : bins)
+      line(name, "1/s", b.rate, {results::csv_cell(b.low), results::csv_cell(b.high), unit});
+  };
+  spectrum("collision_rate_by_impact_speed_normal", "m/s", c.speeds);
+  spectrum("collision_rate_by_energy_normal", "J", c.energies);
+  return text;
+}
+
+}  // namespace mahlwerk::report

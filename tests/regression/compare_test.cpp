@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// One case by both engines, as a user asks for it.
+#include "program.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+class Compare : public ProgramTest {
+ protected:
+  std::string short_ = example("05-planetary-soft") +
+                       " --set run.time=\"0.1 s\" --set run.settle=\"0.05 s\" --out out ";
+};
+
+TEST_F(Compare, leaves_both_results_a_table_and_a_page) {
+  const Ended e = mahlwerk("compare " + short_ + "--set observe.frames=\"10 ms\"");
+  EXPECT_EQ(e.code, 0) << e.said;
+  for (const char* words : {"soft/event", "dissipated power", "1 to 2 m/s", "How to read it"})
+    EXPECT_NE(e.said.find(words), std::string::npos) << words << "\n" << e.said;
+  for (const char* file : {"compare.csv", "compare.html", "event/summary.json", "soft/summary.json",
+                           "event/report.html", "soft/report.html", "soft/frames-5.xyz"})
+    EXPECT_TRUE(exists(std::string("out/") + file)) << file;
+  const std::string table = text("out/compare.csv");
+  EXPECT_TRUE(table.starts_with("quantity,unit,event,event_ci95,soft,soft_ci95,ratio,"));
+  EXPECT_NE(table.find("\ndissipated_power,W,"), std::string::npos) << table;
+  EXPECT_NE(table.find("\ncollision_rate_by_energy_normal,1/s,"), std::string::npos) << table;
+  EXPECT_NE(text("out/soft/summary.json").find("\"engine\": \"soft\""), std::string::npos);
+  EXPECT_EQ(mahlwerk("compare " + short_ + "--quiet").code, 2) << "the result is there already";
+  EXPECT_EQ(mahlwerk("compare " + short_ + "--force --quiet --seed 3").said, "");
+  EXPECT_FALSE(exists("out/soft/frames-5.xyz")) << "replaced";
+}
+
+TEST_F(Compare, each_result_is_that_of_a_run) {
+  ASSERT_EQ(mahlwerk("compare " + short_ + "--quiet --threads 2").code, 0);
+  std::filesystem::rename(here_ / "out", here_ / "both");
+  for (const std::string engine : {"event", "soft"}) {
+    ASSERT_EQ(mahlwerk("run " + short_ + "--force --quiet --set run.engine=" + engine).code, 0);
+    EXPECT_EQ(text("both/" + engine + "/spectrum.csv"), text("out/spectrum.csv"));
+  }
+}
+
+TEST_F(Compare, json_has_both_columns) {
+  const Ended e = mahlwerk("compare " + short_ + "--json");
+  EXPECT_EQ(e.code, 0) << e.said;
+  for (const char* word : {"\"event_ci95\"", "\"soft_ci95\"", "\"apart\""})
+    EXPECT_NE(e.said.find(word), std::string::npos) << e.said;
+}
+
+TEST_F(Compare, one_ball_may_roll_where_several_may_not) {
+  const std::string one = example("01-one-ball") + " --set run.time=\"0.2 s\" --out one --quiet";
+  EXPECT_EQ(mahlwerk("compare " + one).code, 0);
+  expect_refused("compare " + short_ + "--set contact.lasting=roll",
+                 "the event engine cannot run this case");
+}
+
+TEST_F(Compare, what_only_one_engine_can_run_is_refused) {
+  expect_refused("compare " + short_ +
+                     "--set contact.restitution_law=viscoelastic "
+                     "--set 'contact.restitution_speed=1 m/s'",
+                 "the soft engine cannot run this case");
+  std::ofstream(here_ / "swept.toml")
+      << std::ifstream(std::string(MAHLWERK_HOME) + "/examples/05-planetary-soft/case.toml").rdbuf()
+      << "\n[sweep]\n\"mill.speed\" = [\"300 rpm\", \"400 rpm\"]\n";
+  expect_refused("compare swept.toml --out out", "[sweep]");
+  std::ofstream(here_ / "other.toml") << "";
+  expect_refused("compare . --out out", "compare takes one");
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
