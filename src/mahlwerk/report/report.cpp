@@ -23,7 +23,7 @@ using results::Quantity;
 
 /// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
 /// allow; where contacts are followed in steps, to what the step allows.
-constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-2;
+constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
 
 const Quantity& named(const std::vector<Quantity>& list, std::string_view name) {
   return *std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
