@@ -145,6 +145,23 @@ const std::vector<Measure>& powers() {
   return list;
 }
 
+/// Where the soft engine's power goes. Their sum is the dissipated power.
+const std::vector<Measure>& losses() {
+  static const std::vector<Measure> list{
+      {"dissipated_power_normal", "W", "of it along the normal: dampers, hysteresis, cohesion",
+       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_normal); }},
+      {"dissipated_power_tangential", "W", "of it across the normal: sliding and dampers",
+       [](const cases::Case&, const Replicate& r) {
+         return per_time(r, &Account::lost_tangential);
+       }},
+      {"dissipated_power_sliding", "W", "of that, by slip at the Coulomb limit",
+       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::slid); }},
+      {"dissipated_power_rolling", "W", "of the dissipated power, by rolling resistance",
+       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_rolling); }},
+  };
+  return list;
+}
+
 const Measure& tc_share() {
   static const Measure measure{
       "tc_collision_share", "1", "share of the collisions that the TC rule made elastic",
@@ -269,6 +286,7 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   if (balls(outcome.what) > 1) gathering.add(partners());
   for (const CollisionMean& m : collision_means()) gathering.add(m);
   gathering.add(powers());
+  if (outcome.what.run.engine == "soft") gathering.add(losses());
   if (has_tc(outcome)) gathering.add(tc_share());
   if (outcome.what.powder && outcome.what.powder->mass > 0) gathering.add(doses());
   gathering.add(checks());

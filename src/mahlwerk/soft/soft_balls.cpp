@@ -151,8 +151,8 @@ void SoftBalls::stretch(std::int64_t until) {
   if (w.step % block == 0) check_energy();
 }
 
-double SoftBalls::stored() const {
-  double energy = 0;
+SoftBalls::Stored SoftBalls::stored() const {
+  Stored energy;
   for (const Packet& p : swarm_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
@@ -162,9 +162,10 @@ double SoftBalls::stored() const {
       const Vec3 apart = nearest(swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
                                  swarm_.place.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
-      energy += std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
+      energy.normal +=
+          std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
       const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};
-      energy += 0.5 * p.stiffness[l] * squared(spring);
+      energy.tangential += 0.5 * p.stiffness[l] * squared(spring);
     }
   return energy;
 }
@@ -185,7 +186,8 @@ scene::Account SoftBalls::reckoned() const {
     a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(swarm_.spin.one(b)));
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
-  a.elastic = stored();
+  const Stored kept = stored();
+  a.elastic = kept.normal + kept.tangential;
   for (const Packet& p : swarm_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
@@ -196,7 +198,8 @@ scene::Account SoftBalls::reckoned() const {
       a.wall_work += p.deeds.wall[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.deeds.deepest[l] / p.radius_i[l]);
     }
-  a.lost_normal -= a.elastic;  // of what contacts took so far, this can come back
+  a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
+  a.lost_tangential -= kept.tangential;
   a.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
   return a;
 }

@@ -30,7 +30,10 @@ class SoftBalls final : public scene::Engine, private Seldom {
   double time_of(std::int64_t step) const;  // [s] since the start of the run
   void check_energy();
   scene::Account reckoned() const;
-  double stored() const;  // [J] in contacts, now
+  struct Stored {
+    double normal = 0, tangential = 0;  // [J]
+  };
+  Stored stored() const;  // in contacts, now
   void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
