@@ -20,6 +20,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/warnings.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -105,8 +106,17 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
       sweeps ? report::campaign_table(campaign_of(job, outcomes))
              : report::table(results::summarise(outcomes.front()), job.what.observe.threshold);
   fmt::print("{}\n\n{}\n{}", job.what.title, table, uncalibrated(job.points.front()));
-  if (!sweeps)
+  if (sweeps) {
+    const auto doubtful = std::ranges::count_if(
+        outcomes, [](const results::Outcome& o) { return !results::warnings(o).empty(); });
+    if (doubtful > 0)
+      fmt::print("Warning: {} of {} points have a warning in their report.\n\n", doubtful,
+                 outcomes.size());
+  } else {
+    for (const std::string& words : results::warnings(outcomes.front()))
+      fmt::print("Warning: {}\n\n", words);
     for (const std::string& note : outcomes.front().notes) fmt::print("{}\n\n", note);
+  }
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / (sweeps ? "campaign.html" : "report.html")).string());
   fmt::print("numbers:  {}\n\n", (place / (sweeps ? "campaign.csv" : "summary.json")).string());

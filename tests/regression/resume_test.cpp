@@ -66,6 +66,14 @@ class Resume : public ::testing::Test {
     return all.str();
   }
 
+  void turn_a_bit(std::uintmax_t at) const {
+    std::fstream file(here_ / "parts.checkpoint", std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(at));
+    const int was = file.get();
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put(static_cast<char>(was ^ 4));
+  }
+
   fs::path here_;
 };
 
@@ -102,6 +110,9 @@ TEST_F(Resume, other_cases_and_damaged_states_are_refused) {
             130);
   EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume --set contact.friction=0.5"), 2);
   EXPECT_NE(text("said").find("another run"), std::string::npos) << text("said");
+  turn_a_bit(fs::file_size(here_ / "parts.checkpoint") / 2);
+  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 2);
+  EXPECT_NE(text("said").find("damaged"), std::string::npos) << text("said");
   fs::resize_file(here_ / "parts.checkpoint", fs::file_size(here_ / "parts.checkpoint") / 2);
   EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 2);
   EXPECT_NE(text("said").find("damaged"), std::string::npos) << text("said");

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/cases/build.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -63,6 +64,18 @@ double contact_share(const results::Outcome& outcome) {
   return time > 0 ? contact / time : 0;
 }
 
+/// The name of the contact law, if bodies stick together by it.
+const char* sticking(const cases::Case& what) {
+  const contact::PairTable pairs = cases::pair_table(what);
+  const auto any = [&](double contact::Pair::*property) {
+    return std::ranges::any_of(pairs.all(), [&](const auto& pair) { return pair.*property > 0; });
+  };
+  const contact::LawName law = what.contact.law_choice.law;
+  if (law == contact::LawName::jkr && any(&contact::Pair::surface_energy)) return "jkr";
+  if (law == contact::LawName::sjkr && any(&contact::Pair::cohesion)) return "sjkr";
+  return nullptr;
+}
+
 /// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
 std::string against_soft(const cases::Case& what) {
   if (balls(what) > most_soft_balls)
@@ -78,6 +91,11 @@ std::string against_soft(const cases::Case& what) {
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   if (what.run.engine != "auto") return {what.run.engine, {}};
+  if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
+    return {"soft",
+            {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "
+                         "the event engine does not know.",
+                         law)}};
   if (balls(what) == 1)
     return {"event",
             {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."}};
@@ -108,6 +126,11 @@ std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice&
     for (std::string& note : soft_notes(outcome.what)) notes.push_back(std::move(note));
     return notes;
   }
+  if (const char* law = sticking(outcome.what))
+    notes.push_back(fmt::format(
+        "Warning: law = \"{}\" holds balls together. The event engine does not know that: its "
+        "balls part without a pull (engine = \"soft\" follows it).",
+        law));
   const double share = contact_share(outcome);
   if (balls(outcome.what) > 1 && share > most_contact)
     notes.push_back(fmt::format(

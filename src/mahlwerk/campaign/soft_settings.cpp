@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Overlaps above this share of the radius are more than the laws are meant for.
 constexpr double deep = 0.01;
+/// Above this balls pass through each other, and through the wall.
+constexpr double sinking = 1;
 
 /// One ball of each set, for what depends on sizes alone.
 std::vector<scene::Ball> one_of_each(const cases::Case& what) {
@@ -37,6 +40,20 @@ double meeting_speed(const cases::Case& what) {
   const double wall = most.speed + most.spin * reach + what.run.start_speed;
   constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
   return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
+}
+
+/// Why the time step is as long as it is.
+std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
+  if (what.run.time_step) return "as given";
+  const double fraction = what.run.time_step_fraction;
+  const double usual = steps.usual(fraction);
+  if (usual == fraction * steps.rayleigh)
+    return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
+  if (usual == steps.damper / 5)
+    return "a fifth of the time in which the damper of a contact stops a ball";
+  return what.contact.law_choice.law == contact::LawName::walton_braun
+             ? "a fiftieth of a collision along the stiff line of unloading"
+             : "a fiftieth of the shortest collision";
 }
 
 /// To two digits, downwards.
@@ -62,10 +79,11 @@ std::vector<std::string> soft_notes(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   const double step = s.rules.time_step;
   std::vector<std::string> notes{fmt::format(
-      "Time step {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest collision ({}) of "
-      "balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
-      show_rounded(step, "s"), 100 * step / s.steps.rayleigh, 100 * step / s.steps.contact,
-      show_rounded(s.steps.contact, "s"), s.speed, 100 * s.steps.overlap)};
+      "Time step {}, {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest collision ({}) "
+      "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
+      show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
+      100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
+      100 * s.steps.overlap)};
   if (s.steps.overlap > deep)
     notes.push_back(fmt::format(
         "Warning: contacts are so soft that balls may overlap by {:.2g} % of their radius, more "
@@ -79,6 +97,23 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   std::vector<Fault> found = cases::engine_faults(what);
   if (what.run.engine != "soft" || !found.empty()) return found;
   const SoftSettings s = soft_settings(what);
+  if (s.steps.overlap > sinking)
+    found.push_back({cases::place_of(what, "contact.softening"),
+                     fmt::format("contacts are so soft that balls, which may meet at {:.2g} m/s, "
+                                 "would sink into each other by {:.2g} of their radius",
+                                 s.speed, s.steps.overlap),
+                     "give a larger softening, modulus or stiffness, or a smaller cohesion",
+                     "contacts-too-soft"});
+  constexpr double most_steps = 1e13;  // a month or more, and as far as a clock can count
+  const double time = what.run.settle + what.run.time;
+  if (time > most_steps * s.rules.time_step)
+    found.push_back(
+        {cases::place_of(what, what.run.time_step ? "run.time_step" : "run.time"),
+         fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
+                     show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, most_steps),
+         fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
+                     show_rounded(s.steps.usual(cases::step_share.standard.value()), "s")),
+         "time-step-too-small"});
   if (s.rules.time_step > s.steps.limit)
     found.push_back(
         {cases::place_of(what, "run.time_step"),

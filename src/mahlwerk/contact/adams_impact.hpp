@@ -21,7 +21,12 @@ struct AdamsImpact : HertzSpring {
   /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (dem.15).
   double damping(double e) const {
     if (choice_.published_damping) return -2 * damping_ratio(e);
-    return stepped_damping(e, usual_depth * scale) / root_of_scale;
+    return stepped_damping(std::max(e, least_restitution), usual_depth * scale) / root_of_scale;
+  }
+  double damper_time(const Touching& t, double damping, double speed) const {
+    double memory[law_memories];
+    begin(numbers(t, damping), memory, speed);
+    return damping > 0 ? t.mass / memory[0] : unbounded_time;
   }
   LawNumbers numbers(const Touching& t, double damping) const {
     const double k = hertz_stiffness(t);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace mahlwerk::contact {
@@ -22,6 +23,7 @@ class ByPair {
   void set_balls(int a, int b, const T& value) { all_[index(a, b)] = all_[index(b, a)] = value; }
   void set_wall(int kind, int face, const T& value) { all_[index(kind, face) + kinds_] = value; }
 
+  std::span<const T> all() const { return all_; }
   int kinds() const { return static_cast<int>(kinds_); }
   int faces() const { return static_cast<int>(row_ - kinds_); }
   bool operator==(const ByPair&) const = default;

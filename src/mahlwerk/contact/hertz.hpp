@@ -43,6 +43,7 @@ struct HertzSpring {
   }
   double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
   double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
 };
 
 }  // namespace mahlwerk::contact

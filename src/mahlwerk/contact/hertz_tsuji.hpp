@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "mahlwerk/contact/damping.hpp"
 #include "mahlwerk/contact/hertz.hpp"
 
@@ -14,11 +16,17 @@ struct HertzTsuji : HertzSpring {
   static constexpr LawName name = LawName::hertz_tsuji;
   explicit HertzTsuji(const LawChoice&) {}
 
-  double damping(double e) const { return tensionless_damping(e); }
+  double damping(double e) const { return tensionless_damping(std::max(e, least_restitution)); }
   /// The dimensionless damper is in units of sqrt(m* k).
   LawNumbers numbers(const Touching& t, double damping) const {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t)};
+  }
+
+  /// Across the normal, where the bodies turn, too: 2/7 of the mass.
+  double damper_time(const Touching& t, double damping, double speed) const {
+    const double k = hertz_stiffness(t), quarter = std::pow(hertz_overlap(t, speed), 0.25);
+    return damping > 0 ? 2.0 / 7.0 * std::sqrt(t.mass / k) / (damping * quarter) : unbounded_time;
   }
 
   template <class V>

@@ -46,6 +46,13 @@ struct Jkr : HertzSpring {
     return {force, k[2] * a, k[3] * half, size_of(force + 2.0 * k[6])};
   }
 
+  /// Two bodies at rest sink in until the spring holds the pull of their surfaces: a^3 is then
+  /// 6 pi (2 gamma) R*^2 times 3/(4 E*).
+  double largest_overlap(const Touching& t, double speed) const {
+    const double a = std::cbrt(9 * std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
+                               t.pair.modulus);
+    return hertz_overlap(t, speed) + a * a / (3 * t.radius);
+  }
   static double pull_off(const Touching& t) {
     return 3 * std::numbers::pi * t.pair.surface_energy * t.radius;
   }

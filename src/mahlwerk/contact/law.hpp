@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <numbers>
 
 #include "mahlwerk/base/lanes.hpp"
@@ -39,8 +40,9 @@ struct Push {
 /// take a while and is asked once for each pair. `begin` sets the memory of a new contact that
 /// closes at `approach` [m/s]. `reach` [m] is how far a contact holds beyond touch. `stored` [J] is
 /// the elastic energy of the normal deformation. `secant(t)` [1] is the stiffness along the normal,
-/// F/overlap of the spring, over that across it. `largest_overlap` [m] and `shortest_time` [s],
-/// that of the swiftest part of a collision, are those at `speed` [m/s].
+/// F/overlap of the spring, over that across it. `largest_overlap` [m], `shortest_time` [s] (that
+/// of the swiftest part of a collision) and `damper_time` [s] (in which the damper alone would stop
+/// the bodies, where that may be shorter still) are those at a speed [m/s].
 template <class L>
 concept Law = requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
                        const double* v) {
@@ -54,7 +56,15 @@ concept Law = requires(const L law, const Touching& t, const LawNumbers& k, doub
   { law.stored(k, v, x) } -> std::same_as<double>;
   { law.largest_overlap(t, x) } -> std::same_as<double>;
   { law.shortest_time(t, x) } -> std::same_as<double>;
+  { law.damper_time(t, x, x) } -> std::same_as<double>;  // damping, speed
 };
+
+/// The damper time of a law damped critically at most: a collision takes no longer.
+constexpr double unbounded_time = std::numeric_limits<double>::infinity();
+
+/// Restitutions below this are taken as this by laws whose damper or spring would grow without
+/// bound (dem.10, dem.13, dem.14).
+constexpr double least_restitution = 0.01;
 
 /// ln e / sqrt(ln^2 e + pi^2), from 0 at e = 1 to -1 at e = 0 (dem.7).
 inline double damping_ratio(double e) {

@@ -19,6 +19,12 @@ struct Sjkr : HertzSpring {
     return k;
   }
 
+  /// Two bodies at rest sink in until the spring holds the cohesion.
+  double largest_overlap(const Touching& t, double speed) const {
+    const double root = 4 * std::numbers::pi * t.radius * t.pair.cohesion / hertz_stiffness(t);
+    return hertz_overlap(t, speed) + root * root;
+  }
+
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
     Push<V> p = HertzMindlin::push(k, m, overlap, rate);

@@ -15,8 +15,10 @@ struct WaltonBraun : Spring {
   static constexpr LawName name = LawName::walton_braun;
   using Spring::Spring;
 
-  static double least(double e) { return std::max(e, 0.01); }  // k2 = 1e4 k1 is soft as can be
-  double damping(double e) const { return 1 / (least(e) * least(e)); }
+  double damping(double e) const {
+    const double least = std::max(e, least_restitution);
+    return 1 / (least * least);
+  }
   LawNumbers numbers(const Touching& t, double damping) const {
     const double k = stiffness(t);
     return {k, k * damping, 1 - 1 / damping, spring_across * k};

@@ -52,8 +52,8 @@ double student95(int freedom) {
 
 Estimate estimate(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
-  double mean = 0;
-  for (const double v : values) mean += v / n;
+  double mean = values.empty() ? 0 : values.front();  // so that equal values have no width
+  for (const double v : values) mean += (v - values.front()) / n;
   if (values.size() < 2) return {mean, std::numeric_limits<double>::quiet_NaN()};
   double squares = 0;
   for (const double v : values) squares += (v - mean) * (v - mean);

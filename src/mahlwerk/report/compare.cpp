@@ -13,6 +13,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::report {
 namespace {

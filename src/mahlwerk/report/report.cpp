@@ -13,6 +13,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/warnings.hpp"
 #include "mahlwerk/results/writer.hpp"
 
 namespace mahlwerk::report {
@@ -20,10 +21,6 @@ namespace {
 
 using results::Outcome;
 using results::Quantity;
-
-/// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
-/// allow; where contacts are followed in steps, to what the step allows.
-constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
 
 const Quantity& named(const std::vector<Quantity>& list, std::string_view name) {
   return *std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
@@ -74,34 +71,6 @@ std::string warning_box(const Outcome& outcome) {
 }
 
 }  // namespace
-
-std::vector<std::string> warnings(const Outcome& outcome) {
-  std::vector<std::string> list;
-  const std::vector<Quantity> quantities = results::summarise(outcome);
-  if (results::averaged(outcome).empty())
-    list.emplace_back("No time was counted: there is no result.");
-  if (outcome.interrupted && !results::complete(outcome))
-    list.emplace_back(
-        "The run was interrupted: these numbers come from the part that was computed.");
-  for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
-    if (!outcome.replicates[i].stopped.empty())
-      list.push_back(
-          fmt::format("Replicate {} was stopped: {}", i + 1, outcome.replicates[i].stopped));
-  }
-  const double collision = named(quantities, "energy_residual").value;
-  if (!(collision <= closed_collision))
-    list.push_back(
-        fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
-                    "{:.0e} is expected.",
-                    collision, closed_collision));
-  const double run = named(quantities, "energy_balance").value;
-  const double closed = outcome.engine == "soft" ? closed_run_in_steps : closed_run;
-  if (!(run <= closed))
-    list.push_back(fmt::format(
-        "The energy balance of a run does not close: residual {:.1e}, at most {:.0e} is expected.",
-        run, closed));
-  return list;
-}
 
 std::string sentence(const Outcome& outcome) {
   const std::vector<Quantity> list = results::summarise(outcome);

@@ -17,10 +17,6 @@ std::string report_page(const results::Outcome& outcome, std::string_view versio
 /// The result in a sentence: how often, how hard, how much.
 std::string sentence(const results::Outcome& outcome);
 
-/// What a reader must know before using the numbers: a run cut short or stopped, an energy balance
-/// that does not close. Empty if all is well.
-std::vector<std::string> warnings(const results::Outcome& outcome);
-
 /// Everything a result consists of: the files of results::write and report.html.
 void write(const results::Folder& folder, const results::Outcome& outcome, std::string_view version,
            std::string_view below = "");

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mahlwerk/results/warnings.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
@@ -32,6 +34,7 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"seed", outcome.what.seed},
           {"engine", outcome.what.run.engine},
           {"notes", outcome.notes},
+          {"warnings", warnings(outcome)},
           {"threshold", outcome.what.observe.threshold},
           {"complete", whole},
           {"interrupted", outcome.interrupted && !whole},

@@ -22,19 +22,20 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
 }
 
 double TimeSteps::usual(double fraction) const {
-  return std::min(fraction * rayleigh, contact / 50);
+  return std::min({fraction * rayleigh, contact / 50, damper / 5});
 }
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawChoice& choice,
                      const contact::PairTable& pairs, double speed) {
   const contact::AnyLaw law = contact::law(choice);
   const Breeds breeds(balls, pairs, law);
-  TimeSteps found{geometry::never, geometry::never, geometry::never, 0};
+  TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
   const auto look = [&](std::int32_t breed, double radius) {
     const contact::Touching& t = breeds[breed].touching;
     std::visit(
         [&](const auto& l) {
           found.contact = std::min(found.contact, l.shortest_time(t, speed));
+          found.damper = std::min(found.damper, l.damper_time(t, breeds[breed].damping, speed));
           found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
@@ -58,7 +59,7 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawCh
                                        std::sqrt(ball.density / shear) / (0.1631 * nu + 0.8766));
     }
   }
-  found.limit = std::min(found.rayleigh, 0.2 * found.contact);
+  found.limit = std::min({found.rayleigh, 0.2 * found.contact, found.damper});
   return found;
 }
 

@@ -25,9 +25,11 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
 struct TimeSteps {
   double rayleigh = 0;  ///< time a surface wave takes round the smallest or softest ball
   double contact = 0;   ///< shortest collision
+  double damper = 0;    ///< shortest in which the damper of a contact alone stops a ball (dem.33)
   double limit = 0;     ///< steps above this are unstable
   double overlap = 0;   ///< [1] largest overlap over the radius
-  double usual(double fraction) const;  ///< fraction of rayleigh, at most contact / 50
+  /// A fraction of rayleigh, at most contact / 50 and damper / 5.
+  double usual(double fraction) const;
 };
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawChoice& law,
                      const contact::PairTable& pairs, double speed);

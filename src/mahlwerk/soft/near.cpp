@@ -18,6 +18,7 @@ constexpr std::size_t few = 8;  // balls whose pairs are all looked at
 void SoftBalls::look() {
   for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
   looked_step_ = swarm_.step;
+  swarm_.feet_due = true;
   wanted_.clear();
   if (swarm_.balls <= few) {
     for (std::size_t b = 0; b < swarm_.balls; ++b) {

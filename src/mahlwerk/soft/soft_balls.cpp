@@ -53,6 +53,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
     w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).mass;
     w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
+    mass_ += breeds_.of(b).mass;
   }
   skin_ = 0.03 * smallest;
   look();
@@ -214,14 +215,17 @@ void SoftBalls::check_energy() {
   const double jump = std::abs(a.residual() - last_residual_);
   last_residual_ = a.residual();
   const Species& first = breeds_.species(0);
-  // A charge may come to rest; what it once had is the measure.
-  most_energy_ = std::max(most_energy_, a.kinetic + a.elastic);
+  // A charge may come to rest, or be at rest where the wall moves; what it once had, and what the
+  // wall would give it, is the measure.
+  const double t = clock(swarm_.step);
+  const double wall = norm(jar_->ride(t).velocity) + norm(jar_->spin(t)) * jar_->reach();
+  most_energy_ = std::max(most_energy_, a.kinetic + a.elastic + 0.5 * mass_ * wall * wall);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (jump <= 0.1 * (most_energy_ + least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < swarm_.balls; ++b)
     if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
-  stop(fastest, "the energy of the balls jumped: a contact was passed in too few steps");
+  stop(fastest, "the energy of the balls jumped: a force was too strong for the step");
 }
 
 void SoftBalls::stop(std::size_t ball, const char* why) const {
@@ -247,7 +251,7 @@ std::vector<scene::Ball> SoftBalls::balls() const {
 
 void SoftBalls::carry(Archive& archive) {
   Swarm& w = swarm_;
-  archive(w.step)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
+  archive(w.step)(w.feet_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
   for (Columns* c :
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);

@@ -80,6 +80,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   Breeds breeds_;
   Steps steps_;
   double start_, skin_;
+  double mass_ = 0;           // [kg] of all balls
   double reach_ = 0;          // [m] farthest that a contact holds beyond touch
   bool hops_, folds_;         // over free flight; places repeat
   std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at

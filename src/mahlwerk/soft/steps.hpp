@@ -154,10 +154,11 @@ template <class Law, bool wide>
       const std::size_t f = w.blocks * lanes;
       s.jar.feet(w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat.spin,
                  {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
-                  far ? nullptr : numbers(w.moved), numbers(w.place.x) + f, numbers(w.place.y) + f,
-                  numbers(w.place.z) + f, numbers(w.seen.x) + f, numbers(w.seen.y) + f,
-                  numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f, numbers(w.seen_spin.y) + f,
-                  numbers(w.seen_spin.z) + f});
+                  w.feet_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
+                  numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
+                  numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
+                  numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});
+      w.feet_due = false;
     }
     const Lanes none{};
     s.frame.jar_speed = {none + beat.speed.x, none + beat.speed.y, none + beat.speed.z};

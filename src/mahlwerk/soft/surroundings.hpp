@@ -28,7 +28,7 @@ struct Near {
 /// under a ball's centre; it moves as the wall there does.
 struct Places {
   const double *x, *y, *z;  // [m] of the balls
-  const double* moved;      // [m2] squared, since nearness was looked at; null: just now
+  const double* moved;      // [m2] squared, since nearness was looked at; null: every foot is due
   double *fx, *fy, *fz;     // [m] of the feet
   double *fu, *fv, *fw;     // [m/s]
   double *sx, *sy, *sz;     // [rad/s] spin of the wall

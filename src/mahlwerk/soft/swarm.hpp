@@ -60,6 +60,7 @@ struct Swarm {
   Columns looked;              ///< places when nearness was last looked at
   std::vector<Eight> moved;    ///< [m2] the square of how far balls have moved since
   bool few = false;            ///< all bodies fit into two registers
+  bool feet_due = true;        ///< every foot must be found at the next step, near or far
 };
 
 /// What happens seldom, outside the innermost loop.

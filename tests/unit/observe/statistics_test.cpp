@@ -40,6 +40,7 @@ TEST(Estimate, OfEqualValuesIsSharp) {
   const Estimate e = estimate({0.5, 0.5, 0.5, 0.5});
   EXPECT_EQ(e.mean, 0.5);
   EXPECT_EQ(e.ci95, 0);
+  EXPECT_EQ(estimate({0.1, 0.1, 0.1}).ci95, 0) << "though a third of 0.1 is not exact";
 }
 
 }  // namespace

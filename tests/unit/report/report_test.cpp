@@ -9,6 +9,7 @@
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/warnings.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::report {

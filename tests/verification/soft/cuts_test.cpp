@@ -194,6 +194,43 @@ TEST(SoftFaults, a_ball_nearly_stopped_by_a_wall_is_none) {
   EXPECT_NO_THROW(engine->advance(0.2, none));
 }
 
+/// The foot of a wall that is near but cannot be touched yet is not looked for; it once stayed
+/// where another had been, in the middle of the jar.
+TEST(SoftFaults, a_ball_between_near_walls_touches_none) {
+  const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, 0.7, 0.3);
+  const double radius = 0.01;
+  for (const double gap : {1e-5, 1e-4, 2.9e-4})  // of a skin of 3e-4
+    for (const bool hop : {false, true}) {
+      const double side = 2 * (radius + gap), step = 1e-6;
+      const scene::Chamber box = still_box(side);
+      const auto engine = soft_engine(box, {{radius, 7850, {}, {0.1, 0.07, 0.03}, {}}},
+                                      of_law(LawName::hertz_mindlin), pair, step, hop);
+      Recorder seen;
+      engine->advance(gap / 0.1 - 2 * step, seen);
+      EXPECT_EQ(engine->account().lost(), 0);
+      EXPECT_EQ(engine->account().contact_time, 0);
+      engine->advance(0.05, seen);
+      EXPECT_GT(seen.all.size(), 5U);
+      for (const scene::Collision& c : seen.all) {
+        const double most =
+            std::max({std::abs(c.where.x), std::abs(c.where.y), std::abs(c.where.z)});
+        EXPECT_NEAR(most, 0.5 * side, 1e-5) << "at a wall";
+      }
+    }
+}
+
+/// At the start of a shaken jar balls at rest have no energy; what the wall gives them is no jump.
+TEST(SoftFaults, a_charge_at_rest_in_a_shaken_jar_is_none) {
+  const scene::Chamber mill{
+      geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.01), {}, {0, 0, -gravity}};
+  std::vector<scene::Ball> balls = charge(18);
+  for (scene::Ball& b : balls) b.velocity = b.spin = {};
+  const auto engine =
+      soft_engine(mill, balls, of_law(LawName::hertz_mindlin), soft_pair(0.6), 2e-6, true);
+  Recorder none;
+  EXPECT_NO_THROW(engine->advance(0.1, none));
+}
+
 TEST(SoftRest, a_pile_of_three_balls_stays) {
   // Two on the floor, held together by the walls; the third lies on them.
   const double r = 0.005;

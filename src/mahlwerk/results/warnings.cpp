@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+/// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
+/// allow; where contacts are followed in steps, to what the step allows.
+constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
+
+double named(const std::vector<Quantity>& list, std::string_view name) {
+  return std::ranges::find(list, name, &Quantity::name)->value;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Outcome& outcome) {
+  std::vector<std::string> list;
+  const std::vector<Quantity> quantities = summarise(outcome);
+  if (averaged(outcome).empty()) list.emplace_back("No time was counted: there is no result.");
+  if (outcome.interrupted && !complete(outcome))
+    list.emplace_back(
+        "The run was interrupted: these numbers come from the part that was computed.");
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
+    if (!outcome.replicates[i].stopped.empty())
+      list.push_back(
+          fmt::format("Replicate {} was stopped: {}", i + 1, outcome.replicates[i].stopped));
+  }
+  const double collision = named(quantities, "energy_residual");
+  if (!(collision <= closed_collision))
+    list.push_back(
+        fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
+                    "{:.0e} is expected.",
+                    collision, closed_collision));
+  const double run = named(quantities, "energy_balance");
+  const double closed = outcome.engine == "soft" ? closed_run_in_steps : closed_run;
+  if (!(run <= closed))
+    list.push_back(fmt::format(
+        "The energy balance of a run does not close: residual {:.1e}, at most {:.0e} is "
+        "expected.{}",
+        run, closed,
+        outcome.engine == "soft" ? " A shorter run.time_step or stiffer contacts may close it."
+                                 : ""));
+  return list;
+}
+
+}  // namespace mahlwerk::results

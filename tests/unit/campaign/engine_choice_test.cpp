@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/engine_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using namespace cases::sample;
+
+cases::Case with_engine(const char* engine, const std::string& lines) {
+  return read_sample(with(planetary, "restitution", lines), {{"run.engine", engine}});
+}
+std::string joined(const std::vector<std::string>& notes) {
+  std::string all;
+  for (const std::string& note : notes) all += note + "\n";
+  return all;
+}
+
+constexpr const char* sticky = "law = \"jkr\"\nsurface_energy = \"1 J/m2\"\nrestitution = 0.5";
+constexpr const char* dry = "law = \"jkr\"\nsurface_energy = \"0 J/m2\"\nrestitution = 0.5";
+
+TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
+  const Choice c = choose(with_engine("auto", sticky));
+  EXPECT_EQ(c.engine, "soft");
+  EXPECT_NE(joined(c.reason).find("jkr"), std::string::npos);
+  EXPECT_EQ(joined(choose(with_engine("auto", dry)).reason).find("jkr"), std::string::npos);
+}
+
+TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
+  const auto notes = [](const cases::Case& what) {
+    results::Outcome outcome{.what = what, .replicates = {}, .notes = {}};
+    outcome.engine = "event";
+    return joined(notes_on(outcome, {"event", {}}));
+  };
+  EXPECT_NE(notes(with_engine("event", sticky)).find("part without a pull"), std::string::npos);
+  EXPECT_EQ(notes(with_engine("event", dry)).find("part without a pull"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign

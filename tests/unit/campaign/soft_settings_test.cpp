@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/soft_settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using namespace cases::sample;
+using Overrides = std::vector<cases::Override>;
+
+/// The planetary mill by the soft engine, with these lines in place of its restitution.
+cases::Case soft_case(const std::string& lines, Overrides overrides = {}) {
+  overrides.push_back({"run.engine", "soft"});
+  return read_sample(with(planetary, "restitution", lines), overrides);
+}
+/// The codes of what keeps it from running.
+std::string codes(const cases::Case& what) {
+  std::string all;
+  for (const Fault& f : run_faults(what)) all += (all.empty() ? "" : " ") + f.code;
+  return all;
+}
+std::string faults_with_step(const char* step) {
+  return codes(soft_case("restitution = 0.5", {{"run.time_step", step}}));
+}
+bool says(const cases::Case& what, const std::string& words) {
+  for (const std::string& note : soft_notes(what))
+    if (note.find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST(SoftSettings, paper_b_s_time_step_is_an_eighth_of_the_rayleigh_time) {
+  // 1 us for 15 mm steel balls, E = 200 GPa, nu = 0.265; a fiftieth of the collision is less.
+  const SoftSettings s = soft_settings(soft_case("restitution = 0.5"));
+  EXPECT_NEAR(s.steps.rayleigh, 8.1e-6, 0.2e-6);
+  EXPECT_NEAR(s.steps.usual(1) * 50, s.steps.contact, 1e-12);
+  EXPECT_EQ(faults_with_step("1 us"), "");
+}
+
+TEST(SoftSettings, what_decides_on_the_step_is_said) {
+  EXPECT_TRUE(says(soft_case("restitution = 0.5", {{"run.time_step_fraction", "0.05"}}),
+                   "the asked 5 % of the Rayleigh time"));
+  EXPECT_TRUE(says(soft_case("restitution = 0.5"), "a fiftieth of the shortest collision"));
+  EXPECT_TRUE(says(soft_case("law = \"walton-braun\"\nrestitution = 0.1"),
+                   "a fiftieth of a collision along the stiff line of unloading"));
+  EXPECT_TRUE(says(soft_case("law = \"hertz-tsuji\"\nrestitution = 0.05"),
+                   "a fifth of the time in which the damper"));
+  EXPECT_TRUE(says(soft_case("restitution = 0.5", {{"run.time_step", "0.3 us"}}), "as given"));
+}
+
+TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
+  EXPECT_EQ(faults_with_step("1 us"), "");
+  EXPECT_EQ(faults_with_step("1 ms"), "time-step-too-large");
+  EXPECT_EQ(faults_with_step("1e-300 s"), "time-step-too-small");
+  EXPECT_EQ(codes(soft_case("restitution = 0.5", {{"run.time_step_fraction", "1e-12"}})),
+            "time-step-too-small");
+}
+
+TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {
+  EXPECT_EQ(codes(soft_case("restitution = 0.5\nsoftening = 0.001")), "");
+  EXPECT_TRUE(says(soft_case("restitution = 0.5\nsoftening = 0.001"), "Warning: contacts"));
+  EXPECT_EQ(codes(soft_case("restitution = 0.5\nsoftening = 1e-9")), "contacts-too-soft");
+  EXPECT_EQ(codes(soft_case("law = \"sjkr\"\ncohesion = \"1e5 J/m3\"\nrestitution = 0.5")), "");
+  EXPECT_EQ(codes(soft_case("law = \"sjkr\"\ncohesion = \"1e12 J/m3\"\nrestitution = 0.5")),
+            "contacts-too-soft");
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
