@@ -62,11 +62,14 @@ class Replica::Ears final : public scene::Observer {
   Replica& replica_;
 };
 
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
+std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads) {
   const scene::Chamber mill = cases::chamber(what);
   const std::vector<scene::Ball> balls = cases::starting_balls(what, index);
-  if (what.run.engine == "soft")
-    return soft::engine(mill, balls, soft_settings(what).rules, cases::pair_table(what));
+  if (what.run.engine == "soft") {
+    soft::Rules rules = soft_settings(what).rules;
+    rules.threads = threads;
+    return soft::engine(mill, balls, rules, cases::pair_table(what));
+  }
   const contact::BounceTable bounces = cases::bounce_table(what);
   event::Rules treatment = rules(what.contact);
   if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);
@@ -76,14 +79,14 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index) {
 }
 
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
-                 std::unique_ptr<results::FrameFile> frames)
+                 std::unique_ptr<results::FrameFile> frames, int threads)
     : what_(&what),
       index_(index),
       keeper_(std::move(keeper)),
       frames_(std::move(frames)),
       frame_times_(what),
       result_(what.observe.threshold),
-      engine_(engine(what, index)),
+      engine_(engine(what, index, threads)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
   last_ = result_.account = result_.at_settled = engine_->account();
   if (what.run.engine == "soft")  // its work is known beforehand: below 0.1 s for 1000 balls

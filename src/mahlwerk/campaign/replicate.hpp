@@ -16,7 +16,7 @@ class Replica {
  public:
   /// `keeper` gets every counted record, `frames` the frames that the case asks for.
   Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
-          std::unique_ptr<results::FrameFile> frames = nullptr);
+          std::unique_ptr<results::FrameFile> frames = nullptr, int threads = 1);
 
   bool done() const { return stretch_ > stretches || !result_.stopped.empty(); }
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
@@ -50,6 +50,7 @@ class Replica {
 };
 
 /// The engine of one replicate at its start: run.engine, where "auto" counts as "event".
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index);
+/// `threads` may share its work; the result does not depend on them.
+std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads = 1);
 
 }  // namespace mahlwerk::campaign

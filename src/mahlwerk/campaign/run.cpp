@@ -43,10 +43,9 @@ void in_parallel(int threads, std::size_t count, const Work& work) {
         next = count;
       }
   };
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   {
     std::vector<std::jthread> team;
-    for (int i = 1; i < (threads > 0 ? threads : cores); ++i) team.emplace_back(worker);
+    for (int i = 1; i < std::min(threads, static_cast<int>(count)); ++i) team.emplace_back(worker);
     worker();
   }
   if (failure) std::rethrow_exception(failure);
@@ -97,17 +96,21 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   const auto started = std::chrono::steady_clock::now();
   Teller teller(options, wanted);
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : cores;
+  // Threads that no replicate is left for help those there are.
+  const int each = std::max(1, threads / std::max(1, static_cast<int>(jobs.size())));
   std::vector<Choice> choices(points.size());
   std::vector<cases::Case> decided = points;  // with the engine that runs them
-  in_parallel(options.threads, points.size(), [&](std::size_t i) {
+  in_parallel(threads, points.size(), [&](std::size_t i) {
     choices[i] = choose(points[i], options.stop);
     decided[i].run.engine = choices[i].engine;
   });
-  in_parallel(options.threads, jobs.size(), [&](std::size_t i) {
+  in_parallel(threads, jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
     Replica replica(decided[job.point], job.replicate,
                     options.records ? options.records(job.point, job.replicate) : nullptr,
-                    options.frames ? options.frames(job.point, job.replicate) : nullptr);
+                    options.frames ? options.frames(job.point, job.replicate) : nullptr, each);
     if (options.checkpoint != nullptr) options.checkpoint->restore(i, replica);
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
     while (!replica.done() && !stopped()) {

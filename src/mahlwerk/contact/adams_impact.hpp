@@ -15,6 +15,7 @@ namespace mahlwerk::contact {
 /// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
 struct AdamsImpact : HertzSpring {
   static constexpr LawName name = LawName::adams_impact;
+  static constexpr bool remembers = true;
   static constexpr double usual_depth = 0.01;  // of the largest overlap
   explicit AdamsImpact(const LawChoice& choice) : choice_(choice) {}
 

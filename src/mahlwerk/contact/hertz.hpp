@@ -35,6 +35,7 @@ inline double hertz_energy(double stiffness, double overlap) {
 
 /// What laws with Hertz's spring have in common; its stiffness is the first of their numbers.
 struct HertzSpring {
+  static constexpr bool remembers = false;
   void begin(const LawNumbers&, double*, double) const {}
   double reach(const Touching&) const { return 0; }
   double secant(const Touching& t) const { return mindlin_secant(t); }

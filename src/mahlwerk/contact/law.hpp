@@ -36,17 +36,19 @@ struct Push {
   V force, stiffness, damping, load;
 };
 
-/// A contact law. `damping(e)` is the number that makes a collision end with restitution e; it may
-/// take a while and is asked once for each pair. `begin` sets the memory of a new contact that
-/// closes at `approach` [m/s]. `reach` [m] is how far a contact holds beyond touch. `stored` [J] is
-/// the elastic energy of the normal deformation. `secant(t)` [1] is the stiffness along the normal,
-/// F/overlap of the spring, over that across it. `largest_overlap` [m], `shortest_time` [s] (that
-/// of the swiftest part of a collision) and `damper_time` [s] (in which the damper alone would stop
-/// the bodies, where that may be shorter still) are those at a speed [m/s].
+/// A contact law. `remembers` tells whether contacts have a memory. `damping(e)` is the number that
+/// makes a collision end with restitution e; it may take a while and is asked once for each pair.
+/// `begin` sets the memory of a new contact that closes at `approach` [m/s]. `reach` [m] is how far
+/// a contact holds beyond touch. `stored` [J] is the elastic energy of the normal deformation.
+/// `secant(t)` [1] is the stiffness along the normal, F/overlap of the spring, over that across it.
+/// `largest_overlap` [m], `shortest_time` [s] (that of the swiftest part of a collision) and
+/// `damper_time` [s] (in which the damper alone would stop the bodies, where that may be shorter
+/// still) are those at a speed [m/s].
 template <class L>
 concept Law = requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
                        const double* v) {
   { L::name } -> std::convertible_to<LawName>;
+  { L::remembers } -> std::convertible_to<bool>;
   { law.damping(x) } -> std::same_as<double>;
   { law.numbers(t, x) } -> std::same_as<LawNumbers>;
   { law.begin(k, m, x) } -> std::same_as<void>;

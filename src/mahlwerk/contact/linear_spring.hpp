@@ -19,6 +19,7 @@ constexpr double spring_across = 2.0 / 7.0;
 /// What laws with a linear spring have in common.
 class Spring {
  public:
+  static constexpr bool remembers = false;
   explicit Spring(const LawChoice& choice) : choice_(choice) {}
 
   double stiffness(const Touching& t) const { return spring_stiffness(choice_, t); }

@@ -13,6 +13,7 @@ namespace mahlwerk::contact {
 /// a lasting dent that is forgotten when the bodies part.
 struct WaltonBraun : Spring {
   static constexpr LawName name = LawName::walton_braun;
+  static constexpr bool remembers = true;
   using Spring::Spring;
 
   double damping(double e) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mahlwerk/soft/soft_balls.hpp"
+#include "mahlwerk/soft/touch.hpp"
 
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
@@ -16,9 +17,6 @@ Vec3 one(const Vec<Lanes>& a, int lane) {
 void put(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
-
-/// A contact that outlives its collision this many times has come to last.
-constexpr double lasting = 5;
 
 }  // namespace
 
@@ -48,7 +46,7 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
   if (p.wall[lane] != 0 && rules_.law.curved_walls) bend(p, lane);
-  const Vec3 n = one(m.n, lane), glide = one(b.vi, lane) - one(b.vj, lane);
+  const Vec3 n = one(m.n, lane), glide = one(b.relative, lane);
   p.began[k] = {.step = swarm_.step,
                 .approach = std::max(m.rate[lane], 0.0),
                 .slip = norm(one(m.slip, lane)),
@@ -64,23 +62,14 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   for (int i = 0; i < contact::law_memories; ++i) p.memory[i][lane] = memory[i];
 }
 
-/// The ball at a curved wall: R* from both principal curvatures (dem.4).
 void SoftBalls::bend(Packet& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   const auto ball = static_cast<std::size_t>(p.i[lane]);
-  const auto [most, least] =
-      jar_->curvatures(p.face[k], swarm_.place.one(ball), clock(swarm_.step));
-  const double own = 1 / made_of_[ball].radius;
-  const auto flatter = [&](double curvature) { return 1 / std::max(own - curvature, 0.01 * own); };
-  const Breed& breed = breeds_[p.breed[k]];
-  contact::Touching touching = breed.touching;
-  touching.radius = std::sqrt(flatter(most) * flatter(least));
-  const contact::LawNumbers numbers =
-      std::visit([&](const auto& law) { return law.numbers(touching, breed.damping); }, law_);
-  for (std::size_t i = 0; i < numbers.size(); ++i) p.numbers[i][lane] = numbers[i];
-  const double arm = touching.pair.rolling_friction * touching.radius;
-  p.rolling[lane] = arm;
-  p.roll_spring[lane] = 2.25 * arm * arm * breed.secant;
+  const Bent bent = bent_wall(*jar_, p.face[k], swarm_.place.one(ball), clock(swarm_.step),
+                              made_of_[ball].radius, breeds_[p.breed[k]], law_);
+  for (std::size_t i = 0; i < bent.numbers.size(); ++i) p.numbers[i][lane] = bent.numbers[i];
+  p.rolling[lane] = bent.rolling;
+  p.roll_spring[lane] = bent.roll_spring;
 }
 
 void SoftBalls::end(Packet& p, int lane) {
@@ -110,12 +99,7 @@ void SoftBalls::end(Packet& p, int lane) {
                     .lost_normal = d.normal[lane],
                     .lost_tangential = d.tangential[lane] + d.rolling[lane]});
   ++account_.collisions;
-  const double free = std::visit(
-      [&](const auto& law) {
-        return law.shortest_time(breed.touching, std::max(began.approach, 1e-3));
-      },
-      law_);
-  if (duration > lasting * free) ++account_.lasting_contacts;
+  if (outlasts(duration, began, breed, law_)) ++account_.lasting_contacts;
   p.touching[lane] = 0;
   settle(p, lane);
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/crowd.hpp"
 #include "mahlwerk/soft/soft_balls.hpp"
 
 namespace mahlwerk::soft {
@@ -18,6 +19,8 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const contact::PairTable& pairs, double start) {
   auto jar =
       std::visit([&](const auto& shape) { return surroundings_of(shape, chamber); }, chamber.shape);
+  if (balls.size() > rules.few)
+    return std::make_unique<Crowd>(std::move(jar), balls, rules, pairs, start);
   return std::make_unique<SoftBalls>(std::move(jar), balls, rules, pairs, start);
 }
 

@@ -21,9 +21,10 @@ struct alignas(64) Frame {
 
 /// The bodies of a packet's lanes.
 struct alignas(64) Bodies {
-  Vec<Lanes> apart;   ///< [m] from i to j
-  Vec<Lanes> vi, vj;  ///< [m/s]
-  Vec<Lanes> wi, wj;  ///< [rad/s]
+  Vec<Lanes> apart;     ///< [m] from i to j
+  Vec<Lanes> relative;  ///< [m/s] velocity of i less that of j
+  Vec<Lanes> vj;        ///< [m/s] needed of walls only
+  Vec<Lanes> wi, wj;    ///< [rad/s]
 };
 
 /// Force [N] on i, its opposite on j; torques [N m] on both.
@@ -41,19 +42,27 @@ struct alignas(64) Meeting {
   Vec<Lanes> slip;         ///< [m/s] u across n
 };
 
-/// Shorter or equal to which the distance of two centres is a touch.
-[[gnu::always_inline]] inline Lanes touch_distance(const Packet& p) {
-  return p.radius_i + p.radius_j + choose(p.touching, p.reach, Lanes{});
+/// To the nearest image, where places repeat.
+[[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
+  Lanes x = a;
+  x -= choose(x > 0.5 * period, period, Lanes{});
+  x += choose(x < -0.5 * period, period, Lanes{});
+  return x;
 }
 
-[[gnu::always_inline]] inline Meeting meet(const Packet& p, const Bodies& b, Lanes squared) {
+/// Shorter or equal to which the distance of two centres is a touch.
+[[gnu::always_inline]] inline Lanes touch_distance(const Make& p, LaneMask touching) {
+  return p.radius_i + p.radius_j + choose(touching, p.reach, Lanes{});
+}
+
+[[gnu::always_inline]] inline Meeting meet(const Make& p, const Bodies& b, Lanes squared) {
   Meeting m;
   const Lanes distance = root(squared);
   m.n = (1.0 / larger(distance, Lanes{} + 1e-300)) * b.apart;  // 0 in free lanes
   m.overlap = p.radius_i + p.radius_j - distance;
   m.lever_i = p.radius_i - p.share * m.overlap;
   m.lever_j = distance - m.lever_i;
-  m.u = b.vi - b.vj + cross(m.lever_i * b.wi + m.lever_j * b.wj, m.n);
+  m.u = b.relative + cross(m.lever_i * b.wi + m.lever_j * b.wj, m.n);
   m.rate = dot(m.u, m.n);
   m.slip = m.u - m.rate * m.n;
   return m;
@@ -70,7 +79,8 @@ struct alignas(64) Meeting {
 
 /// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
 /// dem.21). Returns the force on i.
-[[gnu::always_inline]] inline Vec<Lanes> rub(Packet& p, const Frame& frame, const Meeting& m,
+[[gnu::always_inline]] inline Vec<Lanes> rub(const Make& make, History& p, Deeds& deeds,
+                                             const Frame& frame, const Meeting& m,
                                              const contact::Push<Lanes>& push, LaneMask touching) {
   if (frame.rescaled) {
     const Lanes kept = push.stiffness / p.stiffness;
@@ -78,7 +88,7 @@ struct alignas(64) Meeting {
   }
   Vec<Lanes> spring = carried(p.spring, p.normal, m.n) + frame.step * m.slip;
   Vec<Lanes> force = -(push.stiffness * spring) - push.damping * m.slip;
-  const Lanes most = p.friction * push.load, squared = dot(force, force);
+  const Lanes most = make.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
     const Lanes size = root(squared);
@@ -88,7 +98,7 @@ struct alignas(64) Meeting {
     force = choose(slides, pull * both, one) * force;
     const Vec<Lanes> left = choose(less(most, pull), size * both, one) * spring;
     const Lanes slid = dot(force, left - spring);
-    p.deeds.sliding += choose(slides, slid, Lanes{});
+    deeds.sliding += choose(slides, slid, Lanes{});
     spring = choose<Lanes>(slides, left, spring);
   }
   p.spring = choose<Lanes>(touching, spring, Vec<Lanes>{});
@@ -97,7 +107,8 @@ struct alignas(64) Meeting {
 }
 
 /// Rolling resistance: the torque on i, its opposite on j (dem.22 to dem.25).
-[[gnu::always_inline]] inline Vec<Lanes> resist(Packet& p, const Frame& frame, const Meeting& m,
+[[gnu::always_inline]] inline Vec<Lanes> resist(const Make& p, History& past, Deeds& deeds,
+                                                const Frame& frame, const Meeting& m,
                                                 const Bodies& b, const contact::Push<Lanes>& push,
                                                 LaneMask touching) {
   Vec<Lanes> turning = b.wi - b.wj;
@@ -119,7 +130,7 @@ struct alignas(64) Meeting {
     torque = -(limited(most * root(ratio)) * turning);
   } else {
     const Lanes stiffness = p.roll_spring * push.stiffness;
-    Vec<Lanes> spring = carried(p.roll, p.normal, m.n) - (frame.step * stiffness) * turning;
+    Vec<Lanes> spring = carried(past.roll, past.normal, m.n) - (frame.step * stiffness) * turning;
     const Lanes squared = dot(spring, spring);
     const LaneMask slips = less(most * most, squared);
     if (any(slips)) {
@@ -129,21 +140,21 @@ struct alignas(64) Meeting {
     // Each ball rolls about the contact, with (7/5) m R^2 = 7/2 of its own inertia.
     const Lanes damping = limited(2.0 * frame.rolling_damping * root(3.5 * p.inertia * stiffness));
     torque = spring - choose(slips, none, damping) * turning;
-    p.roll = choose<Lanes>(touching, spring, Vec<Lanes>{});
+    past.roll = choose<Lanes>(touching, spring, Vec<Lanes>{});
   }
-  p.deeds.rolling -= choose(touching, frame.step * dot(torque, turning), none);
+  deeds.rolling -= choose(touching, frame.step * dot(torque, turning), none);
   return choose<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
 /// All that the pairs of a packet do to each other in a step.
 template <class Law>
-[[gnu::always_inline]] inline Push push(Packet& p, const Frame& frame, const Bodies& b,
-                                        const Meeting& m, LaneMask touching) {
+[[gnu::always_inline]] inline Push push(const Make& p, History& past, Deeds& d, const Frame& frame,
+                                        const Bodies& b, const Meeting& m, LaneMask touching) {
   const Lanes none{};
   contact::Push<Lanes> f = Law::template push<Lanes>(
-      p.numbers, p.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
+      p.numbers, past.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
   f.force = choose(touching, f.force, none);
-  const Vec<Lanes> friction = rub(p, frame, m, f, touching);
+  const Vec<Lanes> friction = rub(p, past, d, frame, m, f, touching);
   Push out;
   out.force = friction - f.force * m.n;
   const Vec<Lanes> arm = cross(m.n, friction);
@@ -151,13 +162,12 @@ template <class Law>
   out.torque_j = m.lever_j * arm;
   Lanes by_wall = dot(out.force, b.vj + frame.jar_speed);
   if (frame.rolling != contact::Rolling::none) {
-    const Vec<Lanes> torque = resist(p, frame, m, b, f, touching);
+    const Vec<Lanes> torque = resist(p, past, d, frame, m, b, f, touching);
     out.torque_i = out.torque_i + torque;
     out.torque_j = out.torque_j - torque;
     by_wall += dot(torque, b.wj);
   }
-  p.normal = m.n;
-  Deeds& d = p.deeds;
+  past.normal = m.n;
   d.impulse += frame.step * f.force;
   d.normal += frame.step * (f.force * m.rate);
   d.tangential -= frame.step * dot(friction, m.slip);

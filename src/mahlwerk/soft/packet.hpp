@@ -25,13 +25,12 @@ struct Beginning {
   double approach = 0, slip = 0, glide = 0;  ///< [m/s]
 };
 
-/// Eight pairs of bodies that are near each other, side by side, with the history of those that
-/// touch. A body is a ball, or the foot of a wall, a ball of no size. Free lanes touch nothing.
-struct alignas(64) Packet {
-  LaneMask i{}, j{};             ///< bodies; i is always a ball
-  LaneMask touching{};           ///< since the last step
+/// What eight pairs of bodies are made of. A body is a ball, or the foot of a wall, a ball of no
+/// size.
+struct alignas(64) Make {
   LaneMask wall{};               ///< where j is a foot
   Lanes radius_i{}, radius_j{};  ///< [m] 0 of a foot
+  Lanes per_radius{};            ///< [1/m] of radius_i
   Lanes share{};                 ///< of the overlap that lies in i: half, or all against a wall
   Lanes reach{};                 ///< [m] a contact holds beyond touch
   Lanes numbers[contact::law_numbers]{};
@@ -39,12 +38,31 @@ struct alignas(64) Packet {
   Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
   Lanes roll_spring{};  ///< [m2] epsd: its stiffness over the contact's stiffness across
   Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
+};
 
+inline void copy_lane(const Make& a, int lane, Make& b, int place) {
+  constexpr std::size_t columns = sizeof(Make) / sizeof(Lanes);
+  const auto* from = reinterpret_cast<const double*>(&a);
+  auto* to = reinterpret_cast<double*>(&b);
+  for (std::size_t c = 0; c < columns; ++c)
+    to[c * lanes + static_cast<std::size_t>(place)] =
+        from[c * lanes + static_cast<std::size_t>(lane)];
+}
+
+/// What eight contacts remember from step to step.
+struct alignas(64) History {
   Lanes memory[contact::law_memories]{};
   Vec<Lanes> spring{};  ///< [m] xi, the tangential spring
   Vec<Lanes> normal{};  ///< at the last step, from i to j
   Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
   Lanes stiffness{};    ///< [N/m] across, at the last step
+};
+
+/// Eight pairs of bodies that are near each other, side by side, with the history of those that
+/// touch. Free lanes touch nothing.
+struct alignas(64) Packet : Make, History {
+  LaneMask i{}, j{};    ///< bodies; i is always a ball
+  LaneMask touching{};  ///< since the last step
   Deeds deeds;
 
   std::array<std::int32_t, lanes> face{};   ///< of a wall; < 0: balls

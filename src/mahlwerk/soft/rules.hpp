@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "mahlwerk/contact/choice.hpp"
 
 namespace mahlwerk::soft {
@@ -11,6 +13,8 @@ struct Rules {
   contact::LawChoice law;
   double time_step = 0;  ///< [s]
   bool hop = true;       ///< over time in which nothing touches and nothing can
+  std::size_t few = 32;  ///< up to so many balls every pair is looked at; more are a crowd
+  int threads = 1;       ///< that share the work of one run; the result is the same for any number
 };
 
 }  // namespace mahlwerk::soft

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/went_wrong.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -65,28 +65,20 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
 
 /// Bodies that overlap much at the start would fly apart.
 void SoftBalls::refuse_overlaps() const {
-  constexpr double most = 0.01;  // of a radius
   const double t = clock(swarm_.step);
-  const auto refuse = [](std::size_t ball, const std::string& with, double overlap) {
-    throw InputError(Fault{"balls",
-                           fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
-                                       ball + 1, with, overlap),
-                           "give places apart from each other and from the jar",
-                           "overlapping-balls"});
-  };
   for (const Candidate& c : seated_) {
     const auto i = static_cast<std::size_t>(c.i);
     const double radius = made_of_[i].radius;
     const Vec3 x = swarm_.place.one(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t).distance) / radius;
-      if (overlap > most) refuse(i, "the jar", overlap);
+      if (overlap > most_overlap) throw overlapping(i, "the jar", overlap);
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double touch = radius + made_of_[j].radius;
     const double overlap = (touch - norm(nearest(swarm_.place.one(j) - x))) / radius;
-    if (overlap > most) refuse(i, fmt::format("ball {}", j + 1), overlap);
+    if (overlap > most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
 
@@ -209,32 +201,22 @@ scene::Account SoftBalls::account() const {
   return reckoned();
 }
 
-/// A run that goes wrong makes energy from nothing, at once and much of it.
 void SoftBalls::check_energy() {
   const scene::Account a = reckoned();
-  const double jump = std::abs(a.residual() - last_residual_);
-  last_residual_ = a.residual();
-  const Species& first = breeds_.species(0);
-  // A charge may come to rest, or be at rest where the wall moves; what it once had, and what the
-  // wall would give it, is the measure.
   const double t = clock(swarm_.step);
   const double wall = norm(jar_->ride(t).velocity) + norm(jar_->spin(t)) * jar_->reach();
-  most_energy_ = std::max(most_energy_, a.kinetic + a.elastic + 0.5 * mass_ * wall * wall);
+  const Species& first = breeds_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
-  if (jump <= 0.1 * (most_energy_ + least)) return;
+  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < swarm_.balls; ++b)
     if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
-  stop(fastest, "the energy of the balls jumped: a force was too strong for the step");
+  stop(fastest, energy_jumped);
 }
 
 void SoftBalls::stop(std::size_t ball, const char* why) const {
-  const Vec3 x = swarm_.place.one(ball), v = swarm_.velocity.one(ball);
-  throw RunError(fmt::format(
-      "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
-      "centre, "
-      "with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer contact",
-      time_of(swarm_.step), ball + 1, why, x.x, x.y, x.z, v.x, v.y, v.z));
+  throw went_wrong(time_of(swarm_.step), ball, why, swarm_.place.one(ball),
+                   swarm_.velocity.one(ball));
 }
 
 std::vector<scene::Ball> SoftBalls::balls() const {
@@ -256,7 +238,7 @@ void SoftBalls::carry(Archive& archive) {
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
-  archive(account_)(in_touch_)(in_touch_since_)(last_residual_)(most_energy_)(asked_);
+  archive(account_)(in_touch_)(in_touch_since_)(watch_)(asked_);
   if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }

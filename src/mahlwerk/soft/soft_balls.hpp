@@ -9,6 +9,7 @@
 #include "mahlwerk/soft/breeds.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "mahlwerk/soft/swarm.hpp"
+#include "mahlwerk/soft/watch.hpp"
 
 namespace mahlwerk::soft {
 
@@ -98,7 +99,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   std::vector<std::int32_t> contacts_of_;  // each ball
   std::int64_t in_touch_ = 0;              // balls that touch something
   std::int64_t in_touch_since_ = 0;
-  double last_residual_ = 0, most_energy_ = 0;  // [J] at the last look at the energy; ever
+  Watch watch_;
   std::vector<scene::Collision> ended_;
   std::vector<Beat> beats_;
 };

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/soft/machines.hpp"
 #include "mahlwerk/soft/swarm.hpp"
 
 // The innermost loop: one text, compiled for each law and each kind of machine.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MAHLWERK_WIDE 1
-#endif
-
 namespace mahlwerk::soft {
 
 /// Numbers of a column at the bodies of eight lanes. With `wide` registers, two of them hold all
@@ -107,13 +104,6 @@ template <bool wide>
   give(w.torque.z, push.torque_i.z, push.torque_j.z);
 }
 
-[[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
-  Lanes x = a;
-  x -= choose(x > 0.5 * period, period, Lanes{});
-  x += choose(x < -0.5 * period, period, Lanes{});
-  return x;
-}
-
 /// One packet in a step. Returns false where nothing touches.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline bool act(Stretch& s, Packet& p, Push& out) {
@@ -123,17 +113,17 @@ template <class Law, bool wide>
   if (s.frame.periodic)
     b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
                folded(b.apart.z, s.frame.periods.z)};
-  const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p);
+  const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p, p.touching);
   const LaneMask touching = less(squared, near * near);
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
-  b.vi = pick<wide>(w.seen, p.i, w.few);
   b.vj = pick<wide>(w.seen, p.j, w.few);
+  b.relative = pick<wide>(w.seen, p.i, w.few) - b.vj;
   b.wi = pick<wide>(w.seen_spin, p.i, w.few);
   b.wj = pick<wide>(w.seen_spin, p.j, w.few);
   const Meeting m = meet(p, b, squared);
   if (changes) s.seldom.change(p, touching, m, b);
-  out = push<Law>(p, s.frame, b, m, touching);
+  out = push<Law>(p, p, p.deeds, s.frame, b, m, touching);
   return true;
 }
 
@@ -207,10 +197,8 @@ template <class Law>
 template <class Law>
 Steps steps_of() {
 #ifdef MAHLWERK_WIDE
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl"))
-    return steps_wide<Law>;
-  if (__builtin_cpu_supports("avx2")) return steps_middling<Law>;
+  if (machine() == Machine::wide) return steps_wide<Law>;
+  if (machine() == Machine::middling) return steps_middling<Law>;
 #endif
   return steps_plain<Law>;
 }

@@ -58,6 +58,20 @@ class Surrounded final : public Surroundings {
       p.sx[k] = spin.x, p.sy[k] = spin.y, p.sz[k] = spin.z;
     }
   }
+  void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+            const std::array<std::int32_t, lanes>& faces, double t,
+            Eight (&feet)[3]) const override {
+    const bool plain = jar_.plain();
+    const Rotation q = plain ? Rotation{} : jar_.axes(t);
+    for (int l = 0; l < lanes; ++l) {
+      const auto k = static_cast<std::size_t>(l);
+      const Vec3 place = rows[balls[k]].place();
+      geometry::Gap gap = jar_.shape().gap(faces[k], plain ? place : q.back(place));
+      if (!plain) gap.inward = q * gap.inward;
+      const Vec3 foot = place - gap.distance * gap.inward;
+      feet[0].is[l] = foot.x, feet[1].is[l] = foot.y, feet[2].is[l] = foot.z;
+    }
+  }
   double clear(const scene::Passing& ball, double t, double radius) const override {
     double least = geometry::never;
     for (int face = 0; face < S::faces; ++face)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 #include "mahlwerk/scene/jar.hpp"
+#include "mahlwerk/soft/rows.hpp"
 
 namespace mahlwerk::soft {
 
@@ -49,6 +51,10 @@ class Surroundings {
   /// Where the balls meet the faces they are near to.
   virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
                     const Places& places) const = 0;
+  /// The same of eight balls at a face each.
+  virtual void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+                    const std::array<std::int32_t, lanes>& faces, double t,
+                    Eight (&feet)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].
   virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].

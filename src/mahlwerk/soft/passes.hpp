@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/machines.hpp"
+#include "mahlwerk/soft/pass.hpp"
+
+// A step of a chunk of a crowd: contacts, then the balls. One text for each law and kind of
+// machine.
+namespace mahlwerk::soft {
+
+enum class Whose { own, cross, wall };
+
+/// Columns of eight rows. Without wide registers, number by number.
+template <bool wide, class R>
+[[gnu::always_inline]] inline void columns(const R* rows, const std::array<std::int32_t, lanes>& at,
+                                           Lanes (&out)[8]) {
+  for (int l = 0; l < lanes; ++l) {
+    const R& row = rows[at[static_cast<std::size_t>(l)]];
+    if constexpr (wide) {
+      out[l] = eight(row);
+    } else {
+      const double* numbers = reinterpret_cast<const double*>(&row);
+      for (int c = 0; c < 8; ++c) out[c][l] = numbers[c];
+    }
+  }
+  if constexpr (wide) transpose(out);
+}
+/// Of what eight pairs differ by, j less i.
+template <bool wide>
+[[gnu::always_inline]] inline void differences(const Row* rows, const Grip& g, Lanes (&out)[8]) {
+  for (int l = 0; l < lanes; ++l) {
+    const auto k = static_cast<std::size_t>(l);
+    const Row &a = rows[g.i[k]], &b = rows[g.j[k]];
+    if constexpr (wide) {
+      out[l] = eight(b) - eight(a);
+    } else {
+      out[0][l] = b.x - a.x, out[1][l] = b.y - a.y, out[2][l] = b.z - a.z;
+      out[4][l] = b.u - a.u, out[5][l] = b.v - a.v, out[6][l] = b.w - a.w;
+    }
+  }
+  if constexpr (wide) transpose(out);
+}
+template <bool wide>
+[[gnu::always_inline]] inline void spins(const Turn* turns, const Grip& g, Bodies& b) {
+  Lanes w[8];
+  for (int l = 0; l < lanes; ++l) {
+    const auto k = static_cast<std::size_t>(l);
+    const Turn &i = turns[g.i[k]], &j = turns[g.j[k]];
+    if constexpr (wide) {
+      w[l] = joined(four(i), four(j));
+    } else {
+      w[0][l] = i.x, w[1][l] = i.y, w[2][l] = i.z;
+      w[4][l] = j.x, w[5][l] = j.y, w[6][l] = j.z;
+    }
+  }
+  if constexpr (wide) transpose(w);
+  b.wi = {w[0], w[1], w[2]};
+  b.wj = {w[4], w[5], w[6]};
+}
+
+/// Adds forces and torques to the rows of the balls, in the order of the lanes.
+template <bool wide>
+[[gnu::always_inline]] inline void add(Twin* loads, std::int32_t first,
+                                       const std::array<std::int32_t, lanes>& at,
+                                       const Vec<Lanes>& force, const Vec<Lanes>& torque) {
+  Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
+  if constexpr (wide) {
+    transpose(r);
+    for (int l = 0; l < lanes; ++l) {
+      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
+      put_eight(sum, eight(sum) + r[l]);
+    }
+  } else {
+    for (int l = 0; l < lanes; ++l) {
+      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
+      sum.x += r[0][l], sum.y += r[1][l], sum.z += r[2][l];
+      sum.a += r[4][l], sum.b += r[5][l], sum.c += r[6][l];
+    }
+  }
+}
+
+/// The bodies of a grip.
+template <bool wide, Whose whose>
+[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g) {
+  Bodies b;
+  const Lanes none{};
+  Lanes c[8];
+  if constexpr (whose == Whose::wall) {
+    Eight foot[3];
+    s.jar->feet(s.rows, g.i, g.j, s.time, foot);
+    columns<wide>(s.rows, g.i, c);
+    const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
+    const Vec3& spin = s.before.spin;
+    b.wj = {none + spin.x, none + spin.y, none + spin.z};
+    b.vj = cross(b.wj, at);
+    b.apart = at - Vec<Lanes>{c[0], c[1], c[2]};
+    b.relative = Vec<Lanes>{c[4], c[5], c[6]} - b.vj;
+    for (int l = 0; l < lanes; ++l) {
+      const Turn& i = s.turns[g.i[static_cast<std::size_t>(l)]];
+      b.wi.x[l] = i.x, b.wi.y[l] = i.y, b.wi.z[l] = i.z;
+    }
+  } else {
+    differences<wide>(s.rows, g, c);
+    b.apart = {c[0], c[1], c[2]};
+    if (s.frame.periodic)
+      b.apart = {folded(c[0], s.frame.periods.x), folded(c[1], s.frame.periods.y),
+                 folded(c[2], s.frame.periods.z)};
+    b.relative = {-c[4], -c[5], -c[6]};
+    b.vj = {none, none, none};
+    spins<wide>(s.turns, g, b);
+  }
+  return b;
+}
+
+template <Whose whose>
+[[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g) {
+  for (std::size_t l = 0; l < lanes; ++l) {
+    __builtin_prefetch(&s.turns[g.i[l]]);
+    if (whose == Whose::wall) continue;
+    __builtin_prefetch(&s.rows[g.j[l]]);
+    __builtin_prefetch(&s.turns[g.j[l]]);
+  }
+}
+
+/// Lane by lane what their breeds are.
+[[gnu::always_inline]] inline void mixed(const Make* makes, const Grip& g, Make& out) {
+  for (int l = 0; l < lanes; ++l) copy_lane(makes[g.breed[static_cast<std::size_t>(l)]], l, out, l);
+}
+
+/// Contacts of one kind: what they do to the balls of the chunk.
+template <class Law, bool wide, Whose whose>
+[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Grips& list, Twin* loads,
+                                        Deeds& sums) {
+  Make made;
+  for (std::size_t n = 0; n < list.grips.size(); ++n) {
+    Grip& g = list.grips[n];
+    if (!any(g.touching)) continue;
+    if (n + 2 < list.grips.size()) prefetch<whose>(s, list.grips[n + 2]);
+    const Bodies b = bodies<wide, whose>(s, g);
+    const Make* make = &s.makes[g.breed[0]];
+    if (!list.makes.empty())
+      make = &list.makes[n];
+    else if (!g.alike)
+      mixed(s.makes, g, made), make = &made;
+    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, g.touching);
+    const LaneMask touching = less(squared, near * near) & g.touching;
+    const Meeting m = meet(*make, b, squared);
+    if (g.fresh != 0) {
+      s.comings->begin(chunk, list, n, m, b);
+      if (!list.makes.empty()) make = &list.makes[n];
+    }
+    if (any(touching ^ g.touching)) s.comings->end(chunk, list, n, touching);
+    History past;
+    past.spring = g.spring, past.normal = g.normal, past.stiffness = g.stiffness;
+    if (s.remembers) {
+      const Memory& k = list.memories[n];
+      for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
+      past.roll = k.roll;
+    }
+    Deeds d;
+    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching);
+    g.spring = past.spring, g.normal = past.normal, g.stiffness = past.stiffness;
+    if (s.remembers) {
+      Memory& k = list.memories[n];
+      for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
+      k.roll = past.roll;
+    }
+    g.impulse += d.impulse;
+    g.lost_normal += d.normal;
+    g.lost_across += d.tangential + d.rolling;
+    sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
+    sums.sliding += d.sliding, sums.wall += d.wall;
+    sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
+    add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
+    if constexpr (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
+  }
+}
+
+/// Which of the pairs from `at` on, up to eight, touch: a bit for each.
+template <bool wide>
+[[gnu::always_inline]] inline int touching_of(const Pass& s, const Nigh* pairs, std::size_t count) {
+  Lanes c[8];
+  Lanes touch{};
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const Nigh& pair = pairs[l < count ? l : 0];
+    const Row &a = s.rows[pair.ball], &b = s.rows[pair.other];
+    if constexpr (wide) {
+      c[l] = eight(b) - eight(a);
+    } else {
+      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z;
+    }
+    touch[l] = a.radius + b.radius;
+  }
+  if constexpr (wide) transpose(c);
+  Vec<Lanes> apart{c[0], c[1], c[2]};
+  if (s.frame.periodic)
+    apart = {folded(c[0], s.frame.periods.x), folded(c[1], s.frame.periods.y),
+             folded(c[2], s.frame.periods.z)};
+  const LaneMask mask = less(dot(apart, apart), touch * touch);
+  if (!any(mask)) return 0;
+  int bits = 0;
+  for (std::size_t l = 0; l < count; ++l) bits |= mask[static_cast<int>(l)] != 0 ? 1 << l : 0;
+  return bits;
+}
+
+/// Pairs that are near: those that touch now become contacts.
+template <bool wide>
+[[gnu::always_inline]] inline void look(const Pass& s, Chunk& chunk) {
+  Waiting& w = chunk.near;
+  const auto scan = [&](const std::vector<Nigh>& pairs, std::size_t end) {
+    chunk.met.clear();
+    for (std::size_t k = 0; k < end; k += lanes) {
+      constexpr std::size_t ahead = 4 * lanes;  // so that rows are there when they are asked for
+      for (std::size_t n = k + ahead; n < std::min(end, k + ahead + lanes); ++n)
+        __builtin_prefetch(&s.rows[pairs[n].other]);
+      int bits = touching_of<wide>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+      for (; bits != 0; bits &= bits - 1)
+        chunk.met.push_back(static_cast<std::int32_t>(k) +
+                            __builtin_ctz(static_cast<unsigned>(bits)));
+    }
+    chunk.doings.tests += static_cast<std::int64_t>(end);
+  };
+  scan(w.pairs, w.due(chunk.bound, s.bin));
+  for (std::size_t n = chunk.met.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.met[n]);
+    s.comings->seize(chunk, w.pairs[k]);
+    w.remove(k);
+  }
+  scan(w.parted, w.parted.size());
+  for (std::size_t n = chunk.met.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.met[n]);
+    s.comings->seize(chunk, w.parted[k]);
+    w.parted[k] = w.parted.back();
+    w.parted.pop_back();
+  }
+}
+
+/// The balls of a chunk, a step on (dem.26).
+template <bool wide>
+[[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const Twin* loads,
+                                        Drift& drift) {
+  const double dt = s.frame.step;
+  const Vec3 &b0 = s.before.pull, &b1 = s.after.pull;
+  const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
+  const Four guess{drift.guess.x, drift.guess.y, drift.guess.z};
+  Four sum{}, most{};
+  for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
+    const Lanes kick = s.kicks[s.species[i]].is * eight(loads[i - chunk.first]);
+    const Lanes half = eight(s.half[i]) + 2.0 * kick + pull0;
+    const Lanes seen = half + kick + pull1;
+    put_eight(s.half[i], half);
+    const Lanes row = eight(s.rows[i]);
+    const Lanes place = row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
+    put_eight(s.next[i], __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15));
+    put_four(s.next_turns[i], __builtin_shufflevector(seen, seen, 4, 5, 6, 15));
+    const Four way = __builtin_shufflevector(place, place, 0, 1, 2, 2) - four(s.looked[i]);
+    const Four off = way - guess;
+    sum += way;
+    most = most > off ? most : off;
+    most = most > -off ? most : -off;
+  }
+  const double count = std::max(1, chunk.last - chunk.first);
+  drift.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
+  drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+/// The main loop's body for a crowd.
+template <class Law, bool wide>
+[[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, Loads& loads, Drift& drift) {
+  look<wide>(s, chunk);
+  s.comings->look_at_walls(chunk);
+  std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
+  Deeds whole, shared;
+  grip<Law, wide, Whose::own>(s, chunk, chunk.own, loads.data(), whole);
+  grip<Law, wide, Whose::cross>(s, chunk, chunk.cross, loads.data(), shared);
+  grip<Law, wide, Whose::wall>(s, chunk, chunk.wall, loads.data(), whole);
+  Deeds& all = chunk.doings.deeds;
+  all.normal += whole.normal + 0.5 * shared.normal;
+  all.tangential += whole.tangential + 0.5 * shared.tangential;
+  all.rolling += whole.rolling + 0.5 * shared.rolling;
+  all.sliding += whole.sliding + 0.5 * shared.sliding;
+  all.wall += whole.wall;
+  all.deepest = larger(all.deepest, larger(whole.deepest, shared.deepest));
+  chunk.doings.ball_steps += chunk.in_touch;
+  move<wide>(s, chunk, loads.data(), drift);
+}
+
+#ifdef MAHLWERK_WIDE
+template <class Law>
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void pass_wide(Pass& s, Chunk& c,
+                                                                          Loads& l, Drift& d) {
+  pass<Law, true>(s, c, l, d);
+}
+template <class Law>
+[[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, Loads& l, Drift& d) {
+  pass<Law, false>(s, c, l, d);
+}
+#endif
+template <class Law>
+[[gnu::flatten]] void pass_plain(Pass& s, Chunk& c, Loads& l, Drift& d) {
+  pass<Law, false>(s, c, l, d);
+}
+
+template <class Law>
+PassOf pass_of() {
+#ifdef MAHLWERK_WIDE
+  if (machine() == Machine::wide) return pass_wide<Law>;
+  if (machine() == Machine::middling) return pass_middling<Law>;
+#endif
+  return pass_plain<Law>;
+}
+
+}  // namespace mahlwerk::soft

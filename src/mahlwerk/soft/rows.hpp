@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/base/vec3.hpp"
+
+// Balls in rows: what the contacts ask of a ball lies in one line of the cache, so that eight balls
+// anywhere are eight loads, turned into columns in registers.
+namespace mahlwerk::soft {
+
+/// A ball as contacts see it, in the jar frame.
+struct alignas(64) Row {
+  double x = 0, y = 0, z = 0;  ///< [m]
+  double radius = 0;           ///< [m]
+  double u = 0, v = 0, w = 0;  ///< [m/s] predicted (dem.26)
+  double none = 0;
+
+  Vec3 place() const { return {x, y, z}; }
+};
+struct alignas(32) Turn {
+  double x = 0, y = 0, z = 0;  ///< [rad/s] predicted
+  double none = 0;
+};
+/// Two vectors side by side: velocity and spin, or force and torque.
+struct alignas(64) Twin {
+  double x = 0, y = 0, z = 0, none = 0;
+  double a = 0, b = 0, c = 0, empty = 0;
+};
+
+/// Where a ball was, to a few nanometres.
+struct alignas(16) Spot {
+  float x = 0, y = 0, z = 0, none = 0;
+};
+
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using FourFloats = float __attribute__((vector_size(4 * sizeof(float)), may_alias));
+using EightAnywhere = double __attribute__((vector_size(8 * sizeof(double)), may_alias));
+using FourAnywhere = double __attribute__((vector_size(4 * sizeof(double)), may_alias));
+
+template <class R>
+[[gnu::always_inline]] inline Lanes eight(const R& row) {
+  return *reinterpret_cast<const EightAnywhere*>(&row);
+}
+template <class R>
+[[gnu::always_inline]] inline void put_eight(R& row, const Lanes& a) {
+  *reinterpret_cast<EightAnywhere*>(&row) = a;
+}
+template <class R>
+[[gnu::always_inline]] inline Four four(const R& row) {
+  return *reinterpret_cast<const FourAnywhere*>(&row);
+}
+template <class R>
+[[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
+  *reinterpret_cast<FourAnywhere*>(&row) = a;
+}
+[[gnu::always_inline]] inline Four four(const Spot& spot) {
+  return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);
+}
+[[gnu::always_inline]] inline Lanes joined(const Four& a, const Four& b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// Eight rows to eight columns, in place; or back.
+[[gnu::always_inline]] inline void transpose(Lanes (&r)[8]) {
+  Lanes t[8], s[8];
+  for (int k = 0; k < 8; k += 2) {
+    t[k] = __builtin_shufflevector(r[k], r[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    t[k + 1] = __builtin_shufflevector(r[k], r[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int k = 0; k < 8; k += 4)
+    for (int odd = 0; odd < 2; ++odd) {
+      const Lanes &a = t[k + odd], &b = t[k + 2 + odd];
+      s[k + odd] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+      s[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  for (int k = 0; k < 4; ++k) {
+    r[k] = __builtin_shufflevector(s[k], s[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    r[k + 4] = __builtin_shufflevector(s[k], s[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+}  // namespace mahlwerk::soft

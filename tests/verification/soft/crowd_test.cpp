@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Many balls by the soft engine: the same physics as few, to the bit the same however a run is cut,
+// stopped, shared among threads or compiled.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/random.hpp"
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+using contact::Rolling;
+
+contact::Pair some_pair() {
+  contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.3);
+  pair.rolling_friction = 0.02;
+  pair.surface_energy = 0.05;
+  pair.cohesion = 1e4;
+  return pair;
+}
+
+/// Balls of `sizes` radii [m] on a lattice of `pitch` [m], about the centre.
+std::vector<scene::Ball> lattice(int count, double pitch, const std::vector<double>& sizes,
+                                 double speed = 0.5) {
+  Random random(5, 0);
+  const int side = static_cast<int>(std::ceil(std::cbrt(count)));
+  std::vector<scene::Ball> balls;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 cell{static_cast<double>(i % side), static_cast<double>(i / side % side),
+                    static_cast<double>(i / side / side)};
+    balls.push_back({sizes[static_cast<std::size_t>(i) % sizes.size()], 7850,
+                     pitch * (cell - 0.5 * (side - 1) * Vec3{1, 1, 1}),
+                     random.uniform(0, speed) * random.direction(),
+                     random.uniform(0, 30) * random.direction()});
+  }
+  return balls;
+}
+
+struct World {
+  std::string name;
+  scene::Chamber mill;
+  std::vector<scene::Ball> balls;
+  contact::LawChoice law;
+  double step = 2e-6;
+};
+
+std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
+  const int faces = std::visit([](const auto& s) { return s.faces; }, w.mill.shape);
+  soft::Rules rules{w.law, w.step, false};
+  rules.few = few;
+  rules.threads = threads;
+  return soft::engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
+}
+
+std::vector<World> worlds() {
+  const Vec3 down{0, 0, -gravity};
+  const scene::Chamber shaker{geometry::Capsule{0.04, 0.02}, shaken(20, 0.015), {}, down};
+  const scene::Chamber planet{
+      geometry::Box{0.03, 0.03, 0.03}, kinematics::Planetary{0.07, 40, -2}, {}, down};
+  const scene::Chamber drum{geometry::Cylinder{0.04, 0.04}, kinematics::Tumbling{12},
+                            scene::mounted_along({1, 0, 0}), down};
+  const scene::Chamber gas{geometry::PeriodicBox{0.03, 0.03, 0.03}, kinematics::Still{}, {}, {}};
+  auto curved = of_law(LawName::adams_impact, Rolling::epsd);
+  curved.curved_walls = true;
+  return {
+      {"shaken", shaker, lattice(60, 0.0055, {0.0025}),
+       of_law(LawName::hertz_mindlin, Rolling::cdt)},
+      {"planetary, two sizes", planet, lattice(60, 0.0042, {0.002, 0.001}),
+       of_law(LawName::walton_braun, Rolling::epsd)},
+      {"drum, sticking", drum, lattice(100, 0.0045, {0.002, 0.0015}),
+       of_law(LawName::jkr, Rolling::viscous)},
+      {"drum, curved walls", drum, lattice(100, 0.0045, {0.002, 0.0005}), curved},
+      {"periodic", gas, lattice(64, 0.0074, {0.003, 0.0008}, 3), of_law(LawName::linear_spring)},
+  };
+}
+
+TEST(Crowd, moves_as_few_balls_do) {
+  // Same laws, same steps, other order of sums: rounding grows by each collision. Positions are
+  // compared where a start put off by 1e-13 m has come no farther than the tolerance.
+  for (const World& w : worlds()) {
+    SCOPED_TRACE(w.name);
+    World aside = w;
+    for (scene::Ball& b : aside.balls) b.position.x += 1e-13;
+    const auto few = crowd(w, 1, 1000), many = crowd(w), nudged = crowd(aside);
+    Recorder by_few, by_many, by_nudged;
+    const double time = 0.012;
+    few->advance(time, by_few);
+    many->advance(time, by_many);
+    nudged->advance(time, by_nudged);
+    const auto a = few->balls(), b = many->balls(), c = nudged->balls();
+    double off = 0, grown = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      off = std::max(off, norm(a[i].position - b[i].position));
+      grown = std::max(grown, norm(c[i].position - b[i].position));
+    }
+    EXPECT_GT(by_many.all.size(), 30U);
+    EXPECT_EQ(by_few.all.size(), by_many.all.size());
+    stays_below(w.name + ": positions off after 12 ms [m]", off, std::max(1e-12, 10 * grown),
+                "the same by all pairs; grown from 1e-13 m");
+    const scene::Account x = few->account(), y = many->account();
+    const double scale = x.kinetic + std::abs(x.wall_work) + x.lost();
+    for (const auto part :
+         {&scene::Account::kinetic, &scene::Account::elastic, &scene::Account::wall_work,
+          &scene::Account::lost_normal, &scene::Account::lost_tangential,
+          &scene::Account::lost_rolling, &scene::Account::slid})
+      EXPECT_NEAR(x.*part, y.*part, std::max(1e-9, 1e6 * grown) * scale);
+    EXPECT_NEAR(x.contact_time, y.contact_time, 20 * w.step);
+    EXPECT_EQ(x.lasting_contacts, y.lasting_contacts);
+  }
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+void expect_same(const scene::Engine& a, const scene::Engine& b) {
+  EXPECT_TRUE(same_bits(a.account(), b.account()));
+  const auto balls = a.balls(), others = b.balls();
+  ASSERT_EQ(balls.size(), others.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    ASSERT_EQ(balls[i].position, others[i].position) << i;
+    ASSERT_EQ(balls[i].velocity, others[i].velocity) << i;
+    ASSERT_EQ(balls[i].spin, others[i].spin) << i;
+  }
+}
+void expect_same(const Recorder& a, const Recorder& b) {
+  ASSERT_EQ(a.all.size(), b.all.size());
+  for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
+}
+
+TEST(Crowd, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared) {
+  constexpr double time = 0.02;
+  for (const World& w : worlds()) {
+    SCOPED_TRACE(w.name);
+    const auto whole = crowd(w), pieces = crowd(w, 2), before = crowd(w, 2), after = crowd(w);
+    Recorder in_one, in_many, in_two;
+    whole->advance(time, in_one);
+    EXPECT_GT(in_one.all.size(), 50U);
+    Random random(3, 0);
+    std::vector<double> cuts{time};
+    for (int i = 0; i < 200; ++i) cuts.push_back(random.uniform(0, time));
+    std::ranges::sort(cuts);
+    for (const double cut : cuts) pieces->advance(cut, in_many);
+    expect_same(in_one, in_many);
+    expect_same(*whole, *pieces);
+    before->advance(0.01137, in_two);
+    Archive out;
+    before->carry(out);
+    Archive in(out.bytes());
+    after->carry(in);
+    in.finish();
+    after->advance(time, in_two);
+    expect_same(in_one, in_two);
+    expect_same(*whole, *after);
+  }
+}
+
+/// Several chunks, whose pairs across are reckoned by both.
+World drum_of(int count) {
+  const scene::Chamber drum{geometry::Cylinder{0.06, 0.06},
+                            kinematics::Tumbling{10},
+                            scene::mounted_along({1, 0, 0}),
+                            {0, 0, -gravity}};
+  return {"drum", drum, lattice(count, 0.0022, {0.001}, 0.2),
+          of_law(LawName::hertz_mindlin, Rolling::cdt), 2e-6};
+}
+
+TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
+  const World w = drum_of(4000);
+  const auto one = crowd(w), three = crowd(w, 3);
+  Recorder by_one, by_three;
+  one->advance(0.006, by_one);
+  three->advance(0.006, by_three);
+  EXPECT_GT(by_one.all.size(), 1000U);
+  expect_same(by_one, by_three);
+  expect_same(*one, *three);
+  for (const char* registers : {"avx2", "plain"}) {
+    SCOPED_TRACE(registers);
+    setenv("MAHLWERK_SIMD", registers, 1);
+    const auto narrow = crowd(w, 2);
+    unsetenv("MAHLWERK_SIMD");
+    Recorder by_narrow;
+    narrow->advance(0.006, by_narrow);
+    expect_same(by_one, by_narrow);
+    expect_same(*one, *narrow);
+  }
+}
+
+TEST(Crowd, closes_its_energy_and_keeps_its_momentum) {
+  World w = drum_of(3000);
+  const auto drum = crowd(w, 2);
+  Recorder seen;
+  drum->advance(0.03, seen);
+  const scene::Account a = drum->account();
+  stays_below("drum of 3000: energy balance over work done",
+              std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost()), 1e-3, "(dem.32)");
+  World gas = worlds().back();
+  gas.balls = lattice(2197, 0.0023, {0.001}, 0.5);
+  const auto engine = crowd(gas, 2);
+  const auto momentum = [](const std::vector<scene::Ball>& balls) {
+    Vec3 sum{};
+    for (const scene::Ball& b : balls) sum += b.mass() * b.velocity;
+    return sum;
+  };
+  const Vec3 before = momentum(engine->balls());
+  engine->advance(0.02, seen);
+  double size = 0;
+  for (const scene::Ball& b : engine->balls()) size += b.mass() * norm(b.velocity);
+  stays_below("gas of 2197: momentum gained over all there is",
+              norm(momentum(engine->balls()) - before) / size, 1e-12, "Newton's third law");
+}
+
+TEST(Crowd, that_goes_wrong_or_starts_overlapping_says_which_ball) {
+  World w = drum_of(3000);
+  w.balls[1234].position = w.balls[77].position;
+  try {
+    crowd(w);
+    FAIL() << "overlapping";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.faults().front().code, "overlapping-balls");
+    EXPECT_NE(e.faults().front().what.find("ball 78"), std::string::npos) << e.what();
+  }
+  w = drum_of(3000);
+  w.balls[1234].velocity = {NAN, 0, 0};
+  const auto engine = crowd(w, 2);
+  Recorder none;
+  try {
+    engine->advance(0.01, none);
+    FAIL() << "no number";
+  } catch (const RunError& e) {
+    EXPECT_NE(std::string(e.what()).find("ball 1235"), std::string::npos) << e.what();
+    EXPECT_LE(engine->account().time, 100 * w.step);
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
