@@ -44,17 +44,18 @@ struct Grips {
 struct Nigh {
   std::int32_t ball = 0, other = 0;
 };
-/// Pairs that are near and do not touch, by their gap when they were looked for: those of bin k had
-/// at least k times the width. So few need be looked at until bodies have moved.
+/// Pairs that are near and do not touch, by their gap when they were last sorted: those of bin k
+/// had at least k times the width. So few need be looked at until bodies have moved.
 struct Waiting {
   static constexpr int bins = 16;
+  static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all wider gaps
   std::vector<Nigh> pairs;
   std::array<std::int32_t, bins + 1> end{};  ///< of each bin
   std::vector<Nigh> parted;                  ///< have touched since, and are looked at always
 
   /// Pairs that may touch where bodies have come nearer by `bound`, bins being `width` wide.
-  std::size_t due(double bound, double width) const {
-    const double bin = std::clamp(bound / width, 0.0, bins - 1.0);
+  std::size_t due(double bound, double bin_width) const {
+    const double bin = std::clamp(bound / bin_width, 0.0, bins - 1.0);
     return static_cast<std::size_t>(end[static_cast<std::size_t>(bin) + 1]);
   }
   /// The last of each bin takes the place of what it gives to the bin before.

@@ -79,7 +79,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
     widest = std::max(widest, s.radius);
   }
   for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
-  skin_ = 0.2 * smallest;
+  skin_ = 0.5 * smallest;
   loads_.resize(static_cast<std::size_t>(crew_.size()));
   start_moving();
   account_.started_with = 0;
@@ -158,7 +158,10 @@ void Crowd::step(const Beat& before, const Beat& after) {
   ++step_;
   now_.swap(next_);
   turns_.swap(next_turns_);
-  if (!reach_bounds()) rebuild();
+  if (!reach_bounds())
+    rebuild();
+  else if (worth_sorting())
+    sort_pairs();
   const Lanes none{};
   Pass pass{
       .rows = now_.data(),
@@ -173,7 +176,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .jar = jar_.get(),
       .comings = this,
       .time = clock(step_),
-      .bin = skin_ / Waiting::bins,
+      .bin = skin_ * Waiting::width,
       .before = before,
       .after = after,
       .remembers = remembers_,
@@ -213,7 +216,7 @@ bool Crowd::reach_bounds() {
     }
     chunk.bound = mine.spread + most + rounding;
     chunk.wall_bound = norm(mine.guess) + mine.spread + swept + rounding;
-    good = good && chunk.bound < skin_ && chunk.wall_bound < skin_;
+    good = good && spent_ + chunk.bound < skin_ && spent_ + chunk.wall_bound < skin_;
   }
   if (good)
     for (std::size_t c = 0; c < chunks_.size(); ++c) drifts_[c].guess = guesses_[c];

@@ -57,6 +57,11 @@ class Crowd final : public scene::Engine, private Comings {
   struct Kept;  // a contact between two orders of the balls
   void rebuild();
   void tune_skin();
+  void mark_places();
+  std::int64_t tests() const;
+  bool worth_sorting() const;
+  void sort_pairs();
+  double gap(const Nigh& pair) const;
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
   std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to) const;
@@ -119,9 +124,11 @@ class Crowd final : public scene::Engine, private Comings {
   std::vector<Grid> grids_;                // of each class, while nearness is looked at
 
   double skin_ = 0;    // [m]
-  double widest_ = 0;  // [m] the largest coordinate when nearness was looked at
-  std::int64_t looked_step_ = 0;
+  double widest_ = 0;  // [m] the largest coordinate when places were marked
+  double spent_ = 0;   // [m] of the skin, when pairs were last sorted
+  std::int64_t looked_step_ = 0, sorted_at_ = 0, pairs_sorted_ = 0;
   struct Tuning {
+    std::int64_t step = 0;
     double last_cost = 0, looked = 0, growing = 1.15;
   } tuning_;
 

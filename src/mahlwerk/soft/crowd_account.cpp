@@ -118,7 +118,7 @@ std::vector<scene::Ball> Crowd::balls() const {
 }
 
 void Crowd::carry(Archive& archive) {
-  archive(step_)(looked_step_)(skin_)(widest_)(tuning_);
+  archive(step_)(looked_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
   archive(now_)(next_)(looked_)(turns_)(next_turns_)(half_);
   archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());

@@ -28,7 +28,7 @@ void Crowd::look_at_walls(Chunk& chunk) {
     const Row& ball = now_[static_cast<std::size_t>(pair.ball)];
     return jar_->gap(~pair.other, ball.place(), clock(step_)).distance < ball.radius;
   };
-  const std::size_t due = w.due(chunk.wall_bound, skin_ / Waiting::bins);
+  const std::size_t due = w.due(chunk.wall_bound, skin_ * Waiting::width);
   for (std::size_t k = due; k-- > 0;) {
     if (!touches(w.pairs[k])) continue;
     seize(chunk, w.pairs[k]);

@@ -32,6 +32,23 @@ void put(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
 
+/// Sorts pairs into bins of `width` by their gaps.
+void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<double>& gaps,
+               double width) {
+  std::array<std::int32_t, Waiting::bins + 1> count{};
+  const auto bin = [&](double gap) {
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<int>(gap / width), 0, Waiting::bins - 1));
+  };
+  for (const double gap : gaps) ++count[bin(gap) + 1];
+  for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
+  w.end = count;
+  w.pairs.resize(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    w.pairs[static_cast<std::size_t>(count[bin(gaps[k])]++)] = found[k];
+  w.parted.clear();
+}
+
 }  // namespace
 
 struct Crowd::Kept {
@@ -68,6 +85,14 @@ void Crowd::rebuild() {
     }
   });
   grids_.clear();
+  spent_ = 0;
+  mark_places();
+  for (const Wrong& w : wrong)
+    if (w.why != nullptr) stop(w.row, w.why);
+}
+
+/// From here on motion is reckoned.
+void Crowd::mark_places() {
   widest_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const Row& row = now_[k];
@@ -75,26 +100,78 @@ void Crowd::rebuild() {
     looked_[k] = {static_cast<float>(row.x), static_cast<float>(row.y), static_cast<float>(row.z)};
   }
   looked_step_ = step_;
-  for (const Wrong& w : wrong)
-    if (w.why != nullptr) stop(w.row, w.why);
+  sorted_at_ = tests();
+  drifts_.assign(chunks_.size(), {});
+  guesses_.assign(chunks_.size(), {});
+  for (Chunk& chunk : chunks_) chunk.bound = chunk.wall_bound = 0;
+}
+
+std::int64_t Crowd::tests() const {
+  std::int64_t all = account_.search_steps;
+  for (const Chunk& chunk : chunks_) all += chunk.doings.tests;
+  return all;
+}
+
+/// Looking at pairs has cost what sorting them anew does, after which fewer need be looked at. (7
+/// was found by trial; 4 to 12 make no difference.)
+bool Crowd::worth_sorting() const {
+  std::int64_t pairs = 0;
+  for (const Chunk& c : chunks_)
+    pairs += std::ssize(c.near.pairs) + std::ssize(c.near.parted) + std::ssize(c.near_wall.pairs);
+  return tests() - sorted_at_ > 7 * pairs;
+}
+
+/// Near pairs by their gaps now.
+void Crowd::sort_pairs() {
+  double most = 0;
+  for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
+  spent_ += most;
+  crew_.all([&](int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    std::vector<Nigh> pairs;
+    std::vector<double> gaps;
+    for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
+      Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+      for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
+        pairs.swap(w->pairs);
+        pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
+        gaps.clear();
+        for (const Nigh& pair : pairs) gaps.push_back(gap(pair));
+        into_bins(*w, pairs, gaps, skin_ * Waiting::width);
+      }
+    }
+  });
+  for (const Chunk& c : chunks_)
+    pairs_sorted_ += std::ssize(c.near.pairs) + std::ssize(c.near_wall.pairs);
+  mark_places();
+}
+
+double Crowd::gap(const Nigh& pair) const {
+  const Row& a = now_[static_cast<std::size_t>(pair.ball)];
+  if (pair.other < 0) return jar_->gap(~pair.other, a.place(), clock(step_)).distance - a.radius;
+  const Row& b = now_[static_cast<std::size_t>(pair.other)];
+  return norm(nearest(b.place() - a.place())) - a.radius - b.radius;
 }
 
 /// The skin for which looking for near pairs and looking at them cost least together, in counts, so
 /// that every machine takes the same.
 void Crowd::tune_skin() {
-  const auto steps = static_cast<double>(step_ - looked_step_);
+  const auto steps = static_cast<double>(step_ - tuning_.step);
+  tuning_.step = step_;
   if (steps < 2) return;
-  constexpr double look = 3,
-                   find = 400;  // of a pair at a step; of a ball when nearness is looked at
-  const auto tests = static_cast<double>(account_.search_steps);
-  const double cost =
-      (look * (tests - tuning_.looked) + find * static_cast<double>(now_.size())) / steps;
+  // In ns: of a pair at a step, of sorting it, of looking for those of a ball.
+  constexpr double look = 2, sort = 6, find = 700;
+  const auto all = static_cast<double>(account_.search_steps);
+  const double cost = (look * (all - tuning_.looked) + sort * static_cast<double>(pairs_sorted_) +
+                       find * static_cast<double>(now_.size())) /
+                      steps;
+  pairs_sorted_ = 0;
   if (tuning_.last_cost > 0 && cost > tuning_.last_cost) tuning_.growing = 1 / tuning_.growing;
   tuning_.last_cost = cost;
-  tuning_.looked = tests;
+  tuning_.looked = all;
   double smallest = geometry::never;
   for (const Species& s : breeds_.all_species()) smallest = std::min(smallest, s.radius);
-  skin_ = std::clamp(skin_ * tuning_.growing, 0.05 * smallest, smallest);
+  skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
 }
 
 /// The old row of each new one: by class of sizes, then along the curve.
@@ -200,8 +277,6 @@ std::vector<Chunk> Crowd::divide() {
         if (contacts_of_[static_cast<std::size_t>(row)] > 0) ++chunk.in_touch;
     }
   }
-  drifts_.assign(chunks_.size(), {});
-  guesses_.assign(chunks_.size(), {});
   return old;
 }
 
@@ -261,27 +336,6 @@ void Crowd::share_work() {
   for (Loads& loads : loads_) loads.resize(chunk_size);
 }
 
-namespace {
-
-/// Sorts pairs into bins of `width` by their gaps.
-void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<double>& gaps,
-               double width) {
-  std::array<std::int32_t, Waiting::bins + 1> count{};
-  const auto bin = [&](double gap) {
-    return static_cast<std::size_t>(
-        std::clamp(static_cast<int>(gap / width), 0, Waiting::bins - 1));
-  };
-  for (const double gap : gaps) ++count[bin(gap) + 1];
-  for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
-  w.end = count;
-  w.pairs.resize(found.size());
-  for (std::size_t k = 0; k < found.size(); ++k)
-    w.pairs[static_cast<std::size_t>(count[bin(gaps[k])]++)] = found[k];
-  w.parted.clear();
-}
-
-}  // namespace
-
 /// Near pairs that have no contact yet. A pair with a ball of another chunk is found by both.
 void Crowd::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
@@ -329,7 +383,7 @@ void Crowd::find_near(Chunk& chunk) {
   chunk.beside.clear();
   for (std::size_t c = 0; c < beside.size(); ++c)
     if (beside[c]) chunk.beside.push_back(static_cast<std::int32_t>(c));
-  into_bins(chunk.near, found, gaps, skin_ / Waiting::bins);
+  into_bins(chunk.near, found, gaps, skin_ * Waiting::width);
 }
 
 /// Finds a ball that has gone wrong, too.
@@ -354,7 +408,7 @@ Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
       gaps.push_back(gap);
     }
   }
-  into_bins(chunk.near_wall, found, gaps, skin_ / Waiting::bins);
+  into_bins(chunk.near_wall, found, gaps, skin_ * Waiting::width);
   return {};
 }
 
