@@ -23,6 +23,7 @@ std::vector<Row> fluid();
 std::vector<Row> event();
 std::vector<Row> soft();
 std::vector<Row> beside_peers();
+std::vector<Row> crowd();
 
 struct Benchmark {
   std::string_view name, about;
@@ -36,6 +37,8 @@ inline constexpr std::array benchmarks{
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
     Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
               beside_peers},
+    Benchmark{"crowd", "drums of 10 000 and 100 000, five balls in powder, beside LAMMPS; minutes",
+              crowd},
 };
 
 double cpu_seconds();

@@ -422,13 +422,13 @@ void Crowd::refuse_overlaps() const {
         if (pair.other < 0) {
           const double gap = jar_->gap(~pair.other, a.place(), clock(0)).distance;
           const double overlap = (a.radius - gap) / a.radius;
-          if (overlap > most_overlap) throw overlapping(ball, "the jar", overlap);
+          if (overlap > rules_.most_overlap) throw overlapping(ball, "the jar", overlap);
           continue;
         }
         const Row& b = now_[static_cast<std::size_t>(pair.other)];
         const double distance = norm(nearest(b.place() - a.place()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
-        if (overlap > most_overlap)
+        if (overlap > rules_.most_overlap)
           throw overlapping(
               ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
       }

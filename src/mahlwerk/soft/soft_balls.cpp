@@ -72,13 +72,13 @@ void SoftBalls::refuse_overlaps() const {
     const Vec3 x = swarm_.place.one(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t).distance) / radius;
-      if (overlap > most_overlap) throw overlapping(i, "the jar", overlap);
+      if (overlap > rules_.most_overlap) throw overlapping(i, "the jar", overlap);
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double touch = radius + made_of_[j].radius;
     const double overlap = (touch - norm(nearest(swarm_.place.one(j) - x))) / radius;
-    if (overlap > most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
+    if (overlap > rules_.most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
 

@@ -17,6 +17,5 @@ RunError went_wrong(double time, std::size_t ball, const char* why, const Vec3& 
                     const Vec3& velocity);
 /// A start in which `ball` overlaps `with` by `overlap` of its radius.
 InputError overlapping(std::size_t ball, const std::string& with, double overlap);
-constexpr double most_overlap = 0.01;  ///< of a radius, at the start: more would fly apart
 
 }  // namespace mahlwerk::soft
