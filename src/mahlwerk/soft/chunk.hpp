@@ -22,19 +22,19 @@ struct alignas(64) Grip {
   std::int32_t fresh = 0;  ///< a bit for each lane that first touches in this step
   bool alike = true;       ///< all lanes are of one breed
   Vec<Lanes> spring{}, normal{};
-  Lanes stiffness{};
   Lanes impulse{}, lost_normal{}, lost_across{};  ///< since they began
-  std::array<Beginning, lanes> began{};
 };
 /// What only some laws remember.
 struct alignas(64) Memory {
   Lanes memory[contact::law_memories]{};
   Vec<Lanes> roll{};
+  Lanes stiffness{};  ///< where the spring across gives way as contacts unload
 };
 
 /// Contacts of one kind, with the lanes that are free.
 struct Grips {
   std::vector<Grip> grips;
+  std::vector<std::array<Beginning, lanes>> began;
   std::vector<Memory> memories;    ///< of each grip, where the law or the rolling needs them
   std::vector<Make> makes;         ///< of each grip, where curved walls change them
   std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l

@@ -49,7 +49,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
              std::isfinite(jar_->periods().z)),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
-                 rules.law.rolling == contact::Rolling::epsd),
+                 rules.law.rolling == contact::Rolling::epsd || rules.law.rescaled_unloading),
       crew_(std::max(1, rules.threads)) {
   const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
   makes_.resize(breeds_.all().size());

@@ -89,7 +89,7 @@ class Crowd final : public scene::Engine, private Comings {
   std::int32_t free_lane(Grips& grips, std::int32_t breed, std::int32_t ball);
   void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m, const Bodies& b) override;
   void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
-  void record(Chunk& chunk, const Grip& g, int lane, bool wall);
+  void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
   void bend(Grips& grips, std::size_t g, int lane);
   void touches(Chunk& chunk, std::int32_t ball, int more);
 

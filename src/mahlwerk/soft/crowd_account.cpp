@@ -48,11 +48,15 @@ Crowd::Stored Crowd::stored(const Chunk& chunk) const {
             make.wall[l] != 0 ? jar_->gap(g.j[k], x, t).distance
                               : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].place() - x));
         const double overlap = make.radius_i[l] + make.radius_j[l] - distance;
-        energy.normal +=
-            weight *
-            std::visit([&](const auto& law) { return law.stored(numbers, memory, overlap); }, law_);
-        const Vec3 spring{g.spring.x[l], g.spring.y[l], g.spring.z[l]};
-        energy.tangential += weight * 0.5 * g.stiffness[l] * squared(spring);
+        std::visit(
+            [&]<class L>(const L& law) {
+              energy.normal += weight * law.stored(numbers, memory, overlap);
+              const double at = std::max(overlap, 0.0);
+              const double stiffness = L::push(numbers.data(), memory, at, 0.0).stiffness;
+              const Vec3 spring{g.spring.x[l], g.spring.y[l], g.spring.z[l]};
+              energy.tangential += weight * 0.5 * stiffness * squared(spring);
+            },
+            law_);
       }
     }
   };
@@ -130,7 +134,7 @@ void Crowd::carry(Archive& archive) {
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.doings)(c.beside);
     for (Grips* list : {&c.own, &c.cross, &c.wall})
-      archive(list->grips)(list->memories)(list->makes)(list->free);
+      archive(list->grips)(list->began)(list->memories)(list->makes)(list->free);
     for (Waiting* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->parted);
   }
   archive(account_)(watch_)(asked_);

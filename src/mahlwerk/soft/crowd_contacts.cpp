@@ -69,6 +69,7 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
     fresh.breed.fill(breed);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
+    grips.began.emplace_back();
     if (remembers_) grips.memories.emplace_back();
     if (rules_.law.curved_walls && wall)
       grips.makes.push_back(makes_[static_cast<std::size_t>(breed)]);
@@ -86,11 +87,12 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
   if (g.alike) g.breed.fill(breed);
   put(g.spring, l, {});
   put(g.normal, l, {});
-  g.stiffness[l] = g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
+  g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
   if (remembers_) {
     Memory& m = grips.memories[n];
     for (Lanes& memory : m.memory) memory[l] = 0;
     put(m.roll, l, {});
+    m.stiffness[l] = 0;
   }
   return at;
 }
@@ -111,10 +113,11 @@ void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, c
     if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
     if (!grips.makes.empty()) bend(grips, n, l);
     const Vec3 normal = one(m.n, l), glide = one(b.relative, l);
-    g.began[k] = {.step = step_,
-                  .approach = std::max(m.rate[l], 0.0),
-                  .slip = norm(one(m.slip, l)),
-                  .glide = norm(glide - dot(glide, normal) * normal)};
+    Beginning& began = grips.began[n][k];
+    began = {.step = step_,
+             .approach = std::max(m.rate[l], 0.0),
+             .slip = norm(one(m.slip, l)),
+             .glide = norm(glide - dot(glide, normal) * normal)};
     put(g.normal, l, normal);
     if (!remembers_) continue;
     const Make& make =
@@ -122,7 +125,7 @@ void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, c
     contact::LawNumbers numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = make.numbers[i][l];
     double memory[contact::law_memories] = {};
-    std::visit([&](const auto& law) { law.begin(numbers, memory, g.began[k].approach); }, law_);
+    std::visit([&](const auto& law) { law.begin(numbers, memory, began.approach); }, law_);
     for (int i = 0; i < contact::law_memories; ++i) grips.memories[n].memory[i][l] = memory[i];
   }
   g.fresh = 0;
@@ -154,29 +157,30 @@ void Crowd::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touch
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], -1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], -1);
-    if (&grips != &chunk.cross || g.i[k] < g.j[k]) record(chunk, g, l, wall);
+    if (&grips != &chunk.cross || g.i[k] < g.j[k]) record(chunk, grips, n, l);
     (wall ? chunk.near_wall : chunk.near).parted.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
     g.touching[l] = 0;
     put(g.spring, l, {});
-    g.stiffness[l] = 0;
     grips.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
   }
 }
 
-void Crowd::record(Chunk& chunk, const Grip& g, int l, bool wall) {
+void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
+  const Grip& g = grips.grips[n];
+  const bool wall = &grips == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
   const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const Beginning& began = g.began[k];
+  const Beginning& began = grips.began[n][k];
   const Breed& breed = breeds_[g.breed[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
-  const Vec3 n = one(g.normal, l);
+  const Vec3 normal = one(g.normal, l);
   chunk.ended.push_back({step_,
                          {.time = time_of(began.step),
                           .duration = duration,
                           .ball = id_[static_cast<std::size_t>(g.i[k])],
                           .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
-                          .where = jar_->own(ball.place() + ball.radius * n, t),
-                          .normal = jar_->own(n, t),
+                          .where = jar_->own(ball.place() + ball.radius * normal, t),
+                          .normal = jar_->own(normal, t),
                           .mass = breed.touching.mass,
                           .approach = began.approach,
                           .slip = began.slip,

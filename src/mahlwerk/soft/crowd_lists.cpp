@@ -234,11 +234,11 @@ std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& t
                .j = wall ? g.j[k] : to[static_cast<std::size_t>(g.j[k])],
                .breed = g.breed[k],
                .wall = wall,
-               .began = g.began[k],
+               .began = list.began[n][k],
                .spring = one(g.spring, l),
                .normal = one(g.normal, l),
                .roll = {},
-               .stiffness = g.stiffness[l],
+               .stiffness = remembers_ ? list.memories[n].stiffness[l] : 0,
                .impulse = g.impulse[l],
                .lost_normal = g.lost_normal[l],
                .lost_across = g.lost_across[l],
@@ -295,14 +295,14 @@ void Crowd::give_contact(const Kept& c) {
     Grip& g = list.grips[n];
     g.touching[l] = -1;
     g.i[k] = i, g.j[k] = j;
-    g.began[k] = c.began;
+    list.began[n][k] = c.began;
     put(g.spring, l, sign * c.spring);
     put(g.normal, l, sign * c.normal);
-    g.stiffness[l] = c.stiffness;
     g.impulse[l] = c.impulse, g.lost_normal[l] = c.lost_normal, g.lost_across[l] = c.lost_across;
     if (remembers_) {
       for (std::size_t m = 0; m < c.memory.size(); ++m) list.memories[n].memory[m][l] = c.memory[m];
       put(list.memories[n].roll, l, sign * c.roll);
+      list.memories[n].stiffness[l] = c.stiffness;
     }
     if (c.make != nullptr) copy_lane(*c.make, c.lane, list.makes[n], l);
   };

@@ -155,19 +155,19 @@ template <class Law, bool wide, Whose whose>
     }
     if (any(touching ^ g.touching)) s.comings->end(chunk, list, n, touching);
     History past;
-    past.spring = g.spring, past.normal = g.normal, past.stiffness = g.stiffness;
+    past.spring = g.spring, past.normal = g.normal;
     if (s.remembers) {
       const Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
-      past.roll = k.roll;
+      past.roll = k.roll, past.stiffness = k.stiffness;
     }
     Deeds d;
     const Push out = push<Law>(*make, past, d, s.frame, b, m, touching);
-    g.spring = past.spring, g.normal = past.normal, g.stiffness = past.stiffness;
+    g.spring = past.spring, g.normal = past.normal;
     if (s.remembers) {
       Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
-      k.roll = past.roll;
+      k.roll = past.roll, k.stiffness = past.stiffness;
     }
     g.impulse += d.impulse;
     g.lost_normal += d.normal;
