@@ -159,7 +159,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
   now_.swap(next_);
   turns_.swap(next_turns_);
   if (!reach_bounds())
-    rebuild();
+    look_anew();
   else if (worth_sorting())
     sort_pairs();
   const Lanes none{};
@@ -201,7 +201,18 @@ void Crowd::step(const Beat& before, const Beat& after) {
   });
 }
 
-/// How much nearer pairs may have come since nearness was looked at; false if too near to go on.
+void Crowd::look_anew() {
+  try {
+    rebuild();
+  } catch (const RunError&) {
+    next_ = now_;  // the last that is known of the balls
+    next_turns_ = turns_;
+    throw;
+  }
+}
+
+/// How much nearer pairs may have come since nearness was looked at (dem.34); false if too near to
+/// go on.
 bool Crowd::reach_bounds() {
   const double swept = jar_->sweep() * time_of(step_ - looked_step_);
   const double rounding = 3e-7 * widest_;  // of places as floats, twice

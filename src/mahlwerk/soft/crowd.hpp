@@ -37,6 +37,7 @@ class Crowd final : public scene::Engine, private Comings {
   double time_of(std::int64_t step) const;
   std::vector<Beat> beats(std::int64_t first, std::int64_t last) const;
   bool reach_bounds();
+  void look_anew();
   void check_energy();
   void settle();
   void add_doings(scene::Account& a, const Chunk& chunk) const;
@@ -53,8 +54,26 @@ class Crowd final : public scene::Engine, private Comings {
   Vec3 velocity(std::size_t row, const Vec3& pulls) const;
   Vec3 spin(std::size_t row) const;
 
+  // In which order, and in which chunk (crowd_order.cpp).
+  struct Kept {                            // a contact between two orders of the balls
+    std::int32_t i = 0, j = 0, breed = 0;  // rows; of a wall j is the face
+    bool wall = false;
+    Beginning began;
+    Vec3 spring, normal, roll;
+    double stiffness = 0, impulse = 0, lost_normal = 0, lost_across = 0;
+    std::array<double, contact::law_memories> memory{};
+    const Make* make = nullptr;  // and the lane, where curved walls change it
+    int lane = 0;
+  };
+  std::vector<std::int32_t> sort_balls();
+  void reorder(const std::vector<std::int32_t>& from);
+  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to) const;
+  std::vector<Chunk> divide();
+  void give_contact(const Kept& kept);
+  void share_work();
+  std::int32_t chunk_of(std::int32_t ball) const;
+
   // Who is near whom (crowd_lists.cpp).
-  struct Kept;  // a contact between two orders of the balls
   void rebuild();
   void tune_skin();
   void mark_places();
@@ -62,12 +81,6 @@ class Crowd final : public scene::Engine, private Comings {
   bool worth_sorting() const;
   void sort_pairs();
   double gap(const Nigh& pair) const;
-  std::vector<std::int32_t> sort_balls();
-  void reorder(const std::vector<std::int32_t>& from);
-  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to) const;
-  std::vector<Chunk> divide();
-  void share_work();
-  void give_contact(const Kept& kept);
   void find_near(Chunk& chunk);
   struct Wrong {
     std::size_t row = 0;
@@ -81,7 +94,6 @@ class Crowd final : public scene::Engine, private Comings {
             std::remainder(apart.z, period.z)};
   }
   void refuse_overlaps() const;
-  std::int32_t chunk_of(std::int32_t ball) const;
 
   // Contacts that begin and end (crowd_contacts.cpp).
   void look_at_walls(Chunk& chunk) override;

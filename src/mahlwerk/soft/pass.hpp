@@ -36,7 +36,6 @@ struct alignas(64) Pass {
   const Make* makes = nullptr;  ///< of each breed, eight alike
   const Surroundings* jar = nullptr;
   Comings* comings = nullptr;
-  std::int64_t step = 0;
   double time = 0;         ///< [s] the mill's clock
   double bin = 0;          ///< [m] width of the bins of pairs that wait
   Beat before, after;      ///< now, and a step later

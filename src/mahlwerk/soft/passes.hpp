@@ -84,12 +84,12 @@ template <bool wide>
 }
 
 /// The bodies of a grip.
-template <bool wide, Whose whose>
-[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g) {
+template <bool wide>
+[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g, Whose whose) {
   Bodies b;
   const Lanes none{};
   Lanes c[8];
-  if constexpr (whose == Whose::wall) {
+  if (whose == Whose::wall) {
     Eight foot[3];
     s.jar->feet(s.rows, g.i, g.j, s.time, foot);
     columns<wide>(s.rows, g.i, c);
@@ -116,8 +116,7 @@ template <bool wide, Whose whose>
   return b;
 }
 
-template <Whose whose>
-[[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g) {
+[[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g, Whose whose) {
   for (std::size_t l = 0; l < lanes; ++l) {
     __builtin_prefetch(&s.turns[g.i[l]]);
     if (whose == Whose::wall) continue;
@@ -132,15 +131,16 @@ template <Whose whose>
 }
 
 /// Contacts of one kind: what they do to the balls of the chunk.
-template <class Law, bool wide, Whose whose>
-[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Grips& list, Twin* loads,
+template <class Law, bool wide>
+[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, Twin* loads,
                                         Deeds& sums) {
+  Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
   Make made;
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
     Grip& g = list.grips[n];
     if (!any(g.touching)) continue;
-    if (n + 2 < list.grips.size()) prefetch<whose>(s, list.grips[n + 2]);
-    const Bodies b = bodies<wide, whose>(s, g);
+    if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
+    const Bodies b = bodies<wide>(s, g, whose);
     const Make* make = &s.makes[g.breed[0]];
     if (!list.makes.empty())
       make = &list.makes[n];
@@ -176,7 +176,7 @@ template <class Law, bool wide, Whose whose>
     sums.sliding += d.sliding, sums.wall += d.wall;
     sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
     add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
-    if constexpr (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
+    if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
   }
 }
 
@@ -274,17 +274,19 @@ template <class Law, bool wide>
   look<wide>(s, chunk);
   s.comings->look_at_walls(chunk);
   std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
-  Deeds whole, shared;
-  grip<Law, wide, Whose::own>(s, chunk, chunk.own, loads.data(), whole);
-  grip<Law, wide, Whose::cross>(s, chunk, chunk.cross, loads.data(), shared);
-  grip<Law, wide, Whose::wall>(s, chunk, chunk.wall, loads.data(), whole);
-  Deeds& all = chunk.doings.deeds;
-  all.normal += whole.normal + 0.5 * shared.normal;
-  all.tangential += whole.tangential + 0.5 * shared.tangential;
-  all.rolling += whole.rolling + 0.5 * shared.rolling;
-  all.sliding += whole.sliding + 0.5 * shared.sliding;
-  all.wall += whole.wall;
-  all.deepest = larger(all.deepest, larger(whole.deepest, shared.deepest));
+#pragma GCC unroll 1
+  for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
+    Deeds d;
+    grip<Law, wide>(s, chunk, whose, loads.data(), d);
+    const double part = whose == Whose::cross ? 0.5 : 1;
+    Deeds& all = chunk.doings.deeds;
+    all.normal += part * d.normal;
+    all.tangential += part * d.tangential;
+    all.rolling += part * d.rolling;
+    all.sliding += part * d.sliding;
+    all.wall += d.wall;
+    all.deepest = larger(all.deepest, d.deepest);
+  }
   chunk.doings.ball_steps += chunk.in_touch;
   move<wide>(s, chunk, loads.data(), drift);
 }
@@ -295,6 +297,8 @@ template <class Law>
                                                                           Loads& l, Drift& d) {
   pass<Law, true>(s, c, l, d);
 }
+#endif
+#ifdef MAHLWERK_MIDDLING
 template <class Law>
 [[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, Loads& l, Drift& d) {
   pass<Law, false>(s, c, l, d);
@@ -309,6 +313,8 @@ template <class Law>
 PassOf pass_of() {
 #ifdef MAHLWERK_WIDE
   if (machine() == Machine::wide) return pass_wide<Law>;
+#endif
+#ifdef MAHLWERK_MIDDLING
   if (machine() == Machine::middling) return pass_middling<Law>;
 #endif
   return pass_plain<Law>;

@@ -184,6 +184,8 @@ template <class Law>
 [[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool steps_wide(Stretch& s) {
   return steps<Law, true>(s);
 }
+#endif
+#ifdef MAHLWERK_MIDDLING
 template <class Law>
 [[gnu::target("avx2"), gnu::flatten]] bool steps_middling(Stretch& s) {
   return steps<Law, false>(s);
@@ -198,6 +200,8 @@ template <class Law>
 Steps steps_of() {
 #ifdef MAHLWERK_WIDE
   if (machine() == Machine::wide) return steps_wide<Law>;
+#endif
+#ifdef MAHLWERK_MIDDLING
   if (machine() == Machine::middling) return steps_middling<Law>;
 #endif
   return steps_plain<Law>;
