@@ -59,6 +59,8 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   cases::Case decided = first;
   decided.run.engine = choice.engine;
   c.notes = choice.reason;
+  for (std::string& warning : cases::jar_warnings(first))
+    c.notes.push_back("Warning: " + std::move(warning));
   if (choice.engine == "soft") {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});

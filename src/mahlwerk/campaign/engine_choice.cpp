@@ -91,6 +91,10 @@ std::string against_soft(const cases::Case& what) {
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   if (what.run.engine != "auto") return {what.run.engine, {}};
+  if (std::holds_alternative<geometry::Mesh>(what.jar.shape))
+    return {"soft",
+            {"Engine: soft, chosen by auto. The jar is a mesh, which the event engine does not "
+             "take."}};
   if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
     return {"soft",
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "

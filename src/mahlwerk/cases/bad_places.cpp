@@ -30,8 +30,9 @@ double room_at(const geometry::AnyShape& shape, const Given& ball) {
   return std::visit(
       [&](const auto& s) {
         double least = geometry::never;
-        for (int face = 0; face < s.faces; ++face)
-          if (s.meets(face, ball.radius)) least = std::min(least, s.gap(face, ball.place).distance);
+        geometry::each_wall(
+            s, ball.place, ball.radius, ball.radius,
+            [&](int, const geometry::Gap& gap) { least = std::min(least, gap.distance); });
         const Vec3 half = 0.5 * geometry::periods_of(s), p = ball.place;
         const bool home =
             std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z;

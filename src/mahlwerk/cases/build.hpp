@@ -28,6 +28,9 @@ contact::BounceTable bounce_table(const Case& c);
 /// of [contact] and its pairs. A restitution that depends on the speed counts by its value().
 contact::PairTable pair_table(const Case& c);
 
+/// What a user should know of the jar before trusting a run in it; empty if all is well.
+std::vector<std::string> jar_warnings(const Case& c);
+
 /// One thing that follows from a case before it is run.
 struct Consequence {
   std::string name;  ///< "peak_wall_speed"

@@ -29,11 +29,20 @@ struct Mill {
 /// Steel, which stands in for what a case does not say.
 constexpr contact::Elastic steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
 
+/// Where a jar's mesh came from.
+struct MeshFile {
+  std::string file;      ///< as written; relative to the case file
+  std::string unit;      ///< of its numbers
+  bool centred = false;  ///< moved so that the middle of its extent is the jar's origin
+  bool operator==(const MeshFile&) const = default;
+};
+
 struct Jar {
   std::string model;     ///< name in the catalogue, or empty
   std::string material;  ///< name in the catalogue, or empty
   geometry::AnyShape shape;
   contact::Elastic elastic = steel;
+  MeshFile mesh = {};  ///< of a mesh
   bool operator==(const Jar&) const = default;
 };
 

@@ -83,7 +83,7 @@ double volume_among(const CatalogueEntry& e, const std::variant<Shapes...>*) {
 }
 
 double jar_volume(const CatalogueEntry& e) {
-  return 1e6 * volume_among(e, static_cast<const geometry::AnyShape*>(nullptr));  // m3 to ml
+  return 1e6 * volume_among(e, static_cast<const geometry::FormulaShape*>(nullptr));  // m3 to ml
 }
 
 double shear_modulus(const CatalogueEntry& e) {

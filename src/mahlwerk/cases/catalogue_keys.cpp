@@ -49,7 +49,7 @@ void for_each_model(const std::variant<Models...>*, Visit visit) {
   (visit(Models{}), ...);
 }
 constexpr const kinematics::AnyMotion* motions = nullptr;
-constexpr const geometry::AnyShape* shapes = nullptr;
+constexpr const geometry::FormulaShape* shapes = nullptr;
 
 void add_range(std::vector<CatalogueKey>& keys, const CatalogueKey& of) {
   keys.push_back(

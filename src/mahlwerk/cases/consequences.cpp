@@ -27,7 +27,7 @@ double largest(const M& motion, Of of) {
   return most;
 }
 
-/// Of the largest circle about the jar's axis that fits in.
+/// Of the largest circle about the jar's axis that fits in; of a mesh the one it fits in.
 double radius_of(const auto& round) {
   return 0.5 * round.diameter;
 }
@@ -36,6 +36,9 @@ double radius_of(const geometry::Box& box) {
 }
 double radius_of(const geometry::PeriodicBox& box) {
   return box.inradius();
+}
+double radius_of(const geometry::Mesh& mesh) {
+  return mesh.across();  // of the drum's shell, whatever stands out from it
 }
 double jar_radius(const Jar& jar) {
   return std::visit([](const auto& s) { return radius_of(s); }, jar.shape);
@@ -127,7 +130,20 @@ class Derivation {
                  "(kin.16)");
   }
 
+  void mesh() {
+    const auto* mesh = std::get_if<geometry::Mesh>(&c_.jar.shape);
+    if (mesh == nullptr) return;
+    const auto triangles = static_cast<double>(mesh->surface().triangles.size());
+    const Vec3 size = mesh->extent().size();
+    say("jar_triangles", triangles, "", "triangles of the jar's mesh");
+    say("jar_faces", mesh->faces, "", "faces its creases divide it into (geo.9)");
+    say("jar_width", size.x, "m", "extent of the mesh along the jar's own x axis");
+    say("jar_depth", size.y, "m", "extent of the mesh along the jar's own y axis");
+    say("jar_height", size.z, "m", "extent of the mesh along the jar's own z axis");
+  }
+
   void charge() {
+    mesh();
     const double jar = jar_volume(c_.jar), mass = balls_mass(c_.balls);
     double balls = 0;
     for (const BallSet& set : c_.balls) balls += static_cast<double>(set.count) * ball_volume(set);

@@ -31,6 +31,10 @@ std::vector<Fault> soft_faults(const Case& c) {
 }
 
 std::vector<Fault> event_faults(const Case& c) {
+  if (std::holds_alternative<geometry::Mesh>(c.jar.shape))
+    return {{place_of(c, "run.engine"),
+             "the event engine takes no mesh: it computes exact times of touch from a formula",
+             "write engine = \"soft\", or \"auto\"", "mesh-needs-soft"}};
   if (c.contact.lasting != Lasting::roll) return {};
   const std::int64_t count = balls_count(c.balls);
   if (count > 1)

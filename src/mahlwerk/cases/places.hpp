@@ -33,7 +33,8 @@ class Places {
       for (int i = 0; i < tries; ++i) {
         const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
         const double z = random.uniform(-1, 1);
-        const Vec3 p = scale * Vec3{x * box_.x, y * box_.y, z * box_.z};
+        const Vec3 place = centre_ + Vec3{x * half_.x, y * half_.y, z * half_.z};
+        const Vec3 p = middle_ + scale * (place - middle_);
         if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
       }
   }
@@ -43,16 +44,28 @@ class Places {
  private:
   template <class S>
   void measure(const S& shape) {
+    if constexpr (requires { shape.middle(); }) {  // neither convex nor about the origin
+      const geometry::Extent e = shape.extent();
+      const Vec3 low = magnitude(e.low), high = magnitude(e.high);
+      box_ = {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
+      half_ = 0.5 * e.size();
+      centre_ = e.middle();
+      middle_ = shape.middle();
+      return;
+    }
     const Vec3 half = 0.5 * geometry::periods_of(shape);
     box_ = {std::min(extent(shape, {1, 0, 0}), half.x), std::min(extent(shape, {0, 1, 0}), half.y),
             std::min(extent(shape, {0, 0, 1}), half.z)};
+    half_ = box_;
   }
 
   template <class S>
   bool free(const S& shape, const Vec3& p) const {
-    for (int face = 0; face < S::faces; ++face)
-      if (shape.meets(face, radius_) && !(shape.gap(face, p).distance >= needed_)) return false;
-    return true;
+    bool free = true;
+    geometry::each_wall(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
+      free = free && gap.distance >= needed_;
+    });
+    return free;
   }
 
   /// How far the free region reaches along an axis: jars are convex, and where the wall it ends at
@@ -68,17 +81,18 @@ class Places {
   }
   template <class S>
   bool square(const S& shape, const Vec3& p, const Vec3& axis) const {
-    for (int face = 0; face < S::faces; ++face) {
-      if (!shape.meets(face, radius_)) continue;
-      const geometry::Gap gap = shape.gap(face, p);
-      if (gap.distance <= needed_ && dot(gap.inward, axis) < -1 + 1e-12) return true;
-    }
-    return false;
+    bool found = false;
+    geometry::each_wall(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
+      found = found || (gap.distance <= needed_ && dot(gap.inward, axis) < -1 + 1e-12);
+    });
+    return found;
   }
 
   const geometry::AnyShape* shape_;
   double radius_, needed_;
   Vec3 box_;
+  Vec3 centre_, half_;  // of the box in which places are drawn
+  Vec3 middle_;         // where the largest ball fits
 };
 
 }  // namespace mahlwerk::cases

@@ -106,18 +106,18 @@ class Soft {
   }
   template <class S>
   void feel_walls(const S& shape) {
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-      for (int face = 0; face < S::faces; ++face) {
-        const double r = balls_[i].radius;
-        if (balls_[i].held || !shape.meets(face, r)) continue;
-        const geometry::Gap gap = shape.gap(face, balls_[i].place);
-        const double overlap = r + margin_[i] - gap.distance;
-        if (!(overlap > 0)) continue;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+      if (balls_[i].held) continue;
+      const double r = balls_[i].radius, wanted = r + margin_[i];
+      geometry::each_wall(shape, balls_[i].place, r, wanted, [&](int, const geometry::Gap& gap) {
+        const double overlap = wanted - gap.distance;
+        if (!(overlap > 0)) return;
         force_[i] += 2 * overlap * gap.inward;
         pressing_ += 4 * overlap * overlap;
         wall_overlap_ = std::max(wall_overlap_, overlap / margin_[i]);
         largest_ = std::min(largest_, gap.distance / r);
-      }
+      });
+    }
   }
 
   void move() {

@@ -177,7 +177,7 @@ class CaseReader {
 
   void read_sections() {
     if (const Node* jar = section("jar", true)) {
-      c_.jar = read_jar(jar, catalogue_, findings_);
+      c_.jar = read_jar(jar, file_.parent_path().generic_string(), catalogue_, findings_);
     } else {
       c_.jar = unread_jar();
     }

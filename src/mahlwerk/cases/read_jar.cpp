@@ -76,6 +76,8 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
             fmt::format("follows from volume = \"{}\"", at.text));
 }
 
+void read_shape(Section&, geometry::Mesh&) {}  // has a reader of its own
+
 template <class S>
 void read_shape(Section& in, S& shape) {
   constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
@@ -101,7 +103,8 @@ Jar unread_jar() {
   return {.model = "", .material = "", .shape = nothing};
 }
 
-Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) {
+Jar read_jar(const Node* table, const std::string& folder, const Catalogue& catalogue,
+             Findings& findings) {
   Jar jar;
   Section in(table, "jar", findings);
   const auto kinds = model_names(std::type_identity<geometry::AnyShape>{});
@@ -112,7 +115,10 @@ Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings) 
     jar.shape = unread_jar().shape;
     return jar;
   }
-  std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
+  if (std::holds_alternative<geometry::Mesh>(jar.shape))
+    read_mesh(in, jar, folder);
+  else
+    std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
   jar.elastic = read_elastic(in, jar.material, catalogue);
   in.close();
   return jar;

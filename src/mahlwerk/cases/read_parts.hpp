@@ -34,7 +34,11 @@ std::optional<double> read_density(Section& in, const Wanted& wanted, std::strin
 contact::Elastic read_elastic(Section& in, const std::string& material, const Catalogue& catalogue);
 
 Jar unread_jar();  ///< stands for one that could not be read
-Jar read_jar(const Node* table, const Catalogue& catalogue, Findings& findings);
+/// `folder` is where files are looked for.
+Jar read_jar(const Node* table, const std::string& folder, const Catalogue& catalogue,
+             Findings& findings);
+/// A jar of kind "mesh"; its shape stays without a surface after a fault.
+void read_mesh(Section& in, Jar& jar, const std::string& folder);
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
                                 Findings& findings);
 /// `folder` is where files are looked for; `c` has its gravity, jar and balls already.

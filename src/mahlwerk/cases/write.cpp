@@ -74,6 +74,11 @@ void write_jar(Writer& out, const Jar& jar) {
   out.section("[jar]", "jar.");
   out.word("kind", std::visit([](const auto& s) { return std::string(s.name); }, jar.shape));
   out.name("model", jar.model);
+  if (std::holds_alternative<geometry::Mesh>(jar.shape)) {
+    out.word("file", jar.mesh.file);
+    out.word("unit", jar.mesh.unit);
+    out.word("origin", jar.mesh.centred ? "centre" : "file");
+  }
   std::visit([&](const auto& s) { out.fields(s, s.fields()); }, jar.shape);
   out.name("material", jar.material);
   out.fields(jar.elastic, elastic_fields());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <span>
 #include <string_view>
 
 #include "mahlwerk/base/field.hpp"
@@ -56,7 +57,7 @@ template <class S>
 concept Shape = requires(const S s, int face, double radius, Vec3 p, Course course) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::about } -> std::convertible_to<std::string_view>;
-  { S::faces } -> std::convertible_to<int>;
+  { s.faces } -> std::convertible_to<int>;  // a constant, or as many as a mesh has
   { S::axisymmetric } -> std::convertible_to<bool>;
   { S::face_name(face) } -> std::convertible_to<std::string_view>;
   { s.gap(face, p) } -> std::same_as<Gap>;
@@ -79,6 +80,47 @@ Vec3 periods_of(const S& shape) {
     return shape.periods();
   else
     return {never, never, never};
+}
+
+// Questions to shapes of many faces, which answer for what is near alone.
+
+/// The gap where it is `within` [m] of the face, something larger elsewhere.
+template <class S>
+Gap gap_near(const S& shape, int face, const Vec3& p, double within) {
+  if constexpr (requires { shape.gap(face, p, within); })
+    return shape.gap(face, p, within);
+  else
+    return shape.gap(face, p);
+}
+
+/// How far all faces are, one by one; any larger number for those that are not `within` [m].
+template <class S>
+void distances(const S& shape, const Vec3& p, double within, std::span<double> out) {
+  if constexpr (requires { shape.distances(p, within, out); })
+    shape.distances(p, within, out);
+  else
+    for (int face = 0; face < shape.faces; ++face)
+      out[static_cast<std::size_t>(face)] = shape.gap(face, p).distance;
+}
+
+/// How far one face is, as distances().
+template <class S>
+double distance(const S& shape, int face, const Vec3& p, double within) {
+  if constexpr (requires { shape.distance(face, p, within); })
+    return shape.distance(face, p, within);
+  else
+    return shape.gap(face, p).distance;
+}
+
+/// Calls `f(face, gap)` for those faces that a ball of `radius` at `p` can touch: at least for all
+/// that are `within` [m], and outside the jar for one.
+template <class S, class F>
+void each_wall(const S& shape, const Vec3& p, double radius, double within, F f) {
+  if constexpr (requires { shape.near(p, within, f); })
+    shape.near(p, within, f);
+  else
+    for (int face = 0; face < shape.faces; ++face)
+      if (shape.meets(face, radius)) f(face, shape.gap(face, p));
 }
 
 }  // namespace mahlwerk::geometry

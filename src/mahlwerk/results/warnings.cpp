@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
@@ -33,6 +35,7 @@ std::vector<std::string> warnings(const Outcome& outcome) {
       list.push_back(
           fmt::format("Replicate {} was stopped: {}", i + 1, outcome.replicates[i].stopped));
   }
+  for (std::string& warning : cases::jar_warnings(outcome.what)) list.push_back(std::move(warning));
   const double collision = named(quantities, "energy_residual");
   if (!(collision <= closed_collision))
     list.push_back(

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/stl.hpp"
 #include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/tables.hpp"
@@ -13,7 +14,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr std::string_view motion_file = "motion.csv";
+constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
 
 /// A measured motion travels with the result: its samples, as a case can read them again.
 std::string samples(const kinematics::Tabulated& motion) {
@@ -34,6 +35,10 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   if (const auto* measured = std::get_if<kinematics::Tabulated>(&resolved.mill.motion)) {
     put(motion_file, samples(*measured));
     resolved.mill.motion_file = motion_file;
+  }
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&resolved.jar.shape)) {
+    put(jar_file, cases::stl_text(mesh->surface()));  // in m, as it was moved
+    resolved.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
   }
   put("case.resolved.toml", cases::write(resolved));
   put("spectrum.csv", csv(spectrum(outcome)));

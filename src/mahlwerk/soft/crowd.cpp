@@ -177,6 +177,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .comings = this,
       .time = clock(step_),
       .bin = skin_ * Waiting::width,
+      .reach = reach_,
       .before = before,
       .after = after,
       .remembers = remembers_,

@@ -45,9 +45,10 @@ Crowd::Stored Crowd::stored(const Chunk& chunk) const {
           for (int a = 0; a < contact::law_memories; ++a) memory[a] = list.memories[n].memory[a][l];
         const Vec3 x = now_[i].place();
         const double distance =
-            make.wall[l] != 0 ? jar_->gap(g.j[k], x, t).distance
+            make.wall[l] != 0 ? jar_->gap(g.j[k], x, t, now_[i].radius + reach_).distance
                               : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].place() - x));
         const double overlap = make.radius_i[l] + make.radius_j[l] - distance;
+        if (overlap < -now_[i].radius) continue;  // it has left this face over an edge
         std::visit(
             [&]<class L>(const L& law) {
               energy.normal += weight * law.stored(numbers, memory, overlap);

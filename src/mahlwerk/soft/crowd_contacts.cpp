@@ -26,7 +26,7 @@ void Crowd::look_at_walls(Chunk& chunk) {
   Waiting& w = chunk.near_wall;
   const auto touches = [&](const Nigh& pair) {
     const Row& ball = now_[static_cast<std::size_t>(pair.ball)];
-    return jar_->gap(~pair.other, ball.place(), clock(step_)).distance < ball.radius;
+    return jar_->gap(~pair.other, ball.place(), clock(step_), ball.radius).distance < ball.radius;
   };
   const std::size_t due = w.due(chunk.wall_bound, skin_ * Waiting::width);
   for (std::size_t k = due; k-- > 0;) {

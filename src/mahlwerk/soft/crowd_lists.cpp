@@ -120,7 +120,8 @@ void Crowd::sort_pairs() {
 
 double Crowd::gap(const Nigh& pair) const {
   const Row& a = now_[static_cast<std::size_t>(pair.ball)];
-  if (pair.other < 0) return jar_->gap(~pair.other, a.place(), clock(step_)).distance - a.radius;
+  if (pair.other < 0)
+    return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
   const Row& b = now_[static_cast<std::size_t>(pair.other)];
   return norm(nearest(b.place() - a.place())) - a.radius - b.radius;
 }
@@ -208,7 +209,7 @@ Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
   const double t = clock(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const Row& ball = now_[static_cast<std::size_t>(i)];
-    jar_->distances(ball.place(), t, all);
+    jar_->distances(ball.place(), t, ball.radius + skin_ + reach_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
       if (gap > skin_ + reach_ || !jar_->meets(face, ball.radius)) continue;
@@ -230,7 +231,7 @@ void Crowd::refuse_overlaps() const {
         const Row& a = now_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
-          const double gap = jar_->gap(~pair.other, a.place(), clock(0)).distance;
+          const double gap = jar_->gap(~pair.other, a.place(), clock(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
           if (overlap > rules_.most_overlap) throw overlapping(ball, "the jar", overlap);
           continue;

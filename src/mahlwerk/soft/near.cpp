@@ -51,8 +51,8 @@ void SoftBalls::near_walls(std::size_t b) {
     stop(b, "its place or speed is no number");
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
-  jar_->distances(x, clock(swarm_.step), gaps);
   const double radius = made_of_[b].radius;
+  jar_->distances(x, clock(swarm_.step), radius + skin_ + reach_, gaps);
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
     if (gap > skin_ + reach_ || !jar_->meets(face, radius)) continue;

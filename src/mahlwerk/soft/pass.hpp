@@ -38,6 +38,7 @@ struct alignas(64) Pass {
   Comings* comings = nullptr;
   double time = 0;         ///< [s] the mill's clock
   double bin = 0;          ///< [m] width of the bins of pairs that wait
+  double reach = 0;        ///< [m] farthest that a contact holds beyond touch
   Beat before, after;      ///< now, and a step later
   bool remembers = false;  ///< laws or rolling that need Memory
   Frame frame;

@@ -91,7 +91,7 @@ template <bool wide>
   Lanes c[8];
   if (whose == Whose::wall) {
     Eight foot[3];
-    s.jar->feet(s.rows, g.i, g.j, s.time, foot);
+    s.jar->feet(s.rows, g.i, g.j, g.touching, s.time, s.reach, foot);
     columns<wide>(s.rows, g.i, c);
     const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
     const Vec3& spin = s.before.spin;

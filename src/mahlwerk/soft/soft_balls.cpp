@@ -71,7 +71,7 @@ void SoftBalls::refuse_overlaps() const {
     const double radius = made_of_[i].radius;
     const Vec3 x = swarm_.place.one(i);
     if (c.face >= 0) {
-      const double overlap = (radius - jar_->gap(c.face, x, t).distance) / radius;
+      const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
       if (overlap > rules_.most_overlap) throw overlapping(i, "the jar", overlap);
       continue;
     }
@@ -155,6 +155,7 @@ SoftBalls::Stored SoftBalls::stored() const {
       const Vec3 apart = nearest(swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
                                  swarm_.place.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
+      if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
       energy.normal +=
           std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
       const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};

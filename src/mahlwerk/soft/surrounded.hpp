@@ -15,7 +15,7 @@ class Surrounded final : public Surroundings {
   explicit Surrounded(const scene::Jar<S, M>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
-    faces_ = S::faces;
+    faces_ = jar.shape().faces;
     sweep_ = jar.sweep();
     reach_ = jar.shape().reach();
   }
@@ -30,16 +30,20 @@ class Surrounded final : public Surroundings {
   kinematics::Ride ride(double t) const override { return jar_.motion().ride(t); }
   Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
-  geometry::Gap gap(int face, const Vec3& position, double t) const override {
+  geometry::Gap gap(int face, const Vec3& position, double t, double within) const override {
     const Rotation q = jar_.axes(t);
-    geometry::Gap found = jar_.shape().gap(face, q.back(position));
+    geometry::Gap found = geometry::gap_near(jar_.shape(), face, q.back(position), within);
     found.inward = q * found.inward;
     return found;
   }
-  void distances(const Vec3& position, double t, std::span<double> out) const override {
+  void distances(const Vec3& position, double t, double within,
+                 std::span<double> out) const override {
     const Vec3 p = jar_.plain() ? position : jar_.axes(t).back(position);
-    for (int face = 0; face < S::faces; ++face)
-      out[static_cast<std::size_t>(face)] = jar_.shape().gap(face, p).distance;
+    geometry::distances(jar_.shape(), p, within, out);
+  }
+  double distance(int face, const Vec3& position, double t, double within) const override {
+    const Rotation q = jar_.axes(t);
+    return geometry::distance(jar_.shape(), face, q.back(position), within);
   }
   void feet(std::span<const Near> near, double t, const Vec3& spin,
             const Places& p) const override {
@@ -50,7 +54,8 @@ class Surrounded final : public Surroundings {
       const double slack = near[k].slack;
       if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
       const Vec3 place{p.x[b], p.y[b], p.z[b]};
-      geometry::Gap gap = jar_.shape().gap(near[k].face, plain ? place : q.back(place));
+      geometry::Gap gap = geometry::gap_near(jar_.shape(), near[k].face,
+                                             plain ? place : q.back(place), near[k].within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 foot = place - gap.distance * gap.inward, velocity = cross(spin, foot);
       p.fx[k] = foot.x, p.fy[k] = foot.y, p.fz[k] = foot.z;
@@ -59,14 +64,17 @@ class Surrounded final : public Surroundings {
     }
   }
   void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
-            const std::array<std::int32_t, lanes>& faces, double t,
-            Eight (&feet)[3]) const override {
+            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
+            double beyond, Eight (&feet)[3]) const override {
     const bool plain = jar_.plain();
     const Rotation q = plain ? Rotation{} : jar_.axes(t);
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
-      const Vec3 place = rows[balls[k]].place();
-      geometry::Gap gap = jar_.shape().gap(faces[k], plain ? place : q.back(place));
+      const Row& ball = rows[balls[k]];
+      const Vec3 place = ball.place();
+      const double within = touching[l] != 0 ? ball.radius + beyond : 0;
+      geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
+                                             plain ? place : q.back(place), within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 foot = place - gap.distance * gap.inward;
       feet[0].is[l] = foot.x, feet[1].is[l] = foot.y, feet[2].is[l] = foot.z;
@@ -74,7 +82,8 @@ class Surrounded final : public Surroundings {
   }
   double clear(const scene::Passing& ball, double t, double radius) const override {
     double least = geometry::never;
-    for (int face = 0; face < S::faces; ++face)
+    const int asked = requires { S::one_outlook; } ? 1 : jar_.shape().faces;
+    for (int face = 0; face < asked; ++face)
       if (jar_.shape().meets(face, radius))
         least = std::min(least, jar_.outlook(face, ball, t, radius).time);
     return least;

@@ -23,7 +23,8 @@ struct Beat {
 /// `slack` since nearness was looked at: from a point of the wall it is even farther.
 struct Near {
   std::int32_t ball = 0, face = 0;
-  double slack = 0;  ///< [m]
+  double within = 0;  ///< [m] farther away it does not matter how far the face is
+  double slack = 0;   ///< [m]
 };
 
 /// The balls' places and the walls' feet, component by component. A foot is the point of a face
@@ -45,16 +46,21 @@ class Surroundings {
   virtual void beats(double start, double step, std::int64_t first, std::span<Beat> out) const = 0;
   virtual kinematics::Ride ride(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
-  virtual geometry::Gap gap(int face, const Vec3& position, double t) const = 0;
-  /// How far `position` is from every face [m].
-  virtual void distances(const Vec3& position, double t, std::span<double> out) const = 0;
+  /// Where a ball at `position` meets a face; any larger distance where it is not `within` [m].
+  virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
+  /// How far `position` is from every face [m], any larger number where it is not `within`. At most
+  /// the distance of gap(), and changes by no more than one moves.
+  virtual void distances(const Vec3& position, double t, double within,
+                         std::span<double> out) const = 0;
+  virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
   /// Where the balls meet the faces they are near to.
   virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
                     const Places& places) const = 0;
-  /// The same of eight balls at a face each.
+  /// The same of the balls that touch, of eight at a face each; faces matter up to `beyond` [m]
+  /// from a ball's surface.
   virtual void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
-                    const std::array<std::int32_t, lanes>& faces, double t,
-                    Eight (&feet)[3]) const = 0;
+                    const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
+                    double t, double beyond, Eight (&feet)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].
   virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace mahlwerk::geometry {
+namespace {
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Plane and sides. The normal of a triangle without area is none.
+Facet facet_of(const Surface& s, const std::array<std::int32_t, 3>& t) {
+  Facet f;
+  f.vertex = t;
+  for (std::size_t k = 0; k < 3; ++k) f.corner[k] = s.points[at(t[k])];
+  const Vec3 area = cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]);
+  const double size = norm(area);
+  const Vec3 outward = size > 0 ? area / size : Vec3{};
+  f.normal = -outward;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const bool forward = t[k] < t[next];
+    f.start[k] = static_cast<std::int8_t>(forward ? k : next);
+    const Vec3 way = f.corner[next] - f.corner[k];
+    f.length[k] = norm(way);
+    f.along[k] = (forward ? 1.0 : -1.0) / f.length[k] * way;
+    f.inner[k] = cross(outward, way / f.length[k]);
+  }
+  return f;
+}
+
+/// Side by side, two of each edge.
+void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides) {
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
+    for (const auto& [mine, other] :
+         {std::pair(sides[i], sides[i + 1]), std::pair(sides[i + 1], sides[i])}) {
+      Facet& f = facets[at(mine.triangle)];
+      f.neighbour[at(mine.k)] = other.triangle;
+      f.neighbour_side[at(mine.k)] = static_cast<std::int8_t>(other.k);
+    }
+}
+
+int divide(std::vector<Facet>& facets, double crease_angle) {
+  // Bends of just the angle are creases, however their cosine was rounded.
+  const double smooth = std::cos(crease_angle) + 1e-9;
+  int faces = 0;
+  for (Facet& f : facets) f.face = -1;
+  std::vector<std::int32_t> open;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    if (facets[i].face >= 0) continue;
+    facets[i].face = faces;
+    open.assign(1, static_cast<std::int32_t>(i));
+    while (!open.empty()) {
+      const Facet& f = facets[at(open.back())];
+      open.pop_back();
+      for (const std::int32_t n : f.neighbour) {
+        Facet& other = facets[at(n)];
+        if (other.face >= 0 || !(dot(f.normal, other.normal) > smooth)) continue;
+        other.face = faces;
+        open.push_back(n);
+      }
+    }
+    ++faces;
+  }
+  return faces;
+}
+
+/// Angle of a facet at one of its corners [rad].
+double angle_at(const Facet& f, std::size_t k) {
+  const Vec3 a = f.corner[(k + 1) % 3] - f.corner[k], b = f.corner[(k + 2) % 3] - f.corner[k];
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+Vec3 unit(const Vec3& a) {
+  const double size = norm(a);
+  return size > 0 ? a / size : a;
+}
+
+void gather_vertices(Facets& all, std::size_t points) {
+  all.vertices.assign(points, {});
+  for (const Facet& f : all.facets)
+    for (const std::int32_t v : f.vertex) all.vertices[at(v)].last += 2;  // both its sides
+  std::int32_t count = 0;
+  for (Vertex& v : all.vertices) {
+    v.first = count;
+    count += v.last;
+    v.last = v.first;
+    v.owner = std::numeric_limits<std::int32_t>::max();
+  }
+  all.spokes.resize(at(count));
+  for (std::size_t i = 0; i < all.facets.size(); ++i) {
+    const Facet& f = all.facets[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vertex& v = all.vertices[at(f.vertex[k])];
+      v.crease = v.crease || (v.last > v.first && v.owner != f.face);
+      v.owner = std::min(v.owner, f.face);
+      v.normal += angle_at(f, k) * f.normal;
+      for (const std::size_t side : {k, (k + 2) % 3})
+        all.spokes[at(v.last++)] = {static_cast<std::int32_t>(i), static_cast<std::int8_t>(side),
+                                    at(f.start[side]) == k};
+    }
+  }
+  for (Vertex& v : all.vertices) v.normal = unit(v.normal);
+}
+
+/// At a corner, of the facets there that belong to its own face. Each has two spokes.
+Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
+  const Vertex& v = all.vertices[at(f.vertex[k])];
+  if (!v.crease) return v.normal;
+  Vec3 sum;
+  for (std::int32_t n = v.first; n < v.last; n += 2) {
+    const Facet& other = all.facets[at(all.spokes[at(n)].facet)];
+    if (other.face != f.face) continue;
+    const auto mine = std::ranges::find(other.vertex, f.vertex[k]) - other.vertex.begin();
+    sum += angle_at(other, static_cast<std::size_t>(mine)) * other.normal;
+  }
+  return unit(sum);
+}
+
+/// From how the normal turns along sides (geo.12).
+double tightest_bend(const Facets& all) {
+  double most = 0;
+  for (const Facet& f : all.facets) {
+    std::array<Vec3, 3> normal;
+    for (std::size_t k = 0; k < 3; ++k) normal[k] = face_normal(all, f, k);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 way = f.corner[(k + 1) % 3] - f.corner[k];
+      most = std::max(most, -dot(normal[(k + 1) % 3] - normal[k], way) / squared(way));
+    }
+  }
+  constexpr double rounding = 1e-6;  // of a curvature seen across the surface
+  const double size = norm(extent_of(all.facets[0].corner).size());
+  return most * size > rounding ? 1 / most : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Facets facets_of(const Surface& surface, double crease_angle) {
+  Facets all;
+  all.facets.reserve(surface.triangles.size());
+  for (const auto& t : surface.triangles) all.facets.push_back(facet_of(surface, t));
+  join_neighbours(all.facets, sides_of(surface));
+  all.faces = divide(all.facets, crease_angle);
+  gather_vertices(all, surface.points.size());
+  all.tightest_bend = tightest_bend(all);
+  return all;
+}
+
+}  // namespace mahlwerk::geometry

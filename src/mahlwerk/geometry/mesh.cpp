@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/mesh.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/mesh_wall.hpp"
+
+namespace mahlwerk::geometry {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // of a mesh without surface
+
+}  // namespace
+
+Mesh::Mesh(Surface surface, double angle)
+    : crease_angle(angle), wall_(std::make_shared<MeshWall>(std::move(surface), angle)) {
+  faces = wall_->faces();
+}
+
+Gap Mesh::gap(int face, const Vec3& p, double within) const {
+  return wall_->gap(face, p, within);
+}
+void Mesh::distances(const Vec3& p, double within, std::span<double> out) const {
+  wall_->distances(p, within, out);
+}
+double Mesh::distance(int face, const Vec3& p, double within) const {
+  return wall_->distance(face, p, within);
+}
+double Mesh::surely(const Vec3& p) const {
+  return wall_->surely(p);
+}
+Mesh::Seen Mesh::nearest(const Vec3& p) const {
+  const MeshWall::Nearest n = wall_->nearest(p);
+  return {n.face, n.gap};
+}
+
+Outlook Mesh::outlook(int, const Course& c, double radius) const {
+  const double gap = wall_->nearest(c.position).gap.distance - radius, speed = norm(c.velocity);
+  return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+}
+
+double Mesh::volume() const {
+  return wall_ ? wall_->volume() : unknown;
+}
+double Mesh::reach() const {
+  return wall_ ? wall_->reach() : unknown;
+}
+double Mesh::inradius() const {
+  return wall_ ? wall_->inradius() : unknown;
+}
+double Mesh::across() const {
+  return wall_ ? wall_->across() : unknown;
+}
+double Mesh::tightest_bend() const {
+  return wall_ ? wall_->tightest_bend() : unknown;
+}
+Vec3 Mesh::middle() const {
+  return wall_ ? wall_->deepest() : Vec3{};
+}
+Extent Mesh::extent() const {
+  return wall_ ? wall_->extent() : Extent{};
+}
+const Surface& Mesh::surface() const {
+  return wall_->surface();
+}
+bool Mesh::operator==(const Mesh& o) const {
+  if (crease_angle != o.crease_angle || (wall_ == nullptr) != (o.wall_ == nullptr)) return false;
+  return wall_ == o.wall_ || wall_->surface() == o.wall_->surface();
+}
+
+}  // namespace mahlwerk::geometry

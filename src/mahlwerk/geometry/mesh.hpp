@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <string>
+
+#include "mahlwerk/geometry/shape.hpp"
+#include "mahlwerk/geometry/surface.hpp"
+
+namespace mahlwerk::geometry {
+
+class MeshWall;
+
+/// The inside of a closed surface of triangles. Copies share the surface. Unlike the shapes of the
+/// formulas it has as many faces as its creases make, and it is not convex: a face may be hidden
+/// behind another, so gap() speaks of where a ball can touch it, distances() of where it is.
+struct Mesh {
+  double crease_angle = 0;  // [rad]
+  int faces = 0;
+
+  static constexpr std::string_view name = "mesh";
+  static constexpr std::string_view about =
+      "the inside of a closed surface of triangles from an STL file";
+  static constexpr bool axisymmetric = false;
+  static std::string face_name(int face) { return std::to_string(face + 1); }
+  static constexpr auto fields() {
+    return std::array{Field<Mesh>{
+        "crease_angle", "rad", &Mesh::crease_angle,
+        Range{.least = 0, .most = std::numbers::pi, .without_least = true, .without_most = true},
+        "triangles that bend by less belong to one face of the wall",
+        std::numbers::pi / 6,
+        "30 deg: facets of a round wall bend by less, edges of parts by more"}};
+  }
+
+  Mesh() = default;
+  /// A surface without flaw_of().
+  Mesh(Surface surface, double crease_angle);
+
+  Gap gap(int face, const Vec3& p) const { return gap(face, p, never); }
+  /// Those farther than `within` may be said to be farther still (geo.10).
+  Gap gap(int face, const Vec3& p, double within) const;
+  void distances(const Vec3& p, double within, std::span<double> out) const;
+  double distance(int face, const Vec3& p, double within) const;
+  /// Calls `f(face, gap)` for the faces a ball at `p` may touch within `within`; outside the jar
+  /// for the one it has passed, with a negative distance.
+  template <class F>
+  void near(const Vec3& p, double within, F f) const;
+
+  Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
+  /// For the whole wall, and so for each face.
+  Outlook outlook(int face, const Course& course, double radius) const;
+  static constexpr bool one_outlook = true;
+  bool meets(int, double) const { return true; }
+
+  double volume() const;
+  double reach() const;
+  double inradius() const;         // of the largest ball that was found to fit
+  Vec3 middle() const;             // its centre
+  Extent extent() const;           // [m]
+  double across() const;           // [m] largest distance from the z axis
+  double tightest_bend() const;    // [m] (geo.12)
+  const Surface& surface() const;  // of a mesh that has one
+  bool operator==(const Mesh& o) const;
+
+ private:
+  struct Seen {
+    int face;
+    Gap gap;
+  };
+  double surely(const Vec3& p) const;
+  Seen nearest(const Vec3& p) const;
+
+  std::shared_ptr<const MeshWall> wall_;
+};
+
+template <class F>
+void Mesh::near(const Vec3& p, double within, F f) const {
+  if (surely(p) > within) return;
+  const Seen first = nearest(p);
+  if (first.gap.distance < 0) {
+    f(first.face, first.gap);
+    return;
+  }
+  if (first.gap.distance > within) return;
+  for (int face = 0; face < faces; ++face)
+    if (const Gap seen = gap(face, p, within); seen.distance <= within) f(face, seen);
+}
+
+}  // namespace mahlwerk::geometry

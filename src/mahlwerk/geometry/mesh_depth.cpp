@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/geometry/mesh_wall.hpp"
+
+// How deep a mesh is: what is known of each part of it, and the largest ball it holds.
+namespace mahlwerk::geometry {
+namespace {
+
+struct Deep {
+  Vec3 place;
+  double depth;  // [m]
+};
+
+/// The nearest peak of the depth: the best of the 26 directions as long as one goes up, then in
+/// steps half as long.
+template <class Depth>
+Deep climb(Deep from, double step, double least, Depth depth) {
+  while (step > least) {
+    Deep best = from;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          const Vec3 p = from.place + step * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
+          if (const double d = depth(p); d > best.depth) best = {p, d};
+        }
+    if (best.depth > from.depth)
+      from = best;
+    else
+      step *= 0.5;
+  }
+  return from;
+}
+
+}  // namespace
+
+/// Distances change by no more than one moves: one sounding tells of a whole cell.
+void MeshWall::sound() {
+  const Vec3 cell = extent_.size() / cells;
+  const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and what a float loses
+  const auto depth = [&](const Vec3& p) { return nearest(p).gap.distance; };
+  std::vector<float> found;
+  std::vector<Deep> deep;
+  for (int x = 0; x < cells; ++x)
+    for (int y = 0; y < cells; ++y)
+      for (int z = 0; z < cells; ++z) {
+        const Vec3 p =
+            extent_.low + Vec3{(x + 0.5) * cell.x, (y + 0.5) * cell.y, (z + 0.5) * cell.z};
+        const double d = depth(p);
+        found.push_back(static_cast<float>(std::max(0.0, (d - half) * (1 - 1e-6))));
+        deep.push_back({p, d});
+      }
+  surely_ = std::move(found);
+  constexpr std::size_t tried = 4;
+  std::ranges::partial_sort(deep, deep.begin() + tried, std::ranges::greater{}, &Deep::depth);
+  Deep best = deep[0];
+  for (std::size_t i = 0; i < tried; ++i) {
+    if (deep[i].depth + half < best.depth) break;  // its cell has no deeper place
+    const Deep peak = climb(deep[i], half, 1e-9 * reach_, depth);
+    if (peak.depth > best.depth) best = peak;
+  }
+  inradius_ = std::max(0.0, best.depth);
+  deepest_ = best.place;
+}
+
+}  // namespace mahlwerk::geometry

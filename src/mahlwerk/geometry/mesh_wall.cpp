@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/mesh_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mahlwerk::geometry {
+namespace {
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+double across_side(const Facet& f, std::size_t k, const Vec3& p) {
+  return dot(f.inner[k], p - f.start_of(k));
+}
+double along_side(const Facet& f, std::size_t k, const Vec3& p) {
+  return dot(f.along[k], p - f.start_of(k));
+}
+
+}  // namespace
+
+MeshWall::MeshWall(Surface surface, double crease_angle)
+    : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
+  plant();
+  measure();
+  sound();
+}
+
+void MeshWall::plant() {
+  const auto faces = static_cast<std::size_t>(facets_.faces);
+  std::vector<std::vector<BoxTree::Item>> of_face(faces);
+  for (std::size_t i = 0; i < facets_.facets.size(); ++i) {
+    BoxTree::Item item{~static_cast<std::int32_t>(i), BoxTree::Box::empty()};
+    for (const Vec3& c : facets_.facets[i].corner) item.box.add(c);
+    of_face[at(facets_.facets[i].face)].push_back(item);
+  }
+  std::vector<BoxTree::Item> all;
+  for (std::size_t face = 0; face < faces; ++face) {
+    const BoxTree::Item built = tree_.build(of_face[face]);
+    roots_.push_back(built.id);
+    all.push_back({~static_cast<std::int32_t>(face), built.box});
+  }
+  root_ = face_tree_.build(all).id;
+}
+
+void MeshWall::measure() {
+  extent_ = extent_of(surface_.points);
+  volume_ = volume_of(surface_);
+  for (const Vec3& p : surface_.points) {
+    reach_ = std::max(reach_, norm(p));
+    across_ = std::max(across_, std::hypot(p.x, p.y));
+  }
+}
+
+/// The nearest point of a triangle: in its plane, on the one side beyond which p lies between the
+/// ends, or a corner.
+MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
+  std::array<double, 3> s{};
+  for (std::size_t k = 0; k < 3; ++k) s[k] = across_side(f, k, p);
+  if (s[0] > 0 && s[1] > 0 && s[2] > 0) {
+    const double h = dot(f.normal, p - f.corner[0]);
+    return {p - h * f.normal, h * h, 0, 0};
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s[k] > 0) continue;
+    const double u = along_side(f, k, p);
+    if (!(u > 0 && u < f.length[k])) continue;
+    const Vec3 foot = f.start_of(k) + u * f.along[k];
+    return {foot, squared(p - foot), 0, static_cast<int>(k) + 1};
+  }
+  std::size_t nearest = 0;
+  double least = never;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double d = squared(p - f.corner[k]);
+    if (d < least) least = d, nearest = k;
+  }
+  return {f.corner[nearest], least, 0, static_cast<int>(nearest) + 4};
+}
+
+MeshWall::Part MeshWall::part_of(const Foot& foot) const {
+  const Facet& f = facets_.facets[at(foot.facet)];
+  if (foot.part == 0) return {f.normal, f.face};
+  if (foot.part > 3) {
+    const Vertex& v = facets_.vertices[at(f.vertex[at(foot.part - 4)])];
+    return {v.normal, v.owner};
+  }
+  const Facet& other = facets_.facets[at(f.neighbour[at(foot.part - 1)])];
+  const Vec3 sum = f.normal + other.normal;
+  const double size = norm(sum);
+  return {size > 0 ? sum / size : f.inner[at(foot.part - 1)] * -1.0,  // a fin without thickness
+          std::min(f.face, other.face)};
+}
+
+/// Whether no point of the wall around the foot is nearer, and p is before it (geo.10). Next to each
+/// other the parts of the wall ask the same of the same numbers: what one declines another takes.
+bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
+  const Facet& f = facets_.facets[at(foot.facet)];
+  if (foot.part > 3) {
+    const Vertex& v = facets_.vertices[at(f.vertex[at(foot.part - 4)])];
+    for (std::int32_t n = v.first; v.crease && n < v.last; ++n) {
+      const Spoke& spoke = facets_.spokes[at(n)];
+      const Facet& g = facets_.facets[at(spoke.facet)];
+      const double u = along_side(g, at(spoke.side), p);
+      if (spoke.starts ? u > 0 : u < g.length[at(spoke.side)]) return false;
+    }
+  } else if (foot.part > 0) {
+    const std::size_t k = at(foot.part - 1);
+    const Facet& other = facets_.facets[at(f.neighbour[k])];
+    if (across_side(other, at(f.neighbour_side[k]), p) > 0) return false;
+  }
+  return dot(part_of(foot).normal, p - foot.point) >= 0;
+}
+
+Gap MeshWall::gap(int face, const Vec3& p, double within) const {
+  double within2 = within * within;
+  Foot best;
+  tree_.near(roots_[at(face)], p, within2, [&](std::int32_t facet, double& least) {
+    const Facet& f = facets_.facets[at(facet)];
+    const double h = dot(f.normal, p - f.corner[0]);
+    if (!(h * h < least)) return;
+    Foot foot = foot_on(f, p);
+    foot.facet = facet;
+    if (!(foot.distance2 < least) || part_of(foot).owner != face || !in_cone(foot, p)) return;
+    best = foot;
+    least = foot.distance2;
+  });
+  if (best.facet < 0) return {far, {0, 0, 1}, 0};
+  return seen(best, p).gap;
+}
+
+/// A foot as a wall under p, before or behind it.
+MeshWall::Nearest MeshWall::seen(const Foot& foot, const Vec3& p) const {
+  const Part part = part_of(foot);
+  const Vec3 way = p - foot.point;
+  const double side = dot(part.normal, way) < 0 ? -1 : 1, distance = std::sqrt(foot.distance2);
+  const bool known = foot.part != 0 && distance > 0;
+  return {part.owner, {side * distance, known ? side / distance * way : part.normal, 0}};
+}
+
+void MeshWall::nearest_on(int face, const Vec3& p, double& within2, Foot& best) const {
+  tree_.near(roots_[at(face)], p, within2, [&](std::int32_t facet, double& least) {
+    const Facet& f = facets_.facets[at(facet)];
+    const double h = dot(f.normal, p - f.corner[0]);
+    if (!(h * h < least)) return;
+    const Foot foot = foot_on(f, p);
+    if (!(foot.distance2 < least)) return;
+    best = foot;
+    best.facet = facet;
+    least = foot.distance2;
+  });
+}
+
+void MeshWall::distances(const Vec3& p, double within, std::span<double> out) const {
+  std::ranges::fill(out, far);
+  if (surely(p) > within) return;
+  Foot first;
+  double least = never, range = within * within;
+  face_tree_.near(root_, p, range, [&](std::int32_t face, double&) {
+    Foot best;
+    double within2 = within * within;
+    nearest_on(face, p, within2, best);
+    if (best.facet < 0) return;
+    out[at(face)] = std::sqrt(best.distance2);
+    if (best.distance2 < least) least = best.distance2, first = best;
+  });
+  if (first.facet < 0) {
+    const Vec3 &a = extent_.low, &b = extent_.high;
+    const bool beyond = p.x < a.x || p.y < a.y || p.z < a.z || p.x > b.x || p.y > b.y || p.z > b.z;
+    if (beyond) out[0] = -far;
+    return;
+  }
+  const Nearest wall = seen(first, p);
+  if (wall.gap.distance < 0) out[at(wall.face)] = wall.gap.distance;
+}
+
+double MeshWall::distance(int face, const Vec3& p, double within) const {
+  Foot best;
+  double within2 = within * within;
+  nearest_on(face, p, within2, best);
+  return best.facet < 0 ? far : std::sqrt(best.distance2);
+}
+
+MeshWall::Nearest MeshWall::nearest(const Vec3& p) const {
+  Foot best;
+  double within2 = never;
+  face_tree_.near(root_, p, within2, [&](std::int32_t face, double& least) {
+    nearest_on(face, p, least, best);
+  });
+  return best.facet < 0 ? Nearest{0, {-far, {0, 0, 1}, 0}} : seen(best, p);
+}
+
+double MeshWall::surely(const Vec3& p) const {
+  if (surely_.empty()) return 0;
+  const Vec3 size = extent_.size(), place = p - extent_.low;
+  std::size_t cell = 0;
+  for (const auto& [x, length] :
+       {std::pair(place.x, size.x), std::pair(place.y, size.y), std::pair(place.z, size.z)}) {
+    const double index = x / length * cells;
+    if (!(index >= 0 && index < cells)) return 0;
+    cell = cells * cell + static_cast<std::size_t>(index);
+  }
+  return static_cast<double>(surely_[cell]);
+}
+
+}  // namespace mahlwerk::geometry

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mahlwerk/geometry/box_tree.hpp"
+#include "mahlwerk/geometry/facets.hpp"
+#include "mahlwerk/geometry/shape.hpp"
+
+namespace mahlwerk::geometry {
+
+/// The inner wall of a closed surface of triangles, and how far points are from it.
+class MeshWall {
+ public:
+  static constexpr double far = 1e3;  ///< [m] what stands for "not near"
+
+  /// A surface without flaw_of().
+  MeshWall(Surface surface, double crease_angle);
+
+  const Surface& surface() const { return surface_; }
+  int faces() const { return facets_.faces; }
+  const Extent& extent() const { return extent_; }
+  double volume() const { return volume_; }
+  double reach() const { return reach_; }
+  double across() const { return across_; }  ///< [m] largest distance from the z axis
+  double inradius() const { return inradius_; }
+  const Vec3& deepest() const { return deepest_; }  ///< centre of the largest ball
+  double tightest_bend() const { return facets_.tightest_bend; }
+
+  /// Where a ball at `p` may touch a face (geo.10): the nearest point of the face from which p lies
+  /// in the wall's normal cone. Distance `far` where there is none within `within`.
+  Gap gap(int face, const Vec3& p, double within) const;
+
+  /// Distance of each face, wherever its nearest point is seen from; never more than gap() gives
+  /// while p moves. `far` beyond `within`. One is negative where p is outside.
+  void distances(const Vec3& p, double within, std::span<double> out) const;
+
+  /// The same of one face, never negative.
+  double distance(int face, const Vec3& p, double within) const;
+
+  struct Nearest {
+    int face = 0;
+    Gap gap;  ///< negative outside
+  };
+  /// Of the whole wall.
+  Nearest nearest(const Vec3& p) const;
+
+  /// A distance that p certainly has, inside; 0 if nothing is known at once.
+  double surely(const Vec3& p) const;
+
+ private:
+  struct Foot {
+    Vec3 point;
+    double distance2 = 0;  // [m2]
+    std::int32_t facet = -1;
+    int part = 0;  // 0 the plane, 1 to 3 a side, 4 to 6 a corner
+  };
+  struct Part {
+    Vec3 normal;         // into the jar
+    std::int32_t owner;  // the face it counts for
+  };
+
+  void plant();
+  void measure();
+  void sound();
+
+  static Foot foot_on(const Facet& facet, const Vec3& p);
+  Part part_of(const Foot& foot) const;
+  bool in_cone(const Foot& foot, const Vec3& p) const;
+  void nearest_on(int face, const Vec3& p, double& within2, Foot& best) const;
+  Nearest seen(const Foot& foot, const Vec3& p) const;
+
+  Surface surface_;
+  Facets facets_;
+  BoxTree tree_, face_tree_;
+  std::vector<std::int32_t> roots_;  // of each face
+  std::int32_t root_ = 0;            // of all faces
+
+  Extent extent_;
+  double volume_ = 0, reach_ = 0, across_ = 0, inradius_ = 0;
+  Vec3 deepest_;
+
+  static constexpr int cells = 24;  // along each side of the extent
+  std::vector<float> surely_;       // [m] for all points of a cell
+};
+
+}  // namespace mahlwerk::geometry

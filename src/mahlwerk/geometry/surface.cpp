@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace mahlwerk::geometry {
+namespace {
+
+using Triangle = std::array<std::int32_t, 3>;
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Points in cells a little larger than the distance at which two are one.
+class Joiner {
+ public:
+  Joiner(double tolerance, double size)
+      : tolerance_(tolerance), cell_(std::max(4 * tolerance, 1e-9 * size)) {}
+
+  /// The number of the first point within the tolerance of `p`, or a new one.
+  std::int32_t number(const Vec3& p, std::vector<Vec3>& points) {
+    const Vec3 reach{tolerance_, tolerance_, tolerance_};
+    const Cell low = cell(p - reach), high = cell(p + reach);
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          const auto [from, to] = cells_.equal_range({x, y, z});
+          for (auto at = from; at != to; ++at) {
+            const Vec3 apart = magnitude(points[static_cast<std::size_t>(at->second)] - p);
+            if (std::max({apart.x, apart.y, apart.z}) <= tolerance_) return at->second;
+          }
+        }
+    const auto number = static_cast<std::int32_t>(points.size());
+    points.push_back(p);
+    cells_.emplace(cell(p), number);
+    return number;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  struct Hash {
+    std::size_t operator()(const Cell& c) const {
+      std::uint64_t h = 0;
+      for (const std::int64_t i : c) h = (h ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+      return h ^ h >> 32;
+    }
+  };
+  Cell cell(const Vec3& p) const {
+    const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / cell_)); };
+    return {index(p.x), index(p.y), index(p.z)};
+  }
+
+  double tolerance_, cell_;
+  std::unordered_multimap<Cell, std::int32_t, Hash> cells_;
+};
+
+Surface numbered(std::span<const Corners> triangles, double tolerance, double size) {
+  Surface out;
+  Joiner joiner(tolerance, size);
+  for (const Corners& c : triangles) {
+    std::array<std::int32_t, 3> t{};
+    for (std::size_t k = 0; k < 3; ++k) t[k] = joiner.number(c[k], out.points);
+    out.triangles.push_back(t);
+  }
+  return out;
+}
+
+bool closed(const Surface& s) {
+  const std::vector<Side> sides = sides_of(s);
+  for (std::size_t from = 0, to = 0; from < sides.size(); from = to) {
+    for (to = from; to < sides.size() && sides[to].low == sides[from].low &&
+                    sides[to].high == sides[from].high;)
+      ++to;
+    if (to - from < 2) return false;
+  }
+  return true;
+}
+
+/// Which of a triangle's sides is its longest.
+std::size_t longest_side(const Surface& s, const Triangle& t) {
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = squared(s.points[at(t[(k + 1) % 3])] - s.points[at(t[k])]);
+    if (length > most) most = length, longest = k;
+  }
+  return longest;
+}
+
+/// Its height over the longest side [m].
+double height_of(const Surface& s, const Triangle& t) {
+  const std::size_t k = longest_side(s, t);
+  const Vec3 a = s.points[at(t[k])], b = s.points[at(t[(k + 1) % 3])],
+             c = s.points[at(t[(k + 2) % 3])];
+  return norm(cross(b - a, c - a)) / norm(b - a);
+}
+
+/// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two that
+/// the line from b to the neighbour's own corner makes.
+bool turn_longest_side(Surface& s, std::size_t flat) {
+  const Triangle t = s.triangles[flat];
+  const std::size_t k = longest_side(s, t);
+  const std::int32_t c = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+  for (Triangle& n : s.triangles)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (n[j] == a && n[(j + 1) % 3] == c) {
+        const std::int32_t d = n[(j + 2) % 3];
+        if (d == b) return false;
+        n = {a, b, d};
+        s.triangles[flat] = {b, c, d};
+        return true;
+      }
+  return false;
+}
+
+void take_out_flat_ones(Surface& s) {
+  std::erase_if(s.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  const double least = 1e-9 * norm(extent_of(s.points).size());
+  for (int rounds = 0; rounds < 8; ++rounds) {
+    bool turned = false;
+    for (std::size_t i = 0; i < s.triangles.size(); ++i)
+      if (height_of(s, s.triangles[i]) < least) turned = turn_longest_side(s, i) || turned;
+    if (!turned) return;
+  }
+}
+
+/// Middle of a side [m].
+Vec3 middle(const Surface& s, const Side& side) {
+  return 0.5 * (s.points[at(side.low)] + s.points[at(side.high)]);
+}
+
+/// A number for each triangle, the same for those that hang together.
+std::vector<std::int32_t> shells(const Surface& s, const std::vector<Side>& sides) {
+  std::vector<std::int32_t> of(s.triangles.size());
+  std::iota(of.begin(), of.end(), 0);
+  const auto root = [&](std::int32_t i) {
+    while (of[at(i)] != i) i = of[at(i)] = of[at(of[at(i)])];
+    return i;
+  };
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+    const std::int32_t a = root(sides[i].triangle), b = root(sides[i + 1].triangle);
+    of[at(std::max(a, b))] = std::min(a, b);
+  }
+  for (std::size_t i = 0; i < of.size(); ++i) of[i] = root(static_cast<std::int32_t>(i));
+  return of;
+}
+
+}  // namespace
+
+Surface joined(std::span<const Corners> triangles) {
+  std::vector<Vec3> all;
+  for (const Corners& c : triangles) all.insert(all.end(), c.begin(), c.end());
+  const double size = norm(extent_of(all).size());
+  if (!(size > 0)) return {};
+  Surface s = numbered(triangles, 0, size);
+  take_out_flat_ones(s);
+  if (closed(s)) return s;
+  Surface loose = numbered(triangles, 1e-6 * size, size);
+  take_out_flat_ones(loose);
+  return closed(loose) ? loose : s;
+}
+
+Extent extent_of(std::span<const Vec3> points) {
+  if (points.empty()) return {};
+  Extent e{points[0], points[0]};
+  for (const Vec3& p : points) {
+    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y), std::min(e.low.z, p.z)};
+    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y), std::max(e.high.z, p.z)};
+  }
+  return e;
+}
+
+double volume_of(const Surface& s) {
+  const Vec3 origin = extent_of(s.points).middle();  // where differences are smallest
+  double sixfold = 0;
+  for (const Triangle& t : s.triangles)
+    sixfold += dot(s.points[at(t[0])] - origin,
+                   cross(s.points[at(t[1])] - origin, s.points[at(t[2])] - origin));
+  return sixfold / 6;
+}
+
+std::vector<Side> sides_of(const Surface& s) {
+  std::vector<Side> sides;
+  sides.reserve(3 * s.triangles.size());
+  for (std::size_t i = 0; i < s.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t a = s.triangles[i][k], b = s.triangles[i][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::int32_t>(i),
+                       static_cast<std::int32_t>(k), a < b});
+    }
+  std::ranges::sort(sides, {}, [](const Side& e) { return std::tuple(e.low, e.high, e.triangle); });
+  return sides;
+}
+
+std::optional<Flaw> flaw_of(const Surface& s) {
+  const std::vector<Side> sides = sides_of(s);
+  std::optional<Flaw> open, crowded, twisted;
+  const auto note = [&](std::optional<Flaw>& flaw, Flaw::Kind kind, const Side& side) {
+    if (!flaw) flaw = Flaw{kind, 0, middle(s, side)};
+    ++flaw->count;
+  };
+  for (std::size_t from = 0, to = 0; from < sides.size(); from = to) {
+    const Side& first = sides[from];
+    for (to = from; to < sides.size() && sides[to].low == first.low && sides[to].high == first.high;)
+      ++to;
+    if (to - from == 1)
+      note(open, Flaw::Kind::open, first);
+    else if (to - from > 2)
+      note(crowded, Flaw::Kind::crowded, first);
+    else if (first.forward == sides[from + 1].forward)
+      note(twisted, Flaw::Kind::twisted, first);
+  }
+  for (const auto& flaw : {open, crowded, twisted})
+    if (flaw) return flaw;
+  const std::vector<std::int32_t> shell = shells(s, sides);
+  std::size_t count = 0;
+  std::optional<Vec3> second;
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    if (shell[i] != static_cast<std::int32_t>(i)) continue;
+    if (++count == 2) second = s.points[at(s.triangles[i][0])];
+  }
+  if (second) return Flaw{Flaw::Kind::several, count, *second};
+  if (!(volume_of(s) > 0)) return Flaw{Flaw::Kind::inside_out, 0, {}};
+  return std::nullopt;
+}
+
+}  // namespace mahlwerk::geometry
