@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every shape of the register keeps the promises of geometry/shape.hpp.
+// Every shape of the register that has a formula keeps the promises of geometry/shape.hpp.
 #include "mahlwerk/geometry/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ class Shapes : public ::testing::Test {
     return p;
   }
 };
-TYPED_TEST_SUITE(Shapes, AsTypes<geometry::AnyShape>::type);
+TYPED_TEST_SUITE(Shapes, AsTypes<geometry::FormulaShape>::type);
 
 TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
   double worst = 0;

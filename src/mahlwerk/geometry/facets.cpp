@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace mahlwerk::geometry {
 namespace {
@@ -28,9 +29,9 @@ Facet facet_of(const Surface& s, const std::array<std::int32_t, 3>& t) {
     const bool forward = t[k] < t[next];
     f.start[k] = static_cast<std::int8_t>(forward ? k : next);
     const Vec3 way = f.corner[next] - f.corner[k];
-    f.length[k] = norm(way);
-    f.along[k] = (forward ? 1.0 : -1.0) / f.length[k] * way;
-    f.inner[k] = cross(outward, way / f.length[k]);
+    const double length = norm(way);
+    f.along[k] = (forward ? 1.0 : -1.0) / length * way;
+    f.inner[k] = cross(outward, way / length);
   }
   return f;
 }
@@ -150,6 +151,18 @@ Facets facets_of(const Surface& surface, double crease_angle) {
   gather_vertices(all, surface.points.size());
   all.tightest_bend = tightest_bend(all);
   return all;
+}
+
+void reorder(Facets& all, const std::vector<std::int32_t>& order) {
+  std::vector<std::int32_t> now(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) now[at(order[i])] = static_cast<std::int32_t>(i);
+  std::vector<Facet> facets;
+  facets.reserve(order.size());
+  for (const std::int32_t i : order) facets.push_back(all.facets[at(i)]);
+  for (Facet& f : facets)
+    for (std::int32_t& n : f.neighbour) n = now[at(n)];
+  for (Spoke& s : all.spokes) s.facet = now[at(s.facet)];
+  all.facets = std::move(facets);
 }
 
 }  // namespace mahlwerk::geometry

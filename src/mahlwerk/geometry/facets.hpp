@@ -18,13 +18,16 @@ struct Facet {
   // Side k runs between corners k and k + 1, and is measured from the end with the lower number.
   std::array<Vec3, 3> inner;     ///< across side k, in the plane, into the facet
   std::array<Vec3, 3> along;     ///< side k
-  std::array<double, 3> length;  ///< [m]
   std::array<std::int32_t, 3> vertex, neighbour;
   std::array<std::int8_t, 3> start;           ///< the corner that side k is measured from
   std::array<std::int8_t, 3> neighbour_side;  ///< which side of the neighbour side k is
   std::int32_t face = 0;
 
   const Vec3& start_of(std::size_t k) const { return corner[static_cast<std::size_t>(start[k])]; }
+  const Vec3& end_of(std::size_t k) const {
+    const auto s = static_cast<std::size_t>(start[k]);
+    return corner[s == k ? (k + 1) % 3 : k];
+  }
 };
 
 /// A side that ends at a vertex.
@@ -53,5 +56,8 @@ struct Facets {
 /// Facets of a closed surface. Those joined over sides that bend by less than `crease_angle` [rad]
 /// are one face; faces are numbered as their first triangles are (geo.9).
 Facets facets_of(const Surface& surface, double crease_angle);
+
+/// Facets in that order of their numbers.
+void reorder(Facets& all, const std::vector<std::int32_t>& order);
 
 }  // namespace mahlwerk::geometry

@@ -16,21 +16,29 @@ std::size_t at(std::int32_t i) {
 double across_side(const Facet& f, std::size_t k, const Vec3& p) {
   return dot(f.inner[k], p - f.start_of(k));
 }
-double along_side(const Facet& f, std::size_t k, const Vec3& p) {
+/// How far p lies along a side from its start, or from its end: exact to the sign near each.
+double from_start(const Facet& f, std::size_t k, const Vec3& p) {
   return dot(f.along[k], p - f.start_of(k));
+}
+double from_end(const Facet& f, std::size_t k, const Vec3& p) {
+  return dot(f.along[k], p - f.end_of(k));
 }
 
 }  // namespace
 
 MeshWall::MeshWall(Surface surface, double crease_angle)
     : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
+  reorder(facets_, plant());  // near ones in memory, too
   plant();
   measure();
   sound();
 }
 
-void MeshWall::plant() {
+/// A tree of each face's facets, and one of the faces. Gives the facets in the order of the trees.
+std::vector<std::int32_t> MeshWall::plant() {
   const auto faces = static_cast<std::size_t>(facets_.faces);
+  tree_ = face_tree_ = {};
+  roots_.clear();
   std::vector<std::vector<BoxTree::Item>> of_face(faces);
   for (std::size_t i = 0; i < facets_.facets.size(); ++i) {
     BoxTree::Item item{~static_cast<std::int32_t>(i), BoxTree::Box::empty()};
@@ -44,6 +52,10 @@ void MeshWall::plant() {
     all.push_back({~static_cast<std::int32_t>(face), built.box});
   }
   root_ = face_tree_.build(all).id;
+  std::vector<std::int32_t> order;
+  for (const auto& items : of_face)
+    for (const BoxTree::Item& item : items) order.push_back(~item.id);
+  return order;
 }
 
 void MeshWall::measure() {
@@ -66,8 +78,8 @@ MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
   }
   for (std::size_t k = 0; k < 3; ++k) {
     if (s[k] > 0) continue;
-    const double u = along_side(f, k, p);
-    if (!(u > 0 && u < f.length[k])) continue;
+    const double u = from_start(f, k, p);
+    if (!(u > 0 && from_end(f, k, p) < 0)) continue;
     const Vec3 foot = f.start_of(k) + u * f.along[k];
     return {foot, squared(p - foot), 0, static_cast<int>(k) + 1};
   }
@@ -100,11 +112,12 @@ bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
   const Facet& f = facets_.facets[at(foot.facet)];
   if (foot.part > 3) {
     const Vertex& v = facets_.vertices[at(f.vertex[at(foot.part - 4)])];
-    for (std::int32_t n = v.first; v.crease && n < v.last; ++n) {
+    for (std::int32_t n = v.first; n < v.last; ++n) {
       const Spoke& spoke = facets_.spokes[at(n)];
       const Facet& g = facets_.facets[at(spoke.facet)];
-      const double u = along_side(g, at(spoke.side), p);
-      if (spoke.starts ? u > 0 : u < g.length[at(spoke.side)]) return false;
+      const bool beside = spoke.starts ? from_start(g, at(spoke.side), p) > 0
+                                       : from_end(g, at(spoke.side), p) < 0;
+      if (beside) return false;
     }
   } else if (foot.part > 0) {
     const std::size_t k = at(foot.part - 1);

@@ -62,7 +62,7 @@ class MeshWall {
     std::int32_t owner;  // the face it counts for
   };
 
-  void plant();
+  std::vector<std::int32_t> plant();
   void measure();
   void sound();
 

@@ -101,7 +101,9 @@ class AnyCase {
     pick(c.mill.motion);
     c.mill.jar_axis = flip() ? kinematics::upright : kinematics::lying;
     c.mill.model = flip() ? "some mill" : "";
-    pick(c.jar.shape);
+    geometry::FormulaShape shape;  // a mesh comes from a file
+    pick(shape);
+    std::visit([&](const auto& s) { c.jar.shape = s; }, shape);
     c.jar.material = flip() ? "steel" : "";
     const double room = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
     for (int n = flip() ? 1 : 2; n > 0; --n)

@@ -61,13 +61,17 @@ inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamb
                                                      double start) {
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<scene::Engine> {
-        const event::Jar<S, Counted> jar(shape, motion, chamber);
-        if constexpr (S::faces > 0)
-          if (one_ball)
-            return std::make_unique<event::OneBall<S, Counted>>(jar, balls.front(), rules, start);
-        return std::make_unique<event::ManyBalls>(
-            std::make_unique<event::Enclosed<S, Counted>>(jar), balls, rules,
-            contact::BounceTable(1, S::faces, rules.bounce), start);
+        if constexpr (std::is_same_v<S, geometry::Mesh>) {
+          return nullptr;  // the event engine takes none
+        } else {
+          const event::Jar<S, Counted> jar(shape, motion, chamber);
+          if constexpr (S::faces > 0)
+            if (one_ball)
+              return std::make_unique<event::OneBall<S, Counted>>(jar, balls.front(), rules, start);
+          return std::make_unique<event::ManyBalls>(
+              std::make_unique<event::Enclosed<S, Counted>>(jar), balls, rules,
+              contact::BounceTable(1, S::faces, rules.bounce), start);
+        }
       },
       chamber.shape);
 }

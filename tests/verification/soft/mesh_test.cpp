@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The soft engine in jars of triangles: what holds in a jar with a formula holds there, edges that
+// stand out are met once, and nothing leaves a closed surface.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "mahlwerk/base/random.hpp"
+#include "meshes.hpp"
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+using contact::Rolling;
+using geometry::Mesh;
+
+const Vec3 down{0, 0, -gravity};
+const Rotation lying = scene::mounted_along({1, 0, 0});
+
+contact::Pair soft_pair(double e = 0.6, double mu = 0.3) {
+  contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, e, mu);
+  pair.rolling_friction = 0.02;
+  return pair;
+}
+
+/// Balls at random places that are free of the wall and of each other.
+std::vector<scene::Ball> strewn(const Mesh& mesh, int count, double radius, Random& random,
+                                double speed = 0.3) {
+  std::vector<scene::Ball> balls;
+  while (std::ssize(balls) < count) {
+    const Vec3 p = anywhere_in(mesh.extent(), random);
+    bool free = true;
+    mesh.near(p, 1.01 * radius, [&](int, const geometry::Gap&) { free = false; });
+    for (const scene::Ball& b : balls) free = free && norm(b.position - p) > 2.01 * radius;
+    if (free)
+      balls.push_back({radius, 7850, p, speed * random.direction(), 10 * random.direction()});
+  }
+  return balls;
+}
+
+std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
+                                      const kinematics::AnyMotion& motion, const Rotation& mount,
+                                      const std::vector<scene::Ball>& balls, double step,
+                                      std::size_t few = 32,
+                                      const contact::Pair& pair = soft_pair()) {
+  const scene::Chamber chamber{shape, motion, mount, down};
+  const int faces = std::visit([](const auto& s) { return s.faces; }, shape);
+  soft::Rules rules{of_law(LawName::hertz_mindlin, Rolling::cdt), step, false};
+  rules.few = few;
+  return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
+}
+
+double apart(const scene::Engine& a, const scene::Engine& b) {
+  const auto one = a.balls(), other = b.balls();
+  double most = 0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    most = std::max(most, norm(one[i].position - other[i].position));
+  return most;
+}
+
+TEST(MeshJar, a_box_of_triangles_moves_balls_as_a_box_does) {
+  const geometry::Box exact{0.03, 0.042, 0.0325};
+  const Mesh mesh = mesh_of(box(exact.width, exact.depth, exact.height));
+  struct Mill {
+    std::string name;
+    kinematics::AnyMotion motion;
+    Rotation mount;
+    int balls;
+  };
+  for (const Mill& mill : {Mill{"shaken", shaken(20, 0.01), {}, 1},
+                           Mill{"tumbling", kinematics::Tumbling{20}, lying, 5},
+                           Mill{"planetary", kinematics::Planetary{0.07, 40, -2}, {}, 60}}) {
+    Random random(3, 1);
+    auto balls = strewn(mesh, mill.balls, 0.0025, random, 1);
+    auto nudged = balls;
+    for (scene::Ball& b : nudged) b.position.x += 1e-13;
+    const auto a = run_in(exact, mill.motion, mill.mount, balls, 2e-6);
+    const auto b = run_in(mesh, mill.motion, mill.mount, balls, 2e-6);
+    const auto c = run_in(exact, mill.motion, mill.mount, nudged, 2e-6);
+    Recorder by_box, by_mesh, by_nudged;
+    const double time = mill.balls == 1 ? 0.3 : 0.05;
+    a->advance(time, by_box);
+    b->advance(time, by_mesh);
+    c->advance(time, by_nudged);
+    EXPECT_GT(by_box.all.size(), 8U);
+    EXPECT_EQ(by_box.all.size(), by_mesh.all.size());
+    stays_below(mill.name + ": positions off [m]", apart(*a, *b),
+                std::max(1e-12, 10 * apart(*a, *c)), "the same in a box; grown from 1e-13 m");
+    if (mill.balls == 1) {
+      stays_below("one ball off after its bounces [m]", apart(*a, *b), 1e-9, "the same in a box");
+    }
+  }
+}
+
+struct Figures {
+  std::vector<double> power, rate;  // [W], [1/s] above 0.1 m/s, of each replicate
+};
+
+Figures drum(const geometry::AnyShape& shape, const Mesh& places) {
+  Figures found;
+  for (std::uint32_t replicate = 0; replicate < 6; ++replicate) {
+    Random random(5, replicate);
+    const auto engine = run_in(shape, kinematics::Tumbling{16}, lying,
+                               strewn(places, 20, 0.003, random), 5e-6);
+    Recorder warm_up, counted;
+    engine->advance(0.3, warm_up);
+    const double before = engine->account().wall_work;
+    engine->advance(1.3, counted);
+    found.power.push_back(engine->account().wall_work - before);
+    found.rate.push_back(static_cast<double>(std::ranges::count_if(
+        counted.all, [](const scene::Collision& c) { return c.approach > 0.1; })));
+  }
+  return found;
+}
+
+void agree(const std::string& what, const std::vector<double>& a, const std::vector<double>& b) {
+  const auto mean = [](const std::vector<double>& x) {
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+  };
+  const auto error2 = [&](const std::vector<double>& x) {
+    double sum = 0;
+    for (const double v : x) sum += (v - mean(x)) * (v - mean(x));
+    return sum / static_cast<double>(x.size() * (x.size() - 1));
+  };
+  states(what, mean(a), mean(b), 4 * std::sqrt(error2(a) + error2(b)),
+         "the analytic cylinder; 4 standard errors of six replicates each");
+}
+
+TEST(MeshJar, a_fine_cylinder_of_triangles_takes_the_power_and_the_hits_of_a_cylinder) {
+  const Mesh mesh = mesh_of(cylinder(256, 0.06, 0.03));
+  const Figures found = drum(mesh, mesh), exact = drum(geometry::Cylinder{0.06, 0.03}, mesh);
+  agree("power [W]", found.power, exact.power);
+  agree("hits above 0.1 m/s [1/s]", found.rate, exact.rate);
+}
+
+/// Without friction and loss a ball that slides over an edge keeps its energy, though the contact
+/// goes from one face to the other on its way.
+TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
+  // A step in the floor of a box: upper floor at z = 0 for x < 0, lower at z = -0.02.
+  const Mesh mesh = mesh_of([] {
+    Triangles t = prism({{0.05, 0.04, 0}, {-0.05, 0.04, 0}, {-0.05, 0, 0}, {0, 0, 0},
+                         {0, -0.02, 0}, {0.05, -0.02, 0}},
+                        0.04);
+    for (Corners& c : t)  // y upwards becomes z
+      for (Vec3& p : c) p = {p.x, -p.z, p.y};
+    return t;
+  }());
+  ASSERT_EQ(mesh.faces, 8);
+  for (const std::size_t few : {32U, 0U}) {
+    const scene::Ball ball{0.005, 7850, {-0.01, 0, 0.00499999}, {0.1, 0, 0}, {}};
+    auto frictionless = soft_pair(1, 0);
+    frictionless.rolling_friction = 0;
+    const auto engine =
+        run_in(mesh, kinematics::Still{}, {}, {ball}, 1e-6, few, frictionless);
+    Recorder recorder;
+    double speed = 0, most = 0;
+    int steps_over = 0;
+    for (int i = 1; i < 3000; ++i) {
+      engine->advance(1e-4 * i, recorder);
+      const scene::Account a = engine->account();
+      const scene::Ball b = engine->balls()[0];
+      if (b.position.x < -0.002 || b.position.z < -0.012) continue;
+      ++steps_over;
+      most = std::max(most, std::abs(a.kinetic + a.potential + a.elastic - a.started_with));
+      speed = std::max(speed, norm(b.velocity));
+    }
+    EXPECT_GT(steps_over, 100);
+    EXPECT_GT(speed, 0.2) << "it has fallen off";
+    // The floor's overlap at rest stores m g d/2.5; what a jump of the force would leave is more.
+    stays_below("energy gone on the way over the edge, over m g R", most / (ball.mass() * gravity * 0.005),
+                1e-4, "a smooth hand-over; 200 times less than one contact counted twice");
+  }
+}
+
+TEST(MeshJar, nothing_leaves_a_closed_surface) {
+  struct Trial {
+    std::string name;
+    Mesh mesh;
+    int balls;
+    double radius;
+    std::int64_t steps;
+  };
+  for (const Trial& trial :
+       {Trial{"lumps", mesh_of(lumpy(0.015)), 4, 0.0004, 1'000'000},
+        Trial{"bars", mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003)), 8, 0.0015, 300'000},
+        Trial{"crowd among bars", mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003)), 80, 0.0015,
+              60'000}}) {
+    Random random(7, 1);
+    const double step = 1e-6;
+    const auto engine = run_in(trial.mesh, kinematics::Tumbling{15}, lying,
+                               strewn(trial.mesh, trial.balls, trial.radius, random), step);
+    Recorder recorder;
+    ASSERT_NO_THROW(engine->advance(static_cast<double>(trial.steps) * step, recorder))
+        << trial.name;
+    const Rotation q = kinematics::Tumbling{15}.turn(engine->account().time) * lying;
+    double deepest = 0;
+    for (const scene::Ball& b : engine->balls())
+      trial.mesh.near(q.back(b.position), b.radius, [&](int, const geometry::Gap& gap) {
+        deepest = std::max(deepest, 1 - gap.distance / b.radius);
+      });
+    stays_below(trial.name + ": overlap with the wall at the end, of a radius", deepest, 0.05,
+                "contacts hold");
+    EXPECT_GT(recorder.all.size(), 100U) << trial.name;
+    const scene::Account a = engine->account();
+    stays_below(trial.name + ": energy from nowhere, of what was lost",
+                std::abs(a.residual()) / a.lost(), 1e-3, "dem.32; what runs may have");
+  }
+}
+
+TEST(MeshJar, a_ball_at_rest_in_a_corner_is_held_by_three_faces) {
+  const Mesh mesh = mesh_of(box(0.04, 0.04, 0.04));
+  const double r = 0.005, at = 0.02 - r + 1e-7;
+  const auto engine = run_in(mesh, kinematics::Still{}, turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6),
+                             {{r, 7850, {}, {}, {}}}, 2e-6);
+  Recorder recorder;
+  engine->advance(1.5, recorder);
+  const Rotation q = turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6);
+  const Vec3 p = magnitude(q.back(engine->balls()[0].position));
+  states("place along each edge [m]", std::min({p.x, p.y, p.z}), at, 3e-6, "a radius from three walls");
+  states("speed [m/s]", norm(engine->balls()[0].velocity), 0, 1e-6, "held");
+}
+
+/// A surface that is left to itself gives the same bits, however the run is cut.
+TEST(MeshJar, cuts_change_no_bit) {
+  const Mesh mesh = mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003));
+  for (const int count : {8, 50}) {
+    Random random(9, 1);
+    const auto balls = strewn(mesh, count, 0.0015, random);
+    const auto whole = run_in(mesh, kinematics::Tumbling{15}, lying, balls, 2e-6);
+    const auto cut = run_in(mesh, kinematics::Tumbling{15}, lying, balls, 2e-6);
+    Recorder a, b;
+    whole->advance(0.05, a);
+    for (const double t : {0.001, 0.0173, 0.03, 0.05}) cut->advance(t, b);
+    EXPECT_EQ(apart(*whole, *cut), 0);
+    EXPECT_EQ(a.all.size(), b.all.size());
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
