@@ -127,8 +127,8 @@ Triangles ball(int rounds, Radius radius) {
     Triangles finer;
     for (const auto& [a, b, c] : t) {
       const Vec3 ab = unit(a + b), bc = unit(b + c), ca = unit(c + a);
-      for (const Corners& part : {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c},
-                                  Corners{ab, bc, ca}})
+      for (const Corners& part :
+           {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c}, Corners{ab, bc, ca}})
         finer.push_back(part);
     }
     t = finer;

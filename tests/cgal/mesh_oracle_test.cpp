@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Nearest points and sides of meshes beside CGAL, which is a code of others: its AABB tree and its
-// ray shooting. CGAL is under the GPL and serves tests alone; they are left out where it is missing.
+// ray shooting. CGAL is under the GPL and serves tests alone; they are left out where it is
+// missing.
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -39,16 +39,18 @@ Fault told(const Flaw& flaw, const std::string& file) {
     case Flaw::Kind::open:
       return fault(fmt::format("the surface is open: {} belong to one triangle only, one at {}",
                                edges(flaw.count), place(flaw.where)),
-                   "close the holes: draw the inner volume as a solid and export that", "open-mesh");
+                   "close the holes: draw the inner volume as a solid and export that",
+                   "open-mesh");
     case Flaw::Kind::crowded:
       return fault(fmt::format("at {} more than two triangles meet, at {} for instance",
                                edges(flaw.count), place(flaw.where)),
                    "join the parts to one solid before exporting, without inner walls",
                    "crowded-mesh");
     case Flaw::Kind::twisted:
-      return fault(fmt::format("at {} neighbours disagree which side is outside, at {} for instance",
-                               edges(flaw.count), place(flaw.where)),
-                   "let the CAD program orient all normals outwards", "twisted-mesh");
+      return fault(
+          fmt::format("at {} neighbours disagree which side is outside, at {} for instance",
+                      edges(flaw.count), place(flaw.where)),
+          "let the CAD program orient all normals outwards", "twisted-mesh");
     case Flaw::Kind::several:
       return fault(fmt::format("the surface has {} parts that do not hang together, the second "
                                "at {}",
@@ -56,7 +58,8 @@ Fault told(const Flaw& flaw, const std::string& file) {
                    "export the inner volume alone, as one solid: without the jar's outside and "
                    "loose parts",
                    "several-meshes");
-    case Flaw::Kind::inside_out: break;
+    case Flaw::Kind::inside_out:
+      break;
   }
   return fault("the surface is inside out: its triangles look into the jar",
                "draw the inner volume as a solid, or flip all normals and export again",

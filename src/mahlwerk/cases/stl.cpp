@@ -69,9 +69,9 @@ class Words {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-      throw StlError(said.empty() ? fmt::format("it is cut off in line {}", line_)
-                                  : fmt::format("\"{}\" in line {} is no number",
-                                                said.substr(0, 40), line_));
+      throw StlError(
+          said.empty() ? fmt::format("it is cut off in line {}", line_)
+                       : fmt::format("\"{}\" in line {} is no number", said.substr(0, 40), line_));
     return value;
   }
   std::size_t line() const { return line_; }
@@ -84,9 +84,8 @@ class Words {
 };
 
 bool same_word(std::string_view word, std::string_view lower) {
-  return std::ranges::equal(word, lower, [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == b;
-  });
+  return std::ranges::equal(
+      word, lower, [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
 std::vector<geometry::Corners> read_as_text(std::string_view text, double scale) {
@@ -98,16 +97,16 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (same_word(word, "vertex")) {
       if (known == 3)
-        throw StlError(fmt::format("the facet in line {} has more than three corners",
-                                   words.line()));
+        throw StlError(
+            fmt::format("the facet in line {} has more than three corners", words.line()));
       Vec3& c = corners[known++];
       c.x = scale * words.number();
       c.y = scale * words.number();
       c.z = scale * words.number();
     } else if (same_word(word, "endfacet")) {
       if (known != 3)
-        throw StlError(fmt::format("the facet that ends in line {} has {} corners", words.line(),
-                                   known));
+        throw StlError(
+            fmt::format("the facet that ends in line {} has {} corners", words.line(), known));
       all.push_back(corners);
       known = 0;
       refuse_too_many(all.size());
@@ -115,8 +114,8 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
     ended = ended || same_word(word, "endsolid");
   }
   if (!ended || known != 0)
-    throw StlError(fmt::format("it is cut off behind triangle {}: there is no \"endsolid\"",
-                               all.size()));
+    throw StlError(
+        fmt::format("it is cut off behind triangle {}: there is no \"endsolid\"", all.size()));
   return all;
 }
 
@@ -139,7 +138,7 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
   else if (looks_like_text(bytes))
     all = read_as_text(bytes, scale);
   else if (whole > bytes.size())
-    throw StlError(fmt::format("it says it has {} triangles, and ends within the {}th",
+    throw StlError(fmt::format("it says it has {} triangles, and ends in triangle {}",
                                number_at(bytes, 80), (bytes.size() - head) / record + 1));
   else
     throw StlError("it is no STL: neither the length of a binary one nor the words of a text");

@@ -9,8 +9,8 @@
 
 #include "mahlwerk/geometry/surface.hpp"
 
-// STL files: triangles by their corners, binary or as text. Their normals are not read: the order of
-// the corners says the same, and always does.
+// STL files: triangles by their corners, binary or as text. Their normals are not read: the order
+// of the corners says the same, and always does.
 namespace mahlwerk::cases {
 
 /// Why bytes are no STL, in a sentence without a full stop.

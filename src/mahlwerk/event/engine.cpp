@@ -14,8 +14,8 @@ template <class S>
 constexpr bool is_mesh = std::is_same_v<S, geometry::Mesh>;
 
 InputError no_mesh() {
-  return InputError(Fault{"jar", "the event engine takes no mesh", "write engine = \"soft\"",
-                          "mesh-needs-soft"});
+  return InputError(
+      Fault{"jar", "the event engine takes no mesh", "write engine = \"soft\"", "mesh-needs-soft"});
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct Facet {
   std::array<Vec3, 3> corner;  ///< [m]
   Vec3 normal;                 ///< into the jar
   // Side k runs between corners k and k + 1, and is measured from the end with the lower number.
-  std::array<Vec3, 3> inner;     ///< across side k, in the plane, into the facet
-  std::array<Vec3, 3> along;     ///< side k
+  std::array<Vec3, 3> inner;  ///< across side k, in the plane, into the facet
+  std::array<Vec3, 3> along;  ///< side k
   std::array<std::int32_t, 3> vertex, neighbour;
   std::array<std::int8_t, 3> start;           ///< the corner that side k is measured from
   std::array<std::int8_t, 3> neighbour_side;  ///< which side of the neighbour side k is
@@ -38,9 +38,9 @@ struct Spoke {
 };
 
 struct Vertex {
-  Vec3 normal;             ///< of the facets around it, by their angles; into the jar
-  std::int32_t owner = 0;  ///< the first of the faces around it
-  bool crease = false;     ///< there are several
+  Vec3 normal;                       ///< of the facets around it, by their angles; into the jar
+  std::int32_t owner = 0;            ///< the first of the faces around it
+  bool crease = false;               ///< there are several
   std::int32_t first = 0, last = 0;  ///< its spokes
 };
 

@@ -31,8 +31,7 @@ struct Mesh {
     return std::array{Field<Mesh>{
         "crease_angle", "rad", &Mesh::crease_angle,
         Range{.least = 0, .most = std::numbers::pi, .without_least = true, .without_most = true},
-        "triangles that bend by less belong to one face of the wall",
-        std::numbers::pi / 6,
+        "triangles that bend by less belong to one face of the wall", std::numbers::pi / 6,
         "30 deg: facets of a round wall bend by less, edges of parts by more"}};
   }
 

@@ -106,8 +106,9 @@ MeshWall::Part MeshWall::part_of(const Foot& foot) const {
           std::min(f.face, other.face)};
 }
 
-/// Whether no point of the wall around the foot is nearer, and p is before it (geo.10). Next to each
-/// other the parts of the wall ask the same of the same numbers: what one declines another takes.
+/// Whether no point of the wall around the foot is nearer, and p is before it (geo.10). Next to
+/// each other the parts of the wall ask the same of the same numbers: what one declines another
+/// takes.
 bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
   const Facet& f = facets_.facets[at(foot.facet)];
   if (foot.part > 3) {
@@ -115,8 +116,8 @@ bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
     for (std::int32_t n = v.first; n < v.last; ++n) {
       const Spoke& spoke = facets_.spokes[at(n)];
       const Facet& g = facets_.facets[at(spoke.facet)];
-      const bool beside = spoke.starts ? from_start(g, at(spoke.side), p) > 0
-                                       : from_end(g, at(spoke.side), p) < 0;
+      const bool beside =
+          spoke.starts ? from_start(g, at(spoke.side), p) > 0 : from_end(g, at(spoke.side), p) < 0;
       if (beside) return false;
     }
   } else if (foot.part > 0) {
@@ -199,9 +200,8 @@ double MeshWall::distance(int face, const Vec3& p, double within) const {
 MeshWall::Nearest MeshWall::nearest(const Vec3& p) const {
   Foot best;
   double within2 = never;
-  face_tree_.near(root_, p, within2, [&](std::int32_t face, double& least) {
-    nearest_on(face, p, least, best);
-  });
+  face_tree_.near(root_, p, within2,
+                  [&](std::int32_t face, double& least) { nearest_on(face, p, least, best); });
   return best.facet < 0 ? Nearest{0, {-far, {0, 0, 1}, 0}} : seen(best, p);
 }
 

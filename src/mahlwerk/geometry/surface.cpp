@@ -101,8 +101,8 @@ double height_of(const Surface& s, const Triangle& t) {
   return norm(cross(b - a, c - a)) / norm(b - a);
 }
 
-/// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two that
-/// the line from b to the neighbour's own corner makes.
+/// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two
+/// that the line from b to the neighbour's own corner makes.
 bool turn_longest_side(Surface& s, std::size_t flat) {
   const Triangle t = s.triangles[flat];
   const std::size_t k = longest_side(s, t);
@@ -208,7 +208,8 @@ std::optional<Flaw> flaw_of(const Surface& s) {
   };
   for (std::size_t from = 0, to = 0; from < sides.size(); from = to) {
     const Side& first = sides[from];
-    for (to = from; to < sides.size() && sides[to].low == first.low && sides[to].high == first.high;)
+    for (to = from;
+         to < sides.size() && sides[to].low == first.low && sides[to].high == first.high;)
       ++to;
     if (to - from == 1)
       note(open, Flaw::Kind::open, first);

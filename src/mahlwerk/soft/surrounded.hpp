@@ -73,8 +73,8 @@ class Surrounded final : public Surroundings {
       const Row& ball = rows[balls[k]];
       const Vec3 place = ball.place();
       const double within = touching[l] != 0 ? ball.radius + beyond : 0;
-      geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
-                                             plain ? place : q.back(place), within);
+      geometry::Gap gap =
+          geometry::gap_near(jar_.shape(), faces[k], plain ? place : q.back(place), within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 foot = place - gap.distance * gap.inward;
       feet[0].is[l] = foot.x, feet[1].is[l] = foot.y, feet[2].is[l] = foot.z;
@@ -82,7 +82,10 @@ class Surrounded final : public Surroundings {
   }
   double clear(const scene::Passing& ball, double t, double radius) const override {
     double least = geometry::never;
-    const int asked = requires { S::one_outlook; } ? 1 : jar_.shape().faces;
+    const int asked = requires {
+      S::one_outlook;
+    }
+    ? 1 : jar_.shape().faces;
     for (int face = 0; face < asked; ++face)
       if (jar_.shape().meets(face, radius))
         least = std::min(least, jar_.outlook(face, ball, t, radius).time);

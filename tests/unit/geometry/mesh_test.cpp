@@ -18,9 +18,9 @@ using geometry::Gap;
 using geometry::Mesh;
 
 const std::vector<Triangles>& samples() {
-  static const std::vector<Triangles> all{
-      box(0.03, 0.042, 0.0325), cylinder(48, 0.042, 0.0325),
-      drum_with_lifters(0.2, 0.06, 6, 0.012, 0.008), lumpy(0.02)};
+  static const std::vector<Triangles> all{box(0.03, 0.042, 0.0325), cylinder(48, 0.042, 0.0325),
+                                          drum_with_lifters(0.2, 0.06, 6, 0.012, 0.008),
+                                          lumpy(0.02)};
   return all;
 }
 
@@ -243,8 +243,14 @@ TEST(Mesh, a_ball_over_any_line_of_the_triangles_is_one_contact) {
 TEST(Mesh, the_far_side_of_a_thin_wall_is_not_touched) {
   const double w = 0.02;
   const Vec3 foot{-1e-4, w, 0}, tip{-2e-5, 0.005, 0};
-  const Mesh mesh = mesh_of(prism({{w, -w, 0}, {w, w, 0}, {-foot.x, foot.y, 0}, {-tip.x, tip.y, 0},
-                                   tip, foot, {-w, w, 0}, {-w, -w, 0}},
+  const Mesh mesh = mesh_of(prism({{w, -w, 0},
+                                   {w, w, 0},
+                                   {-foot.x, foot.y, 0},
+                                   {-tip.x, tip.y, 0},
+                                   tip,
+                                   foot,
+                                   {-w, w, 0},
+                                   {-w, -w, 0}},
                                   0.04));
   const Vec3 p{-0.003, 0.012, 0}, way = foot - tip;
   const double far = norm(cross(way, p - tip)) / norm(way);

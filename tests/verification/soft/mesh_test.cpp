@@ -106,8 +106,8 @@ Figures drum(const geometry::AnyShape& shape, const Mesh& places) {
   Figures found;
   for (std::uint32_t replicate = 0; replicate < 6; ++replicate) {
     Random random(5, replicate);
-    const auto engine = run_in(shape, kinematics::Tumbling{16}, lying,
-                               strewn(places, 20, 0.003, random), 5e-6);
+    const auto engine =
+        run_in(shape, kinematics::Tumbling{16}, lying, strewn(places, 20, 0.003, random), 5e-6);
     Recorder warm_up, counted;
     engine->advance(0.3, warm_up);
     const double before = engine->account().wall_work;
@@ -144,8 +144,12 @@ TEST(MeshJar, a_fine_cylinder_of_triangles_takes_the_power_and_the_hits_of_a_cyl
 TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
   // A step in the floor of a box: upper floor at z = 0 for x < 0, lower at z = -0.02.
   const Mesh mesh = mesh_of([] {
-    Triangles t = prism({{0.05, 0.04, 0}, {-0.05, 0.04, 0}, {-0.05, 0, 0}, {0, 0, 0},
-                         {0, -0.02, 0}, {0.05, -0.02, 0}},
+    Triangles t = prism({{0.05, 0.04, 0},
+                         {-0.05, 0.04, 0},
+                         {-0.05, 0, 0},
+                         {0, 0, 0},
+                         {0, -0.02, 0},
+                         {0.05, -0.02, 0}},
                         0.04);
     for (Corners& c : t)  // y upwards becomes z
       for (Vec3& p : c) p = {p.x, -p.z, p.y};
@@ -156,8 +160,7 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
     const scene::Ball ball{0.005, 7850, {-0.01, 0, 0.00499999}, {0.1, 0, 0}, {}};
     auto frictionless = soft_pair(1, 0);
     frictionless.rolling_friction = 0;
-    const auto engine =
-        run_in(mesh, kinematics::Still{}, {}, {ball}, 1e-6, few, frictionless);
+    const auto engine = run_in(mesh, kinematics::Still{}, {}, {ball}, 1e-6, few, frictionless);
     Recorder recorder;
     double speed = 0, most = 0;
     int steps_over = 0;
@@ -173,8 +176,9 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
     EXPECT_GT(steps_over, 100);
     EXPECT_GT(speed, 0.2) << "it has fallen off";
     // The floor's overlap at rest stores m g d/2.5; what a jump of the force would leave is more.
-    stays_below("energy gone on the way over the edge, over m g R", most / (ball.mass() * gravity * 0.005),
-                1e-4, "a smooth hand-over; 200 times less than one contact counted twice");
+    stays_below("energy gone on the way over the edge, over m g R",
+                most / (ball.mass() * gravity * 0.005), 1e-4,
+                "a smooth hand-over; 200 times less than one contact counted twice");
   }
 }
 
@@ -189,8 +193,8 @@ TEST(MeshJar, nothing_leaves_a_closed_surface) {
   for (const Trial& trial :
        {Trial{"lumps", mesh_of(lumpy(0.015)), 4, 0.0004, 1'000'000},
         Trial{"bars", mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003)), 8, 0.0015, 300'000},
-        Trial{"crowd among bars", mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003)), 80, 0.0015,
-              60'000}}) {
+        Trial{"crowd among bars", mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003)), 80,
+              0.0015, 60'000}}) {
     Random random(7, 1);
     const double step = 1e-6;
     const auto engine = run_in(trial.mesh, kinematics::Tumbling{15}, lying,
@@ -216,13 +220,15 @@ TEST(MeshJar, nothing_leaves_a_closed_surface) {
 TEST(MeshJar, a_ball_at_rest_in_a_corner_is_held_by_three_faces) {
   const Mesh mesh = mesh_of(box(0.04, 0.04, 0.04));
   const double r = 0.005, at = 0.02 - r + 1e-7;
-  const auto engine = run_in(mesh, kinematics::Still{}, turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6),
-                             {{r, 7850, {}, {}, {}}}, 2e-6);
+  const auto engine =
+      run_in(mesh, kinematics::Still{}, turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6),
+             {{r, 7850, {}, {}, {}}}, 2e-6);
   Recorder recorder;
   engine->advance(1.5, recorder);
   const Rotation q = turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6);
   const Vec3 p = magnitude(q.back(engine->balls()[0].position));
-  states("place along each edge [m]", std::min({p.x, p.y, p.z}), at, 3e-6, "a radius from three walls");
+  states("place along each edge [m]", std::min({p.x, p.y, p.z}), at, 3e-6,
+         "a radius from three walls");
   states("speed [m/s]", norm(engine->balls()[0].velocity), 0, 1e-6, "held");
 }
 
