@@ -38,6 +38,7 @@ struct Grips {
   std::vector<Memory> memories;    ///< of each grip, where the law or the rolling needs them
   std::vector<Make> makes;         ///< of each grip, where curved walls change them
   std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l
+  std::int32_t leaving = 0;        ///< contacts that move to a new order of the balls
 
   /// Room for an eighth more, not for twice as many: it is most of the memory.
   void grow() {

@@ -60,12 +60,12 @@ class Crowd final : public scene::Engine, private Comings {
   struct Kept {                 // a contact between two orders of the balls
     std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
     bool wall = false;
-    const Grips* list = nullptr;  // where it is
+    Grips* list = nullptr;  // where it is
     std::int32_t grip = 0, lane = 0;
   };
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
-  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to) const;
+  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to);
   std::vector<Chunk> divide();
   void give_contact(const Kept& kept);
   void give(Grips& list, const Kept& kept, std::int32_t i, std::int32_t j, std::int32_t breed,

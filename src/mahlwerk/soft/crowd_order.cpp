@@ -79,9 +79,9 @@ void Crowd::reorder(const std::vector<std::int32_t>& from) {
 }
 
 /// Every contact once, in the order of the rows that its balls will have.
-std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& to) const {
+std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& to) {
   std::vector<Kept> all;
-  const auto take = [&](const Grips& list, bool wall, bool shared) {
+  const auto take = [&](Grips& list, bool wall, bool shared) {
     for (std::size_t n = 0; n < list.grips.size(); ++n) {
       const Grip& g = list.grips[n];
       for (std::int32_t l = 0; l < lanes; ++l) {
@@ -93,10 +93,12 @@ std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& t
                        .list = &list,
                        .grip = static_cast<std::int32_t>(n),
                        .lane = l});
+        ++list.leaving;
       }
     }
   };
-  for (const Chunk& chunk : chunks_) {
+  for (Chunk& chunk : chunks_) {
+    chunk.near = chunk.near_wall = {};
     take(chunk.own, false, false);
     take(chunk.cross, false, true);
     take(chunk.wall, true, false);
