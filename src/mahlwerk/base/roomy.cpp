@@ -17,7 +17,8 @@ void* roomy_memory(std::size_t bytes) {
   void* const memory = std::aligned_alloc(align, (bytes + align - 1) / align * align);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (bytes >= page) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish; nothing depends on it
+  // A wish; nothing depends on it. Not for the last part, which a large page would make whole.
+  if (bytes >= page) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
 #endif
   return memory;
 }

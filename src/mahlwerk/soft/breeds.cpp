@@ -13,7 +13,7 @@ Breeds::Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& 
   for (const scene::Ball& b : balls) {
     const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
                                                static_cast<std::int32_t>(species_.size()));
-    if (fresh) species_.push_back({b.radius, b.mass(), b.inertia(), b.kind});
+    if (fresh) species_.push_back({b.radius, b.density, b.mass(), b.inertia(), b.kind});
     of_.push_back(at->second);
   }
   row_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();

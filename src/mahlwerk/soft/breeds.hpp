@@ -21,7 +21,7 @@ struct Breed {
 
 /// Balls that are alike: one size, density and kind.
 struct Species {
-  double radius = 0, mass = 0, inertia = 0;
+  double radius = 0, density = 0, mass = 0, inertia = 0;
   std::int32_t kind = 0;
 };
 

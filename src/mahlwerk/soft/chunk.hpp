@@ -38,6 +38,16 @@ struct Grips {
   std::vector<Memory> memories;    ///< of each grip, where the law or the rolling needs them
   std::vector<Make> makes;         ///< of each grip, where curved walls change them
   std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l
+  std::int32_t leaving = 0;        ///< contacts that move to a new order of the balls
+
+  /// Room for an eighth more, not for twice as many: it is most of the memory.
+  void grow() {
+    const std::size_t room = grips.size() + grips.size() / 8 + 4;
+    grips.reserve(room);
+    began.reserve(room);
+    if (!memories.empty()) memories.reserve(room);
+    if (!makes.empty()) makes.reserve(room);
+  }
 };
 
 /// A pair that is near; other < 0: the face ~other.
@@ -94,6 +104,7 @@ struct Ended {
 /// of one and a ball of another chunk, which has the contact, too; with the wall.
 struct Chunk {
   std::int32_t first = 0, last = 0;
+  const Chunk* following = nullptr;  ///< its memory is fetched meanwhile; or none
   Grips own, cross, wall;
   Waiting near, near_wall;
   double bound = 0, wall_bound = 0;  ///< [m] pairs may have come so much nearer

@@ -14,7 +14,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::int64_t block = 64;  // steps between two looks at the energy
+constexpr std::int64_t block = 64;          // steps between two looks at the energy
+constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
 
 /// Eight alike.
 Make make_of(const Breed& breed, const Species& a, const Species* b) {
@@ -40,7 +41,6 @@ Make make_of(const Breed& breed, const Species& a, const Species* b) {
 Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
              const Rules& rules, const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
-      made_of_(balls),
       rules_(rules),
       law_(contact::law(rules.law)),
       breeds_(balls, pairs, law_),
@@ -81,21 +81,21 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
   for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
   skin_ = 0.5 * smallest;
   loads_.resize(static_cast<std::size_t>(crew_.size()));
-  start_moving();
+  start_moving(balls);
   account_.started_with = 0;
   const scene::Account now = reckoned();
   account_.started_with = now.kinetic + now.potential + now.elastic;
 }
 
 /// Rows of step 0, and of step 1 before any contact is known (dem.26).
-void Crowd::start_moving() {
-  const std::size_t n = made_of_.size();
+void Crowd::start_moving(const std::vector<scene::Ball>& balls) {
+  const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), looked_.resize(n), turns_.resize(n), next_turns_.resize(n);
   half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<Beat> b = beats(0, 1);
   const double dt = rules_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
-    const scene::Ball& ball = made_of_[k];
+    const scene::Ball& ball = balls[k];
     mass_ += breeds_.of(k).mass;
     id_[k] = static_cast<std::int32_t>(k);
     species_[k] = breeds_.species_of(k);
@@ -105,7 +105,7 @@ void Crowd::start_moving() {
   rebuild();
   refuse_overlaps();
   for (std::size_t k = 0; k < n; ++k) {
-    const scene::Ball& ball = made_of_[static_cast<std::size_t>(id_[k])];
+    const scene::Ball& ball = balls[static_cast<std::size_t>(id_[k])];
     const Vec3 v = ball.velocity + 0.5 * dt * b[0].pull, seen = v + 0.5 * dt * b[1].pull;
     const Vec3 x = ball.position + dt * v;
     const Vec3& w = ball.spin;
@@ -141,7 +141,10 @@ void Crowd::advance(double time, scene::Observer& observer) {
     while (step_ < until) {
       const std::int64_t end = std::min(until, (step_ / block + 1) * block);
       const std::vector<Beat> all = beats(step_ + 1, end + 1);
-      for (std::size_t k = 0; k + 1 < all.size(); ++k) step(all[k], all[k + 1]);
+      for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+        step(all[k], all[k + 1]);
+        if (records() > most_records) hand_over();
+      }
       hand_over();
       if (step_ % block != 0) continue;
       settle();
@@ -257,6 +260,12 @@ void Crowd::add_doings(scene::Account& a, const Chunk& chunk) const {
   a.collisions += d.collisions;
   a.lasting_contacts += d.lasting;
   a.search_steps += d.tests;
+}
+
+std::size_t Crowd::records() const {
+  std::size_t all = ended_.size();
+  for (const Chunk& chunk : chunks_) all += chunk.ended.size();
+  return all;
 }
 
 /// Records of the chunks so far, in the order of their steps.

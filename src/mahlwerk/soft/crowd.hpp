@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/breeds.hpp"
 #include "mahlwerk/soft/crew.hpp"
@@ -31,7 +32,7 @@ class Crowd final : public scene::Engine, private Comings {
 
  private:
   // The main loop (crowd.cpp).
-  void start_moving();
+  void start_moving(const std::vector<scene::Ball>& balls);
   void step(const Beat& before, const Beat& after);
   double clock(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
@@ -40,6 +41,7 @@ class Crowd final : public scene::Engine, private Comings {
   void look_anew();
   void check_energy();
   void settle();
+  std::size_t records() const;
   void add_doings(scene::Account& a, const Chunk& chunk) const;
   void gather();
   [[noreturn]] void stop(std::size_t row, const char* why) const;
@@ -55,21 +57,19 @@ class Crowd final : public scene::Engine, private Comings {
   Vec3 spin(std::size_t row) const;
 
   // In which order, and in which chunk (crowd_order.cpp).
-  struct Kept {                            // a contact between two orders of the balls
-    std::int32_t i = 0, j = 0, breed = 0;  // rows; of a wall j is the face
+  struct Kept {                 // a contact between two orders of the balls
+    std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
     bool wall = false;
-    Beginning began;
-    Vec3 spring, normal, roll;
-    double stiffness = 0, impulse = 0, lost_normal = 0, lost_across = 0;
-    std::array<double, contact::law_memories> memory{};
-    const Make* make = nullptr;  // and the lane, where curved walls change it
-    int lane = 0;
+    Grips* list = nullptr;  // where it is
+    std::int32_t grip = 0, lane = 0;
   };
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
-  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to) const;
+  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to);
   std::vector<Chunk> divide();
   void give_contact(const Kept& kept);
+  void give(Grips& list, const Kept& kept, std::int32_t i, std::int32_t j, std::int32_t breed,
+            double sign);
   void share_work();
   std::int32_t chunk_of(std::int32_t ball) const;
 
@@ -106,7 +106,6 @@ class Crowd final : public scene::Engine, private Comings {
   void touches(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const Surroundings> jar_;
-  std::vector<scene::Ball> made_of_;  // by id
   Rules rules_;
   contact::AnyLaw law_;
   Breeds breeds_;
@@ -121,10 +120,10 @@ class Crowd final : public scene::Engine, private Comings {
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;
-  std::vector<Row> now_, next_;  // at the step; one later
-  std::vector<Spot> looked_;     // when nearness was last looked at
-  std::vector<Turn> turns_, next_turns_;
-  std::vector<Twin> half_;
+  RoomyVector<Row> now_, next_;  // at the step; one later
+  RoomyVector<Spot> looked_;     // when nearness was last looked at
+  RoomyVector<Turn> turns_, next_turns_;
+  RoomyVector<Twin> half_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;

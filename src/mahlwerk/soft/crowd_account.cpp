@@ -111,25 +111,26 @@ scene::Account Crowd::account() const {
 }
 
 std::vector<scene::Ball> Crowd::balls() const {
-  std::vector<scene::Ball> all = made_of_;
+  std::vector<scene::Ball> all(id_.size());
   const Vec3 change = pulls();
   for (std::size_t k = 0; k < id_.size(); ++k) {
-    scene::Ball& ball = all[static_cast<std::size_t>(id_[k])];
-    ball.position = now_[k].place();
-    ball.velocity = velocity(k, change);
-    ball.spin = spin(k);
+    const Species& s = breeds_.species(species_[k]);
+    all[static_cast<std::size_t>(id_[k])] = {
+        s.radius, s.density, now_[k].place(), velocity(k, change), spin(k), s.kind};
   }
   return all;
 }
 
 void Crowd::carry(Archive& archive) {
+  const std::size_t balls = now_.size();
   archive(step_)(looked_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
   archive(now_)(next_)(looked_)(turns_)(next_turns_)(half_);
+  if (now_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);
   if (archive.reading()) {
-    if (count > made_of_.size() + 1) throw Archive::broken();
+    if (count > now_.size() + 1) throw Archive::broken();
     chunks_.assign(count, {});
   }
   for (Chunk& c : chunks_) {
@@ -139,7 +140,6 @@ void Crowd::carry(Archive& archive) {
     for (Waiting* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->parted);
   }
   archive(account_)(watch_)(asked_);
-  if (now_.size() != made_of_.size()) throw Archive::broken();
   if (archive.reading()) share_work();
 }
 

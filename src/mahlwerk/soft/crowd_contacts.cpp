@@ -63,6 +63,7 @@ void Crowd::seize(Chunk& chunk, const Nigh& pair) {
 std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
   if (grips.free.empty()) {
     const auto g = static_cast<std::int32_t>(grips.grips.size());
+    if (grips.grips.size() == grips.grips.capacity()) grips.grow();
     grips.grips.emplace_back();
     const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
     Grip& fresh = grips.grips.back();

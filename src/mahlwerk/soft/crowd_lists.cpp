@@ -44,8 +44,11 @@ void Crowd::rebuild() {
     to[static_cast<std::size_t>(from[k])] = static_cast<std::int32_t>(k);
   const std::vector<Kept> kept = take_contacts(to);
   reorder(from);
-  const std::vector<Chunk> old = divide();  // kept contacts point into it
-  for (const Kept& k : kept) give_contact(k);
+  std::vector<Chunk> old = divide();  // kept contacts point into it
+  for (const Kept& k : kept) {
+    give_contact(k);
+    if (--k.list->leaving == 0) *k.list = {};  // room for the others
+  }
   share_work();
   std::vector<Wrong> wrong(chunks_.size());
   crew_.all([&](int thread) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "mahlwerk/soft/crowd.hpp"
@@ -12,10 +13,11 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int32_t chunk_size = 1024;
+constexpr std::size_t in_cache = 30000;  // balls that a processor's cache holds, with contacts
 
-template <class T>
-void permute(std::vector<T>& all, const std::vector<std::int32_t>& from) {
-  std::vector<T> sorted(all.size());
+template <class Rows>
+void permute(Rows& all, const std::vector<std::int32_t>& from) {
+  Rows sorted(all.size());
   for (std::size_t k = 0; k < from.size(); ++k) sorted[k] = all[static_cast<std::size_t>(from[k])];
   all.swap(sorted);
 }
@@ -76,44 +78,32 @@ void Crowd::reorder(const std::vector<std::int32_t>& from) {
   }
 }
 
-/// Every contact once, with the rows that its balls will have.
-std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& to) const {
+/// Every contact once, in the order of the rows that its balls will have.
+std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& to) {
   std::vector<Kept> all;
-  const auto take = [&](const Grips& list, bool wall, bool shared) {
+  const auto take = [&](Grips& list, bool wall, bool shared) {
     for (std::size_t n = 0; n < list.grips.size(); ++n) {
       const Grip& g = list.grips[n];
-      for (int l = 0; l < lanes; ++l) {
+      for (std::int32_t l = 0; l < lanes; ++l) {
         const auto k = static_cast<std::size_t>(l);
         if (g.touching[l] == 0 || (shared && g.i[k] > g.j[k])) continue;
-        Kept c{.i = to[static_cast<std::size_t>(g.i[k])],
-               .j = wall ? g.j[k] : to[static_cast<std::size_t>(g.j[k])],
-               .breed = g.breed[k],
-               .wall = wall,
-               .began = list.began[n][k],
-               .spring = one(g.spring, l),
-               .normal = one(g.normal, l),
-               .roll = {},
-               .stiffness = remembers_ ? list.memories[n].stiffness[l] : 0,
-               .impulse = g.impulse[l],
-               .lost_normal = g.lost_normal[l],
-               .lost_across = g.lost_across[l],
-               .memory = {},
-               .make = list.makes.empty() ? nullptr : &list.makes[n],
-               .lane = l};
-        if (remembers_) {
-          for (std::size_t m = 0; m < c.memory.size(); ++m)
-            c.memory[m] = list.memories[n].memory[m][l];
-          c.roll = one(list.memories[n].roll, l);
-        }
-        all.push_back(c);
+        all.push_back({.i = to[static_cast<std::size_t>(g.i[k])],
+                       .j = wall ? g.j[k] : to[static_cast<std::size_t>(g.j[k])],
+                       .wall = wall,
+                       .list = &list,
+                       .grip = static_cast<std::int32_t>(n),
+                       .lane = l});
+        ++list.leaving;
       }
     }
   };
-  for (const Chunk& chunk : chunks_) {
+  for (Chunk& chunk : chunks_) {
+    chunk.near = chunk.near_wall = {};
     take(chunk.own, false, false);
     take(chunk.cross, false, true);
     take(chunk.wall, true, false);
   }
+  std::ranges::sort(all, {}, [](const Kept& c) { return std::tuple(c.i, c.wall, c.j); });
   return all;
 }
 
@@ -141,33 +131,40 @@ std::int32_t Crowd::chunk_of(std::int32_t ball) const {
 }
 
 void Crowd::give_contact(const Kept& c) {
-  const auto give = [&](Grips& list, std::int32_t i, std::int32_t j, std::int32_t breed,
-                        double sign) {
-    const std::int32_t at = free_lane(list, breed, i);
-    const auto n = static_cast<std::size_t>(at / lanes);
-    const int l = at % lanes;
-    const auto k = static_cast<std::size_t>(l);
-    Grip& g = list.grips[n];
-    g.touching[l] = -1;
-    g.i[k] = i, g.j[k] = j;
-    list.began[n][k] = c.began;
-    put(g.spring, l, sign * c.spring);
-    put(g.normal, l, sign * c.normal);
-    g.impulse[l] = c.impulse, g.lost_normal[l] = c.lost_normal, g.lost_across[l] = c.lost_across;
-    if (remembers_) {
-      for (std::size_t m = 0; m < c.memory.size(); ++m) list.memories[n].memory[m][l] = c.memory[m];
-      put(list.memories[n].roll, l, sign * c.roll);
-      list.memories[n].stiffness[l] = c.stiffness;
-    }
-    if (c.make != nullptr) copy_lane(*c.make, c.lane, list.makes[n], l);
-  };
   Chunk& mine = chunks_[static_cast<std::size_t>(chunk_of(c.i))];
-  if (c.wall) return give(mine.wall, c.i, c.j, c.breed, 1);
-  if (c.j >= mine.first && c.j < mine.last) return give(mine.own, c.i, c.j, c.breed, 1);
-  give(mine.cross, c.i, c.j, c.breed, 1);
-  const std::int32_t turned = breeds_.balls(species_[static_cast<std::size_t>(c.j)],
-                                            species_[static_cast<std::size_t>(c.i)]);
-  give(chunks_[static_cast<std::size_t>(chunk_of(c.j))].cross, c.j, c.i, turned, -1);
+  const std::int32_t species = species_[static_cast<std::size_t>(c.i)];
+  if (c.wall) return give(mine.wall, c, c.i, c.j, breeds_.wall(species, c.j), 1);
+  const std::int32_t other = species_[static_cast<std::size_t>(c.j)];
+  const bool own = c.j >= mine.first && c.j < mine.last;
+  give(own ? mine.own : mine.cross, c, c.i, c.j, breeds_.balls(species, other), 1);
+  if (own) return;
+  Chunk& its = chunks_[static_cast<std::size_t>(chunk_of(c.j))];
+  give(its.cross, c, c.j, c.i, breeds_.balls(other, species), -1);
+}
+
+/// A lane for the contact as ball `i` sees it, with all that it remembers.
+void Crowd::give(Grips& list, const Kept& c, std::int32_t i, std::int32_t j, std::int32_t breed,
+                 double sign) {
+  const std::int32_t at = free_lane(list, breed, i);
+  const auto n = static_cast<std::size_t>(at / lanes), old = static_cast<std::size_t>(c.grip);
+  const int l = at % lanes, m = c.lane;
+  Grip& g = list.grips[n];
+  const Grip& from = c.list->grips[old];
+  g.touching[l] = -1;
+  g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
+  list.began[n][static_cast<std::size_t>(l)] = c.list->began[old][static_cast<std::size_t>(m)];
+  put(g.spring, l, sign * one(from.spring, m));
+  put(g.normal, l, sign * one(from.normal, m));
+  g.impulse[l] = from.impulse[m];
+  g.lost_normal[l] = from.lost_normal[m], g.lost_across[l] = from.lost_across[m];
+  if (remembers_) {
+    Memory& memory = list.memories[n];
+    const Memory& past = c.list->memories[old];
+    for (int k = 0; k < contact::law_memories; ++k) memory.memory[k][l] = past.memory[k][m];
+    put(memory.roll, l, sign * one(past.roll, m));
+    memory.stiffness[l] = past.stiffness[m];
+  }
+  if (!list.makes.empty()) copy_lane(c.list->makes[old], m, list.makes[n], l);
 }
 
 /// Which chunks each thread does: about the same of balls and contacts.
@@ -188,6 +185,9 @@ void Crowd::share_work() {
     share_.push_back(c);
   }
   share_.push_back(static_cast<std::int32_t>(chunks_.size()));
+  for (std::size_t k = 0; k < chunks_.size(); ++k)  // while fetching is worth it
+    chunks_[k].following =
+        k + 1 < chunks_.size() && now_.size() > in_cache ? &chunks_[k + 1] : nullptr;
   for (Loads& loads : loads_) loads.resize(chunk_size);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/soft/ahead.hpp"
 #include "mahlwerk/soft/machines.hpp"
 #include "mahlwerk/soft/pass.hpp"
 
@@ -133,11 +134,12 @@ template <bool wide>
 /// Contacts of one kind: what they do to the balls of the chunk.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, Twin* loads,
-                                        Deeds& sums) {
+                                        Ahead& ahead, Deeds& sums) {
   Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
   Make made;
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
     Grip& g = list.grips[n];
+    ahead.fetch();
     if (!any(g.touching)) continue;
     if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
     const Bodies b = bodies<wide>(s, g, whose);
@@ -268,16 +270,36 @@ template <bool wide>
   drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
+/// What the chunk after this one will ask for.
+[[gnu::always_inline]] inline Ahead following(const Pass& s, const Chunk& chunk) {
+  Ahead ahead;
+  if (chunk.following == nullptr) return ahead;
+  const Chunk& c = *chunk.following;
+  const auto balls = static_cast<std::size_t>(c.last - c.first);
+  ahead.add(&s.rows[c.first], balls);
+  ahead.add(&s.turns[c.first], balls);
+  ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
+  ahead.add(c.own.grips.data(), c.own.grips.size());
+  ahead.add(c.cross.grips.data(), c.cross.grips.size());
+  ahead.add(&s.half[c.first], balls);
+  ahead.add(&s.looked[c.first], balls);
+  ahead.add(&s.next[c.first], balls);
+  ahead.add(&s.next_turns[c.first], balls);
+  ahead.divide(chunk.own.grips.size() + chunk.cross.grips.size());
+  return ahead;
+}
+
 /// The main loop's body for a crowd.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, Loads& loads, Drift& drift) {
+  Ahead ahead = following(s, chunk);
   look<wide>(s, chunk);
   s.comings->look_at_walls(chunk);
   std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
 #pragma GCC unroll 1
   for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
     Deeds d;
-    grip<Law, wide>(s, chunk, whose, loads.data(), d);
+    grip<Law, wide>(s, chunk, whose, loads.data(), ahead, d);
     const double part = whose == Whose::cross ? 0.5 : 1;
     Deeds& all = chunk.doings.deeds;
     all.normal += part * d.normal;

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace mahlwerk::soft {
+
+/// Memory that will be asked for soon, fetched a little at a time while there is something else to
+/// do: all at once the requests would wait for each other.
+class Ahead {
+ public:
+  template <class T>
+  void add(const T* from, std::size_t count) {
+    if (count == 0) return;
+    const auto* first = reinterpret_cast<const char*>(from);
+    const std::size_t bytes = count * sizeof(T);
+    ranges_[count_++] = {first, first + bytes};
+    share_ += bytes / line + 1;
+  }
+  /// Into so many parts.
+  void divide(std::size_t parts) { share_ = share_ / (parts + 1) + 1; }
+
+  /// The next part.
+  [[gnu::always_inline]] void fetch() {
+    std::size_t left = share_;
+    while (at_ < count_ && left > 0) {
+      Range& r = ranges_[at_];
+      for (; left > 0 && r.next < r.end; r.next += line, --left) __builtin_prefetch(r.next, 0, 2);
+      if (r.next >= r.end) ++at_;
+    }
+  }
+
+ private:
+  static constexpr std::size_t line = 64;
+  struct Range {
+    const char *next = nullptr, *end = nullptr;
+  };
+  std::array<Range, 9> ranges_;
+  std::size_t count_ = 0, at_ = 0, share_ = 0;  // lines
+};
+
+}  // namespace mahlwerk::soft
