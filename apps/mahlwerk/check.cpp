@@ -58,7 +58,10 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const campaign::Choice choice = campaign::choose(first);
   cases::Case decided = first;
   decided.run.engine = choice.engine;
-  c.notes = choice.reason;
+  c.notes = cases::size_notes(first);
+  if (std::string grains = cases::grains_note(first); !grains.empty())
+    c.notes.push_back(std::move(grains));
+  c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());
   if (choice.engine == "soft") {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
@@ -107,9 +110,9 @@ void print_pairs(const cases::Case& what) {
   };
   fmt::print("\nbounces:\n");
   for (int i = 0; i < table.kinds(); ++i) {
-    const std::string set = fmt::format("balls.{}", i + 1);
+    const std::string set = cases::set_name(what, static_cast<std::size_t>(i));
     for (int j = i; j < table.kinds(); ++j)
-      line(set, fmt::format("balls.{}", j + 1), table.balls(i, j));
+      line(set, cases::set_name(what, static_cast<std::size_t>(j)), table.balls(i, j));
     for (int face = 0; face < table.faces(); ++face)
       line(set, "jar." + faces[static_cast<std::size_t>(face)], table.wall(i, face));
   }

@@ -68,6 +68,7 @@ void Tally::collisions(std::span<const scene::Collision> finished) {
     energy_centre.add(c.energy_centre());
     energy_lost.add(c.lost());
     approach.add(c.approach);
+    by_pair.add(c, !(c.approach < threshold_));
     if (c.approach < threshold_) continue;
     above.add(c, angle_of_c);
     ++angle_above[static_cast<std::size_t>(degree)];
@@ -79,6 +80,7 @@ void Tally::carry(Archive& archive) {
   for (LogHistogram* one :
        {&energy_normal, &energy_contact_point, &energy_centre, &energy_lost, &approach})
     one->carry(archive);
+  by_pair.carry(archive);
 }
 
 }  // namespace mahlwerk::observe

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/by_pair.hpp"
+
+#include <utility>
+
+namespace mahlwerk::observe {
+
+void PairSums::add(const scene::Collision& c) {
+  ++count;
+  energy_normal += c.energy_normal();
+  energy_contact_point += c.energy_contact_point();
+  lost_normal += c.lost_normal;
+  lost_tangential += c.lost_tangential;
+}
+
+void PairSums::merge(const PairSums& o) {
+  count += o.count;
+  energy_normal += o.energy_normal;
+  energy_contact_point += o.energy_contact_point;
+  lost_normal += o.lost_normal;
+  lost_tangential += o.lost_tangential;
+}
+
+ByPair::ByPair(BallKinds kinds) : kinds_(std::move(kinds)) {
+  const int n = kinds_.kinds();
+  const auto row = static_cast<std::size_t>(n) + 1;
+  number_.resize(static_cast<std::size_t>(n) * row);
+  std::int32_t next = 0;
+  for (std::size_t one = 0; one + 1 < row; ++one)
+    for (std::size_t other = one; other < row; ++other, ++next) {
+      number_[one * row + other] = next;
+      if (other + 1 < row) number_[other * row + one] = next;
+    }
+  tallies_.resize(static_cast<std::size_t>(next));
+}
+
+void ByPair::add(const scene::Collision& c, bool above) {
+  if (tallies_.empty()) return;
+  const std::int32_t row = kinds_.kinds() + 1;
+  const std::int32_t other = c.other < 0 ? kinds_.kinds() : kinds_.of(c.other);
+  const std::int32_t pair = number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
+  PairTally& tally = tallies_[static_cast<std::size_t>(pair)];
+  tally.all.add(c);
+  tally.energy_normal.add(c.energy_normal());
+  if (above) tally.above.add(c);
+}
+
+void ByPair::merge(const ByPair& other) {
+  for (std::size_t i = 0; i < tallies_.size(); ++i) {
+    tallies_[i].all.merge(other.tallies_[i].all);
+    tallies_[i].above.merge(other.tallies_[i].above);
+    tallies_[i].energy_normal.merge(other.tallies_[i].energy_normal);
+  }
+}
+
+void ByPair::carry(Archive& archive) {
+  for (PairTally& tally : tallies_) {
+    archive(tally.all)(tally.above);
+    tally.energy_normal.carry(archive);
+  }
+}
+
+ByPair::Kinds ByPair::kinds_of(int pair) const {
+  int left = pair;
+  for (int one = 0; one < kinds(); ++one) {
+    const int many = kinds() - one + 1;  // with itself, those after it, and the jar
+    if (left < many) return {one, left == many - 1 ? jar : one + left};
+    left -= many;
+  }
+  return {};
+}
+
+}  // namespace mahlwerk::observe
