@@ -15,6 +15,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/engine_choice.hpp"
+#include "mahlwerk/campaign/memory.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/run.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
@@ -54,6 +55,10 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const cases::Case& first = points.front();
   c.follows = cases::consequences(first);
   c.engine = campaign::run_faults(first);
+  if (c.engine.empty())  // before a pilot run, which would need it
+    c.engine = campaign::memory_faults(
+        points, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+        campaign::memory_available());
   if (!c.engine.empty()) return c;
   const campaign::Choice choice = campaign::choose(first);
   cases::Case decided = first;

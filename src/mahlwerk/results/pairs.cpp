@@ -46,7 +46,7 @@ const std::vector<PairMeasure>& measures() {
        }},
       {"collision_power_normal", "W", "dissipated along the normal by finished collisions",
        [](const PairTally& t, double time) { return t.all.lost_normal / time; }},
-      {"collision_power_tangential", "W", "dissipated along the wall by finished collisions",
+      {"collision_power_tangential", "W", "dissipated across the normal by finished collisions",
        [](const PairTally& t, double time) { return t.all.lost_tangential / time; }},
   };
   return list;
