@@ -6,22 +6,6 @@
 
 namespace mahlwerk::observe {
 
-void PairSums::add(const scene::Collision& c) {
-  ++count;
-  energy_normal += c.energy_normal();
-  energy_contact_point += c.energy_contact_point();
-  lost_normal += c.lost_normal;
-  lost_tangential += c.lost_tangential;
-}
-
-void PairSums::merge(const PairSums& o) {
-  count += o.count;
-  energy_normal += o.energy_normal;
-  energy_contact_point += o.energy_contact_point;
-  lost_normal += o.lost_normal;
-  lost_tangential += o.lost_tangential;
-}
-
 ByPair::ByPair(BallKinds kinds) : kinds_(std::move(kinds)) {
   const int n = kinds_.kinds();
   const auto row = static_cast<std::size_t>(n) + 1;
@@ -35,21 +19,23 @@ ByPair::ByPair(BallKinds kinds) : kinds_(std::move(kinds)) {
   tallies_.resize(static_cast<std::size_t>(next));
 }
 
-void ByPair::add(const scene::Collision& c, bool above) {
+void ByPair::add(const scene::Collision& c, bool above, int bin) {
   if (tallies_.empty()) return;
   const std::int32_t row = kinds_.kinds() + 1;
   const std::int32_t other = c.other < 0 ? kinds_.kinds() : kinds_.of(c.other);
   const std::int32_t pair = number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
   PairTally& tally = tallies_[static_cast<std::size_t>(pair)];
-  tally.all.add(c);
-  tally.energy_normal.add(c.energy_normal());
-  if (above) tally.above.add(c);
+  const PairSums one{1, c.energy_normal(), c.energy_contact_point(), c.lost_normal,
+                     c.lost_tangential};
+  tally.all.add(one);
+  tally.energy_normal.add(one.energy_normal, bin);
+  if (above) tally.above.add(one);
 }
 
 void ByPair::merge(const ByPair& other) {
   for (std::size_t i = 0; i < tallies_.size(); ++i) {
-    tallies_[i].all.merge(other.tallies_[i].all);
-    tallies_[i].above.merge(other.tallies_[i].above);
+    tallies_[i].all.add(other.tallies_[i].all);
+    tallies_[i].above.add(other.tallies_[i].above);
     tallies_[i].energy_normal.merge(other.tallies_[i].energy_normal);
   }
 }

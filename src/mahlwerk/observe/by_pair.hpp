@@ -32,8 +32,13 @@ struct PairSums {
   double energy_normal = 0, energy_contact_point = 0;  // [J]
   double lost_normal = 0, lost_tangential = 0;         // [J]
 
-  void add(const scene::Collision& c);
-  void merge(const PairSums& o);
+  void add(const PairSums& o) {
+    count += o.count;
+    energy_normal += o.energy_normal;
+    energy_contact_point += o.energy_contact_point;
+    lost_normal += o.lost_normal;
+    lost_tangential += o.lost_tangential;
+  }
 };
 
 /// What one kind of pair's collisions add up to.
@@ -49,7 +54,8 @@ class ByPair {
   ByPair() = default;
   explicit ByPair(BallKinds kinds);
 
-  void add(const scene::Collision& c, bool above);
+  /// `bin` of its normal energy in a LogHistogram.
+  void add(const scene::Collision& c, bool above, int bin);
   void merge(const ByPair& other);  ///< of the same kinds
   void carry(Archive& archive);
 

@@ -50,8 +50,8 @@ TEST_P(ByPairOfARun, sums_to_the_totals) {
   for (const results::Replicate& r : outcome.replicates) {
     observe::PairSums all, above;
     for (int i = 0; i < r.tally.by_pair.pairs(); ++i) {
-      all.merge(r.tally.by_pair[i].all);
-      above.merge(r.tally.by_pair[i].above);
+      all.add(r.tally.by_pair[i].all);
+      above.add(r.tally.by_pair[i].above);
     }
     EXPECT_GT(r.tally.all.count, 1000);
     EXPECT_EQ(all.count, r.tally.all.count);

@@ -113,8 +113,8 @@ BallSet spread(std::int64_t count, double diameter) {
 
 TEST(Fill, a_set_of_many_sizes_half_full) {
   const geometry::Cylinder jar{0.2, 0.2};
-  const BallSet set = spread(3000, 0.0126);
-  const double filling = 3000 * pi / 6 * std::pow(set.diameter, 3) / jar.volume();
+  const BallSet set = spread(2400, 0.0126);
+  const double filling = 2400 * pi / 6 * std::pow(set.diameter, 3) / jar.volume();
   EXPECT_GT(filling, 0.5);
   Random random(1, 0);
   const std::vector<scene::Ball> balls = fill(jar, {set, share(jar, 0.02, 0.02)}, random);

@@ -55,7 +55,7 @@ TEST(ByPair, a_collision_counts_for_its_own_pair_whoever_is_named_first) {
   const auto counted = [&](std::int32_t ball, std::int32_t other, int one, int with) {
     c.ball = ball;
     c.other = other;
-    by_pair.add(c, true);
+    by_pair.add(c, true, 0);
     for (int i = 0; i < by_pair.pairs(); ++i)
       if (by_pair.kinds_of(i).one == one && by_pair.kinds_of(i).other == with)
         return by_pair[i].all.count;
@@ -75,8 +75,8 @@ TEST(ByPair, pairs_sum_to_the_whole) {
   PairSums all, above;
   std::int64_t in_bins = 0;
   for (int i = 0; i < tally.by_pair.pairs(); ++i) {
-    all.merge(tally.by_pair[i].all);
-    above.merge(tally.by_pair[i].above);
+    all.add(tally.by_pair[i].all);
+    above.add(tally.by_pair[i].above);
     in_bins += tally.by_pair[i].energy_normal.total();
   }
   EXPECT_EQ(all.count, tally.all.count);
@@ -91,7 +91,6 @@ TEST(ByPair, pairs_sum_to_the_whole) {
 }
 
 TEST(ByPair, merging_is_counting_together) {
-  ByPair one(kinds), other(kinds);
   Tally a(0.3, kinds), b(0.3, kinds), whole(0.3, kinds);
   a.collisions(some(1, 500));
   b.collisions(some(2, 500));
