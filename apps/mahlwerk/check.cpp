@@ -15,6 +15,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/engine_choice.hpp"
+#include "mahlwerk/campaign/memory.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/run.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
@@ -54,11 +55,18 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const cases::Case& first = points.front();
   c.follows = cases::consequences(first);
   c.engine = campaign::run_faults(first);
+  if (c.engine.empty())  // before a pilot run, which would need it
+    c.engine = campaign::memory_faults(
+        points, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+        campaign::memory_available());
   if (!c.engine.empty()) return c;
   const campaign::Choice choice = campaign::choose(first);
   cases::Case decided = first;
   decided.run.engine = choice.engine;
-  c.notes = choice.reason;
+  c.notes = cases::size_notes(first);
+  if (std::string grains = cases::grains_note(first); !grains.empty())
+    c.notes.push_back(std::move(grains));
+  c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());
   for (std::string& warning : cases::jar_warnings(first))
     c.notes.push_back("Warning: " + std::move(warning));
   if (choice.engine == "soft") {
@@ -109,9 +117,9 @@ void print_pairs(const cases::Case& what) {
   };
   fmt::print("\nbounces:\n");
   for (int i = 0; i < table.kinds(); ++i) {
-    const std::string set = fmt::format("balls.{}", i + 1);
+    const std::string set = cases::set_name(what, static_cast<std::size_t>(i));
     for (int j = i; j < table.kinds(); ++j)
-      line(set, fmt::format("balls.{}", j + 1), table.balls(i, j));
+      line(set, cases::set_name(what, static_cast<std::size_t>(j)), table.balls(i, j));
     for (int face = 0; face < table.faces(); ++face)
       line(set, "jar." + faces[static_cast<std::size_t>(face)], table.wall(i, face));
   }

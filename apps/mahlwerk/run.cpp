@@ -105,7 +105,12 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
   const std::string table =
       sweeps ? report::campaign_table(campaign_of(job, outcomes))
              : report::table(results::summarise(outcomes.front()), job.what.observe.threshold);
-  fmt::print("{}\n\n{}\n{}", job.what.title, table, uncalibrated(job.points.front()));
+  fmt::print("{}\n\n{}\n", job.what.title, table);
+  const std::string pairs =
+      sweeps ? ""
+             : report::pair_table(results::by_pair(outcomes.front()), job.what.observe.threshold);
+  if (!pairs.empty()) fmt::print("{}\n", pairs);
+  fmt::print("{}", uncalibrated(job.points.front()));
   if (sweeps) {
     const auto doubtful = std::ranges::count_if(
         outcomes, [](const results::Outcome& o) { return !results::warnings(o).empty(); });

@@ -126,6 +126,8 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
 
 std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice& choice) {
   std::vector<std::string> notes = choice.reason;
+  if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
+    notes.push_back(std::move(grains));
   if (choice.engine == "soft") {
     for (std::string& note : soft_notes(outcome.what)) notes.push_back(std::move(note));
     return notes;

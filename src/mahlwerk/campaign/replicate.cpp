@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
@@ -28,6 +29,13 @@ event::Rules rules(const cases::Contact& c) {
       .lasting = lasting,
       .lasting_speed = c.lasting_speed,
       .contact_time = c.contact_time};
+}
+
+/// Who is of which set; a single ball has one kind of pair, which needs no table.
+observe::BallKinds kinds(const cases::Case& what) {
+  std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
+  if (of_ball.size() < 2) return {};
+  return {std::move(of_ball), static_cast<int>(what.balls.size())};
 }
 
 /// The change of everything between two looks, as one row of the time series.
@@ -85,7 +93,7 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
       keeper_(std::move(keeper)),
       frames_(std::move(frames)),
       frame_times_(what),
-      result_(what.observe.threshold),
+      result_(what.observe.threshold, kinds(what)),
       engine_(engine(what, index, threads)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
   last_ = result_.account = result_.at_settled = engine_->account();

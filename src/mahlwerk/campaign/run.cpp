@@ -91,13 +91,14 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
                         .replicates = {count, results::Replicate(what.observe.threshold)},
                         .notes = {}});
   }
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : cores;
+  if (wrong.empty()) wrong = memory_faults(points, threads, options.memory);
   if (!wrong.empty()) throw InputError(std::move(wrong));
 
   const auto started = std::chrono::steady_clock::now();
   Teller teller(options, wanted);
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = options.threads > 0 ? options.threads : cores;
   // Threads that no replicate is left for help those there are.
   const int each = std::max(1, threads / std::max(1, static_cast<int>(jobs.size())));
   std::vector<Choice> choices(points.size());

@@ -5,9 +5,11 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/campaign/checkpoint.hpp"
+#include "mahlwerk/campaign/memory.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -33,6 +35,8 @@ struct Options {
   std::function<void(const Progress&)> progress;  ///< never from two threads at once
   Records records;
   Frames frames;
+  /// [bytes] there are for all that runs at once; more is refused before it starts.
+  std::optional<double> memory = memory_available();
   Checkpoint* checkpoint = nullptr;  ///< where states are kept, and taken from
 };
 

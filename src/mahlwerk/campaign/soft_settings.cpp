@@ -21,16 +21,17 @@ constexpr double deep = 0.01;
 /// Above this balls pass through each other, and through the wall.
 constexpr double sinking = 1;
 
-/// One ball of each set, for what depends on sizes alone.
+/// One ball of each size and set, for what depends on sizes alone.
 std::vector<scene::Ball> one_of_each(const cases::Case& what) {
   std::vector<scene::Ball> balls;
-  for (const cases::BallSet& set : what.balls)
-    balls.push_back({.radius = 0.5 * set.diameter,
-                     .density = set.density,
-                     .position = {},
-                     .velocity = {},
-                     .spin = {},
-                     .kind = static_cast<std::int32_t>(balls.size())});
+  for (std::size_t i = 0; i < what.balls.size(); ++i)
+    for (const cases::SizeClass& size : what.balls[i].sizes())
+      balls.push_back({.radius = 0.5 * size.diameter,
+                       .density = what.balls[i].density,
+                       .position = {},
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(i)});
   return balls;
 }
 

@@ -35,4 +35,12 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate) {
   return balls;
 }
 
+std::vector<std::int32_t> kinds_of_balls(const Case& c) {
+  std::vector<std::int32_t> kinds;
+  for (std::size_t i = 0; i < c.balls.size(); ++i)
+    kinds.insert(kinds.end(), static_cast<std::size_t>(c.balls[i].count),
+                 static_cast<std::int32_t>(i));
+  return kinds;
+}
+
 }  // namespace mahlwerk::cases

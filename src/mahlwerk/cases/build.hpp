@@ -21,6 +21,14 @@ scene::Chamber chamber(const Case& c);
 /// are kept. Depends on the seed and the replicate alone.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
 
+/// The set each ball belongs to, in the order of starting_balls().
+std::vector<std::int32_t> kinds_of_balls(const Case& c);
+
+/// What grains stand for, in a sentence; empty where the powder is not simulated.
+std::string grains_note(const Case& c);
+/// For each set whose sizes differ, its sizes with their numbers.
+std::vector<std::string> size_notes(const Case& c);
+
 /// Who bounces off whom by which rule: a kind for each ball set, the faces of the jar.
 contact::BounceTable bounce_table(const Case& c);
 

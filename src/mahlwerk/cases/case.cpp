@@ -13,6 +13,10 @@ double BallSet::mass() const {
   return ball.mass();
 }
 
+std::vector<SizeClass> BallSet::sizes() const {
+  return classes.empty() ? std::vector{SizeClass{diameter, count}} : classes;
+}
+
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/choice.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
@@ -46,25 +47,32 @@ struct Jar {
   bool operator==(const Jar&) const = default;
 };
 
-/// Balls of one kind.
+/// Balls of one kind: of one material, with one set of rules, in one or more sizes.
 struct BallSet {
-  std::int64_t count = 1;
-  double diameter = 0;   ///< [m]
-  double density = 0;    ///< [kg/m3]
-  std::string material;  ///< name in the catalogue, or empty
+  std::int64_t count = 1;  ///< of all sizes
+  double diameter = 0;     ///< [m] of each, or of the ball of mean volume where sizes differ
+  double density = 0;      ///< [kg/m3]
+  std::string material;    ///< name in the catalogue, or empty
   contact::Elastic elastic = steel;
   /// [m] where they start, in the jar's own axes about its centre: one for each ball, or none at
   /// all for random places.
   std::vector<Vec3> positions = {};
-  double mass() const;  ///< [kg] of one ball
+  Distribution distribution = {};        ///< what the case says of the diameters
+  std::vector<SizeClass> classes = {};   ///< what comes of it, smallest first; none: all are equal
+  bool grains = false;                   ///< of the powder
+  double mass() const;                   ///< [kg] of one ball, the mean where sizes differ
+  std::vector<SizeClass> sizes() const;  ///< the classes, or the one size
   bool operator==(const BallSet&) const = default;
 };
 
+/// Powder as grains is a ball set, too, the last one.
 struct Powder {
   std::string material;
   double mass = 0;                ///< [kg]
   std::optional<double> size;     ///< [m]
   std::optional<double> density;  ///< [kg/m3]
+  /// [m] of the spheres that stand for the powder; none: it is a mass that nothing touches
+  std::optional<double> grain_size = std::nullopt;
   bool operator==(const Powder&) const = default;
 };
 

@@ -54,7 +54,10 @@ double jar_reach(const Jar& jar) {
 class Derivation {
  public:
   explicit Derivation(const Case& c) : c_(c) {
-    largest_ = *std::ranges::max_element(c.balls, {}, &BallSet::diameter);
+    largest_ = *std::ranges::max_element(
+        c.balls, {}, [](const BallSet& set) { return set.grains ? 0 : largest_ball({set}); });
+    largest_.diameter = largest_ball({largest_});
+    largest_.classes.clear();
     arm_ = jar_radius(c.jar) - 0.5 * largest_.diameter;
   }
 
@@ -145,16 +148,32 @@ class Derivation {
   void charge() {
     mesh();
     const double jar = jar_volume(c_.jar), mass = balls_mass(c_.balls);
-    double balls = 0;
-    for (const BallSet& set : c_.balls) balls += static_cast<double>(set.count) * ball_volume(set);
+    double balls = 0, count = 0;
+    for (const BallSet& set : c_.balls) {
+      if (set.grains) continue;
+      balls += static_cast<double>(set.count) * ball_volume(set);
+      count += static_cast<double>(set.count);
+    }
     say("jar_volume", jar, "m3", "inner volume of the empty jar");
-    say("ball_count", static_cast<double>(balls_count(c_.balls)), "", "balls of all sets");
+    say("ball_count", count, "", "balls of all sets");
     say("ball_mass", largest_.mass(), "kg", "mass of the largest ball");
     say("total_ball_mass", mass, "kg", "mass of all balls");
     say("filling", 100 * balls / jar, "%", "solid volume of the balls over the jar's volume");
     if (!c_.powder) return;
     say("powder_mass", c_.powder->mass, "kg", "mass of the powder");
     say("ball_to_powder", mass / c_.powder->mass, "", "mass of the balls over mass of the powder");
+    if (c_.balls.back().grains) grains(c_.balls.back(), *c_.powder, jar);
+  }
+
+  void grains(const BallSet& set, const Powder& powder, double jar) {
+    say("grain_count", static_cast<double>(set.count), "", "spheres that stand for the powder");
+    say("grain_filling", 100 * static_cast<double>(set.count) * ball_volume(set) / jar, "%",
+        "solid volume of the grains over the jar's volume");
+    if (!powder.size) return;
+    const double ratio = *powder.grain_size / *powder.size;  // (chg.9)
+    say("coarse_graining_ratio", ratio, "", "size of a grain over the powder's size (chg.9)");
+    say("particles_per_grain", ratio * ratio * ratio, "",
+        "particles of the powder that each grain stands for (chg.10)");
   }
 
   const Case& c_;

@@ -81,11 +81,24 @@ void check_contact(ValueCheck& check, const Contact& contact) {
   check.fields("contact.", contact, contact_fields());
 }
 
+void check_sizes(ValueCheck& check, const std::string& set, const BallSet& balls) {
+  std::int64_t count = 0;
+  for (const SizeClass& size : balls.classes) {
+    check.number(set + "diameter", size.diameter, positive, "m");
+    check.whole(set + "count", size.count, most_balls);
+    count += size.count;
+  }
+  if (!balls.classes.empty() && count != balls.count)
+    check.fault(set + "count", fmt::format("{}count = {}, but its classes have {} balls", set,
+                                           balls.count, count));
+}
+
 void check_balls(ValueCheck& check, const std::vector<BallSet>& balls) {
   if (balls.empty()) check.fault("balls", "there are no balls");
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const std::string set = fmt::format("balls.{}.", i + 1);
     check.fields(set, balls[i], ball_fields());
+    check_sizes(check, set, balls[i]);
     check.fields(set, balls[i].elastic, elastic_fields());
     check.whole(set + "count", balls[i].count, most_balls);
     const std::vector<Vec3>& places = balls[i].positions;
@@ -119,6 +132,8 @@ std::vector<Fault> bad_values(const Case& c) {
     check.number("powder.mass", c.powder->mass, positive, "kg");
     if (c.powder->size) check.number("powder.size", *c.powder->size, positive, "m");
     if (c.powder->density) check.number("powder.density", *c.powder->density, positive, "kg/m3");
+    if (c.powder->grain_size)
+      check.number("powder.grain_size", *c.powder->grain_size, positive, "m");
   }
   check_contact(check, c.contact);
   check_run(check, c.run);
@@ -127,13 +142,24 @@ std::vector<Fault> bad_values(const Case& c) {
   return std::move(check.found);
 }
 
+/// The key that says how large the balls of a set are.
+std::string size_key(const Case& c, std::size_t set) {
+  using Law = Distribution::Law;
+  const Law law = c.balls[set].distribution.law;
+  return fmt::format("balls.{}.{}", set + 1,
+                     law == Law::uniform  ? "largest"
+                     : law == Law::sieves ? "passing"
+                                          : "diameter");
+}
+
 void balls_too_large(const Case& c, std::vector<Fault>& found) {
   constexpr double room = 1e-6;  // of the jar: less would leave no place to start from
   const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
-    const double ball = c.balls[i].diameter;
+    if (c.balls[i].count < 1) continue;  // reported elsewhere
+    const double ball = largest_ball({c.balls[i]});
     if (!(ball >= jar * (1 - room))) continue;
-    found.push_back({place_of(c, fmt::format("balls.{}.diameter", i + 1)),
+    found.push_back({place_of(c, c.balls[i].grains ? "powder.grain_size" : size_key(c, i)),
                      fmt::format("the ball ({}) is larger than the jar ({}): it cannot move",
                                  show(ball, "m"), show_rounded(jar, "m")),
                      "give a smaller ball or a larger jar", "ball-too-large"});
@@ -177,7 +203,11 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
   for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
   const double jar = jar_volume(c.jar);
   std::set<double> sizes;
-  for (const BallSet& set : c.balls) sizes.insert(set.diameter);
+  for (const BallSet& set : c.balls) {
+    double last = 0;  // of a distribution those count that are small enough to fill gaps
+    for (const SizeClass& size : set.sizes())
+      if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);
+  }
   const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
   if (!(volume > most * jar)) return;
   found.push_back(
@@ -186,6 +216,16 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
                    show_rounded(volume, "m3"), show_rounded(100 * most, ""),
                    show_rounded(jar, "m3")),
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
+}
+
+/// Each two have rules and statistics of their own.
+void too_many_sets(const Case& c, std::vector<Fault>& found) {
+  if (c.balls.size() <= most_sets) return;
+  found.push_back({place_of(c, "balls"),
+                   fmt::format("there are {} ball sets, more than {}", c.balls.size(), most_sets),
+                   "let sets differ by material or rules only: one set may have a distribution of "
+                   "sizes",
+                   "too-many-sets"});
 }
 
 /// A file that nobody can want, by a slip of the unit.
@@ -250,6 +290,7 @@ std::vector<Fault> misfits(const Case& c) {
   periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_places(c, found);
+  too_many_sets(c, found);
   too_many_frames(c, found);
   return found;
 }

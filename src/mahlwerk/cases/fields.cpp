@@ -54,6 +54,11 @@ const std::vector<std::string>& engines() {
   return words;
 }
 
+const std::vector<std::string>& powder_words() {
+  static const std::vector<std::string> words{"mass", "grains"};
+  return words;
+}
+
 const std::vector<std::string>& lasting_words() {
   static const std::vector<std::string> words{"roll", "tc", "none"};
   return words;

@@ -16,7 +16,9 @@ constexpr Range restitution_range{.least = 0, .most = 1};
 constexpr Range tangential_range{.least = -1, .most = 1};
 constexpr std::int64_t most_replicates = 10000;
 constexpr std::int64_t most_balls = 100'000'000;
-constexpr double densest = 0.74;  ///< share of space that equal balls fill at best
+constexpr double most_grains = 2e6;    ///< of the powder
+constexpr std::size_t most_sets = 32;  ///< of balls, powder included
+constexpr double densest = 0.74;       ///< share of space that equal balls fill at best
 
 constexpr auto case_fields() {
   return std::array{Field<Case>{"gravity", "m/s2", &Case::gravity, not_negative,
@@ -127,6 +129,7 @@ constexpr double largest_frames_file = 10e9;           ///< [bytes] of one repli
 constexpr double frame_bytes = 450, ball_bytes = 120;  ///< of a frame and of each ball in it, about
 
 const std::vector<std::string>& engines();
+const std::vector<std::string>& powder_words();   ///< "mass", "grains"
 const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
 const std::vector<std::string>& rolling_words();  ///< in the order of contact::Rolling
 /// "exact" and "published", of the law adams-impact.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mahlwerk/base/vec3.hpp"
@@ -24,6 +25,17 @@ struct Room {
   }
   /// The image of `p` that lies in the box.
   Vec3 home(const Vec3& p) const { return between({}, p); }
+
+  /// Number of the place on a curve that fills the box: Z-order of 1024 steps each way.
+  std::uint64_t along_curve(const Vec3& p) const {
+    const auto spread = [](double x, double side) {
+      std::uint64_t found = 0;
+      const auto step = static_cast<std::uint64_t>(std::clamp((x / side + 1) * 512, 0.0, 1023.0));
+      for (unsigned bit = 0; bit < 10; ++bit) found |= (step >> bit & 1U) << (3 * bit);
+      return found;
+    };
+    return spread(p.x, half.x) | spread(p.y, half.y) << 1U | spread(p.z, half.z) << 2U;
+  }
 
  private:
   static double nearest(double d, double period) {

@@ -11,10 +11,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-std::string set_name(std::size_t kind) {
-  return fmt::format("balls.{}", kind + 1);
-}
-
 int kinds(const Case& c) {
   return static_cast<int>(c.balls.size());
 }
@@ -57,6 +53,10 @@ contact::Pair with_moduli(contact::Pair pair, contact::Elastic a, contact::Elast
 
 }  // namespace
 
+std::string set_name(const Case& c, std::size_t kind) {
+  return c.balls[kind].grains ? "powder" : fmt::format("balls.{}", kind + 1);
+}
+
 std::vector<std::string> face_names(const geometry::AnyShape& shape) {
   return std::visit(
       [](const auto& s) {
@@ -70,7 +70,8 @@ std::vector<std::string> face_names(const geometry::AnyShape& shape) {
 Party party(std::string_view name, const Case& c) {
   Party found;
   for (std::size_t i = 0; i < c.balls.size(); ++i)
-    if (name == "balls" || name == set_name(i) || (!name.empty() && name == c.balls[i].material))
+    if ((name == "balls" && !c.balls[i].grains) || name == set_name(c, i) ||
+        (!name.empty() && name == c.balls[i].material))
       found.kinds.push_back(static_cast<int>(i));
   const std::vector<std::string> faces = face_names(c.jar.shape);
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -84,7 +85,7 @@ std::vector<std::string> party_names(const Case& c) {
   const auto also = [&](const std::string& name) {
     if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
-  for (std::size_t i = 0; i < c.balls.size(); ++i) also(set_name(i));
+  for (std::size_t i = 0; i < c.balls.size(); ++i) also(set_name(c, i));
   const std::vector<std::string> faces = face_names(c.jar.shape);
   if (!faces.empty()) also("jar");
   for (const std::string& face : faces) also("jar." + face);

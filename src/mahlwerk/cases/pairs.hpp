@@ -17,6 +17,9 @@ struct Party {
   bool nobody() const { return kinds.empty() && faces.empty(); }
 };
 
+/// "balls.1" for the first set, "powder" for grains.
+std::string set_name(const Case& c, std::size_t kind);
+
 Party party(std::string_view name, const Case& c);
 std::vector<std::string> party_names(const Case& c);  ///< all that mean somebody
 

@@ -19,6 +19,7 @@ class Soft {
       : balls_(balls), shape_(shape), room_(room), gap_(gap) {
     const auto [least, most] = std::ranges::minmax(balls, {}, &Placed::radius);
     smallest_ = least.radius;
+    std::ptrdiff_t sizes = 1;
     skin_ = 0.6 * smallest_;
     const std::size_t n = balls.size();
     force_.resize(n);
@@ -27,6 +28,12 @@ class Soft {
       mass_.push_back(b.radius * b.radius / (smallest_ * smallest_));
       margin_.push_back(wall_clearance(shape, b.radius, gap));
     }
+    constexpr std::ptrdiff_t few = 4;
+    for (std::size_t i = 1; i < n; ++i) sizes += balls[i].radius != balls[i - 1].radius ? 1 : 0;
+    many_sizes_ = sizes > few;
+    double mean = 0;
+    for (const Placed& b : balls) mean += b.radius / static_cast<double>(n);
+    if (many_sizes_) skin_ = 0.6 * mean;
     find_neighbours();
   }
 
@@ -54,23 +61,23 @@ class Soft {
   /// All pairs near enough to overlap before a ball has moved by half the skin.
   void find_neighbours() {
     pairs_.clear();
-    std::vector<std::pair<Grid, double>> larger;  // a grid and a radius for each size
+    std::vector<Grid> grids;  // one for each size, or for all down to half as wide
     for (std::size_t from = 0, to = 0; from < balls_.size(); from = to) {
-      const double radius = balls_[from].radius;
-      for (to = from; to < balls_.size() && balls_[to].radius == radius;) ++to;
+      const double radius = balls_[from].radius, least = many_sizes_ ? 0.5 * radius : radius;
+      for (to = from; to < balls_.size() && balls_[to].radius >= least;) ++to;
       const double reach = 2 * radius * (1 + gap_) + skin_;
-      Grid& own = larger.emplace_back(Grid(room_, reach, to - from), radius).first;
+      Grid& own = grids.emplace_back(room_, reach, to - from);
       for (std::size_t i = from; i < to; ++i) {
-        for (const auto& [grid, big] : larger) near(grid, static_cast<int>(i), big);
+        for (const Grid& grid : grids) near(grid, static_cast<int>(i));
         own.add(static_cast<int>(i), balls_[i].place);
       }
     }
     listed_.clear();
     for (const Placed& b : balls_) listed_.push_back(b.place);
   }
-  void near(const Grid& grid, int i, double big) {
-    const double reach = (at(i).radius + big) * (1 + gap_) + skin_;
+  void near(const Grid& grid, int i) {
     grid.around(at(i).place, [&](int j) {
+      const double reach = (at(i).radius + at(j).radius) * (1 + gap_) + skin_;
       if (squared(room_.between(at(i).place, at(j).place)) < reach * reach)
         pairs_.emplace_back(i, j);
       return true;
@@ -157,6 +164,7 @@ class Soft {
   const geometry::AnyShape& shape_;
   const Room& room_;
   double gap_, smallest_ = 0, skin_ = 0;
+  bool many_sizes_ = false;  // a grid for each would be searched in vain
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Vec3> listed_, force_, speed_;  // where each was when pairs were listed
   std::vector<double> mass_, margin_;

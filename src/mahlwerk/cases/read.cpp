@@ -188,7 +188,7 @@ class CaseReader {
     if (const Node* mill = section("mill", true))
       c_.mill = read_mill(mill, c_, file_.parent_path().generic_string(), catalogue_, findings_);
     if (const Node* powder = section("powder", false))
-      c_.powder = read_powder(powder, c_.balls, catalogue_, findings_);
+      read_powder(powder, c_, catalogue_, findings_);
     c_.contact = read_contact(section("contact", false), c_.balls, findings_);
     if (const Node* run = section("run", true)) c_.run = read_run(run, findings_);
     c_.observe = read_observe(section("observe", false), findings_);

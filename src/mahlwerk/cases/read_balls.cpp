@@ -83,6 +83,12 @@ std::int64_t read_count(Section& in, BallSet& set, const Jar& jar) {
   return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
 }
 
+/// [m] of the ball of mean volume, which classes do not change.
+double mean_diameter(Distribution of) {
+  of.classes = std::max<std::int64_t>(of.classes, 1);
+  return mean_volume_diameter(size_shares(of));
+}
+
 BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Catalogue& catalogue,
                  Findings& findings) {
   BallSet set;
@@ -92,7 +98,9 @@ BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Ca
     if (const auto entry = look_up(catalogue, "media", *model, findings)) in.lend(*entry);
   }
   const Wanted diameter(ball_fields()[0]), density(ball_fields()[1]);
-  set.diameter = in.value(diameter);
+  const bool sound = read_distribution(in, set.distribution);
+  const bool equal = set.distribution.law == Distribution::Law::equal;
+  set.diameter = equal ? in.value(diameter) : sound ? mean_diameter(set.distribution) : unread;
   const auto given = read_density(in, density, set.material, catalogue);
   if (!given)
     in.missing("density", density.about,
@@ -104,38 +112,12 @@ BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Ca
   set.density = given.value_or(unread);
   set.elastic = read_elastic(in, set.material, catalogue);
   set.count = read_count(in, set, jar);
+  if (!equal && sound && set.count > 0 && set.positions.empty()) {
+    set.classes = read_classes(in, set.distribution, set.count);
+    set.diameter = mean_volume_diameter(set.classes);
+  }
   in.close();
   return set;
-}
-
-/// "70:1" or 70, balls to powder by mass.
-double read_ball_to_powder(Section& in, const Node& at) {
-  const Wanted wanted("ball_to_powder", "", positive, "mass of the balls over mass of the powder");
-  const auto colon = at.text.find(':');
-  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, wanted);
-  try {
-    const double ratio =
-        parse_in(at.text.substr(0, colon), "") / parse_in(at.text.substr(colon + 1), "");
-    if (std::isfinite(ratio) && ratio > 0) return ratio;
-    in.fault(at, fmt::format("ball_to_powder = \"{}\" is not a ratio above 0", at.text),
-             "write balls to powder by mass: \"30:1\"", "out-of-range");
-  } catch (const UnitError& error) {
-    in.fault(at, fmt::format("ball_to_powder = \"{}\": {}", at.text, error.what()),
-             "write balls to powder by mass, \"30:1\", or the number 30", "bad-quantity");
-  }
-  return unread;
-}
-
-double read_powder_mass(Section& in, const std::vector<BallSet>& balls) {
-  const std::string_view key = in.one_of({"mass", "ball_to_powder"});
-  Wanted mass("mass", "kg", positive, "mass of the powder");
-  mass.instead = "ball_to_powder";
-  if (key != "ball_to_powder") return in.value(mass);
-  const Node& at = *in.find(key);
-  const double powder = balls_mass(balls) / read_ball_to_powder(in, at);
-  if (!std::isnan(powder))
-    in.note("mass", show(powder, "kg"), &at, fmt::format("ball_to_powder = \"{}\"", at.text));
-  return powder;
 }
 
 }  // namespace
@@ -146,7 +128,8 @@ double ball_volume(const BallSet& set) {
 
 double balls_mass(const std::vector<BallSet>& balls) {
   double mass = 0;
-  for (const BallSet& set : balls) mass += static_cast<double>(set.count) * set.mass();
+  for (const BallSet& set : balls)
+    if (!set.grains) mass += static_cast<double>(set.count) * set.mass();
   return mass;
 }
 
@@ -160,7 +143,7 @@ double largest_ball(const std::vector<BallSet>& balls) {
   double diameter = 0;
   for (const BallSet& set : balls) {
     if (std::isnan(set.diameter)) return unread;
-    diameter = std::max(diameter, set.diameter);
+    for (const SizeClass& size : set.sizes()) diameter = std::max(diameter, size.diameter);
   }
   return diameter;
 }
@@ -182,18 +165,6 @@ std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogu
   for (const Node& item : list->items)
     balls.push_back(read_set(item, balls.size() + 1, jar, catalogue, findings));
   return balls;
-}
-
-Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const Catalogue& catalogue,
-                   Findings& findings) {
-  Powder powder;
-  Section in(table, "powder", findings);
-  powder.density = read_density(in, {"density", "kg/m3", positive, "density of the solid"},
-                                powder.material, catalogue);
-  powder.mass = read_powder_mass(in, balls);
-  powder.size = in.maybe({"size", "m", positive, "grain size of the powder as fed"});
-  in.close();
-  return powder;
 }
 
 }  // namespace mahlwerk::cases

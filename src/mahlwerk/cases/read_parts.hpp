@@ -44,8 +44,12 @@ std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogu
 /// `folder` is where files are looked for; `c` has its gravity, jar and balls already.
 Mill read_mill(const Node* table, const Case& c, const std::string& folder,
                const Catalogue& catalogue, Findings& findings);
-Powder read_powder(const Node* table, const std::vector<BallSet>& balls, const Catalogue& catalogue,
-                   Findings& findings);
+/// How the sizes of a set's balls spread; false after a fault.
+bool read_distribution(Section& in, Distribution& d);
+/// The classes that `count` balls make; chooses how many classes where nobody said it.
+std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count);
+/// Into `c`, which has its jar and balls already; grains become its last ball set.
+void read_powder(const Node* table, Case& c, const Catalogue& catalogue, Findings& findings);
 Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findings& findings);
 /// How a bounce ends; what is not said is that of `all`, or a default where it is null.
 contact::BounceRule read_rule(Section& in, const contact::BounceRule* all);
@@ -78,7 +82,7 @@ std::vector<Fault> misfits(const Case& c);
 
 double jar_volume(const Jar& jar);                     ///< [m3]
 double ball_volume(const BallSet& set);                ///< [m3] of one ball
-double balls_mass(const std::vector<BallSet>& balls);  ///< [kg] of all
+double balls_mass(const std::vector<BallSet>& balls);  ///< [kg] of all but grains of powder
 std::int64_t balls_count(const std::vector<BallSet>& balls);
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter
 /// [rad/s] at which the largest ball is pinned to the wall of a tumbling jar (kin.11).

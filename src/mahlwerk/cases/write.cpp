@@ -84,25 +84,51 @@ void write_jar(Writer& out, const Jar& jar) {
   out.fields(jar.elastic, elastic_fields());
 }
 
+void write_distribution(Writer& out, const Distribution& d) {
+  using Law = Distribution::Law;
+  out.word("distribution", distribution_words()[static_cast<std::size_t>(d.law)]);
+  if (d.law == Law::sieves) {
+    out.line("passing", passing_text(d));
+    return;
+  }
+  if (d.law == Law::uniform) {
+    out.number("smallest", d.smallest, "m");
+    out.number("largest", d.largest, "m");
+  } else {
+    out.number("diameter", d.diameter, "m");
+    out.number("spread", d.spread, "");
+  }
+  out.line("classes", std::to_string(d.classes));
+}
+
 void write_balls(Writer& out, const std::vector<BallSet>& balls) {
   for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (balls[i].grains) continue;  // [powder] says them
     out.section("[[balls]]", fmt::format("balls.{}.", i + 1));
     if (balls[i].positions.empty())
       out.line("count", std::to_string(balls[i].count));
     else
       out.line("positions", places_text(balls[i].positions));
-    out.fields(balls[i], ball_fields());
+    if (balls[i].distribution.law == Distribution::Law::equal)
+      out.number("diameter", balls[i].diameter, "m");
+    else
+      write_distribution(out, balls[i].distribution);
+    out.number("density", balls[i].density, "kg/m3");
     out.name("material", balls[i].material);
     out.fields(balls[i].elastic, elastic_fields());
   }
 }
 
-void write_powder(Writer& out, const Powder& powder) {
+void write_powder(Writer& out, const Powder& powder, const std::vector<BallSet>& balls) {
   out.section("[powder]", "powder.");
   out.name("material", powder.material);
   out.number("mass", powder.mass, "kg");
   if (powder.size) out.number("size", *powder.size, "m");
   if (powder.density) out.number("density", *powder.density, "kg/m3");
+  if (!powder.grain_size) return;
+  out.word("as", "grains");
+  out.number("grain_size", *powder.grain_size, "m");
+  out.fields(balls.back().elastic, elastic_fields());
 }
 
 void write_rule(Writer& out, const contact::BounceRule& rule) {
@@ -188,7 +214,7 @@ std::string write(const Case& c) {
   write_mill(out, c.mill);
   write_jar(out, c.jar);
   write_balls(out, c.balls);
-  if (c.powder) write_powder(out, *c.powder);
+  if (c.powder) write_powder(out, *c.powder, c.balls);
   write_contact(out, c.contact);
   write_run(out, c.run);
   out.section("[observe]", "observe.");

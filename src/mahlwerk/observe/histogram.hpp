@@ -24,8 +24,10 @@ class LogHistogram {
 
   /// `value` >= 0; what lies beyond the ends goes into the first or last bin, and so does what
   /// rounding made a little less than 0.
-  void add(double value) {
-    Bin& bin = bins_[static_cast<std::size_t>(bin_of(value))];
+  void add(double value) { add(value, bin_of(value)); }
+  /// The same where its bin is known.
+  void add(double value, int at) {
+    Bin& bin = bins_[static_cast<std::size_t>(at)];
     ++bin.count;
     bin.sum += value;
   }

@@ -63,11 +63,13 @@ void Tally::collisions(std::span<const scene::Collision> finished) {
     const int degree = std::min(static_cast<int>(angle_of_c * degrees), angle_bins - 1);
     all.add(c, angle_of_c);
     ++angle_all[static_cast<std::size_t>(degree)];
-    energy_normal.add(c.energy_normal());
+    const int bin = LogHistogram::bin_of(c.energy_normal());
+    energy_normal.add(c.energy_normal(), bin);
     energy_contact_point.add(c.energy_contact_point());
     energy_centre.add(c.energy_centre());
     energy_lost.add(c.lost());
     approach.add(c.approach);
+    by_pair.add(c, !(c.approach < threshold_), bin);
     if (c.approach < threshold_) continue;
     above.add(c, angle_of_c);
     ++angle_above[static_cast<std::size_t>(degree)];
@@ -79,6 +81,7 @@ void Tally::carry(Archive& archive) {
   for (LogHistogram* one :
        {&energy_normal, &energy_contact_point, &energy_centre, &energy_lost, &approach})
     one->carry(archive);
+  by_pair.carry(archive);
 }
 
 }  // namespace mahlwerk::observe

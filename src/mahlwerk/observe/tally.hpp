@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
+#include "mahlwerk/observe/by_pair.hpp"
 #include "mahlwerk/observe/histogram.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
@@ -31,7 +33,9 @@ class Tally : public scene::Observer {
  public:
   static constexpr int angle_bins = 90;  // of one degree, 0 head-on, 90 grazing
 
-  explicit Tally(double threshold) : threshold_(threshold) {}
+  /// With the kinds of balls it counts by pair of kinds, too.
+  explicit Tally(double threshold, BallKinds kinds = {})
+      : by_pair(std::move(kinds)), threshold_(threshold) {}
   void collisions(std::span<const scene::Collision> finished) override;
 
   void carry(Archive& archive);
@@ -41,6 +45,7 @@ class Tally : public scene::Observer {
   LogHistogram energy_normal, energy_contact_point, energy_centre, energy_lost;  // [J]
   LogHistogram approach;                                                         // [m/s]
   std::array<std::int64_t, angle_bins> angle_all{}, angle_above{};
+  ByPair by_pair;
 
  private:
   double threshold_;

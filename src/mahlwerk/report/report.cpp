@@ -48,6 +48,26 @@ std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& 
       threshold_text(outcome.what.observe.threshold), body);
 }
 
+/// Collisions by kind of pair; empty where there is one kind.
+std::string pairs_table(const Outcome& outcome) {
+  const auto lines = pair_rows(results::by_pair(outcome));
+  if (lines.empty()) return "";
+  std::string head, body;
+  for (const std::string& cell : pair_heading(outcome.what.observe.threshold))
+    head += fmt::format("<th class=\"n\">{}</th>", with_symbols(cell));
+  for (const auto& line : lines) {
+    body += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(line.front()));
+    for (std::size_t i = 1; i < line.size(); ++i)
+      body += fmt::format("<td class=\"n\">{}</td>", escaped(line[i]));
+    body += "</tr>\n";
+  }
+  return fmt::format(
+      "<h2>Who hits whom</h2>\n<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n"
+      "{}</tbody>\n</table></div>\n<p><small>The whole spectrum of each kind of pair is in "
+      "spectra_by_pair.csv.</small></p>\n",
+      head, body);
+}
+
 std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
                        std::string_view heading, std::string_view words) {
   std::string lines;
@@ -98,6 +118,7 @@ std::string report_page(const Outcome& outcome, std::string_view version) {
   for (const std::string& note : outcome.notes)
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(note));
   body += quantity_table(outcome, list);
+  body += pairs_table(outcome);
   if (!results::averaged(outcome).empty()) {
     body += "<h2>How hard</h2>\n";
     body +=

@@ -68,4 +68,48 @@ std::string table(const std::vector<results::Quantity>& quantities, double thres
   return text;
 }
 
+std::vector<std::string> pair_heading(double threshold) {
+  return {"",
+          "collisions",
+          "u_n >= " + threshold_text(threshold),
+          "mean normal energy",
+          "of those",
+          "lost along normal",
+          "lost across it"};
+}
+
+std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairSummary>& pairs) {
+  constexpr std::array<std::string_view, 6> shown{
+      "collision_rate",         "collision_rate_above_threshold",
+      "energy_normal_mean",     "energy_normal_mean_above_threshold",
+      "collision_power_normal", "collision_power_tangential"};
+  std::vector<std::vector<std::string>> list;
+  for (const results::PairSummary& pair : pairs) {
+    const auto named = [&](std::string_view name) -> const results::Quantity& {
+      return *std::ranges::find(pair.quantities, name, &results::Quantity::name);
+    };
+    if (named("collision_rate").value == 0) continue;
+    std::vector<std::string> row{pair.one + " with " + pair.other};
+    for (const std::string_view name : shown) row.push_back(readable(named(name)).text());
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+std::string pair_table(const std::vector<results::PairSummary>& pairs, double threshold) {
+  std::vector<std::vector<std::string>> lines = pair_rows(pairs);
+  if (lines.empty()) return "";
+  lines.insert(lines.begin(), pair_heading(threshold));
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const auto& line : lines) {
+    std::string one;
+    for (std::size_t i = 0; i < line.size(); ++i) one += padded(line[i], widths[i] + 2);
+    text += trimmed(std::move(one)) + '\n';
+  }
+  return text;
+}
+
 }  // namespace mahlwerk::report

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::report {
@@ -23,5 +24,13 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities);
 /// The table for the terminal, with half-widths and readable units. `threshold` [m/s] heads its
 /// column.
 std::string table(const std::vector<results::Quantity>& quantities, double threshold);
+
+/// The head of the table of pairs, and a line for each kind: who with whom, rates, mean normal
+/// energies and powers. Rows in which nothing collided are left out.
+std::vector<std::string> pair_heading(double threshold);
+std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairSummary>& pairs);
+
+/// The same for the terminal; empty if there are no pairs.
+std::string pair_table(const std::vector<results::PairSummary>& pairs, double threshold);
 
 }  // namespace mahlwerk::report

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::results {
@@ -45,14 +46,29 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"cpu_seconds", outcome.cpu_seconds}};
 }
 
+Json object(const Quantity& q) {
+  return {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}, {"about", q.about}};
+}
+
+Json table_of(const std::vector<PairSummary>& pairs) {
+  Json list = Json::array();
+  for (const PairSummary& pair : pairs) {
+    Json row{{"between", {pair.one, pair.other}}};
+    for (const Quantity& q : pair.quantities) row[q.name] = object(q);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
                          std::string_view version) {
   Json all;
   all["_about"] = about(outcome, version);
-  for (const Quantity& q : quantities)
-    all[q.name] = {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}, {"about", q.about}};
+  for (const Quantity& q : quantities) all[q.name] = object(q);
+  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
+    all["_pairs"] = table_of(pairs);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
@@ -29,7 +30,8 @@ struct Window {
 
 /// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
 struct Replicate {
-  explicit Replicate(double threshold) : tally(threshold) {}
+  explicit Replicate(double threshold, observe::BallKinds kinds = {})
+      : tally(threshold, std::move(kinds)) {}
   observe::Tally tally;
   std::vector<Window> windows;
   scene::Account account;            ///< at the end

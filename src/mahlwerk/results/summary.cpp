@@ -187,6 +187,28 @@ const std::vector<Measure>& doses() {
   return list;
 }
 
+double ratio(const cases::Case& c) {
+  return *c.powder->grain_size / *c.powder->size;  // (chg.9)
+}
+
+/// Of powder as grains: the same in every replicate.
+const std::vector<Measure>& grains(const cases::Case& what) {
+  static const std::vector<Measure> list{
+      {"grain_count", "1", "spheres that stand for the powder",
+       [](const cases::Case& c, const Replicate&) {
+         return static_cast<double>(c.balls.back().count);
+       },
+       true},
+      {"coarse_graining_ratio", "1", "size of a grain over the powder's size",
+       [](const cases::Case& c, const Replicate&) { return ratio(c); }, true},
+      {"particles_per_grain", "1", "particles of the powder that each grain stands for",
+       [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); }, true},
+  };
+  static const std::vector<Measure> without_size(list.begin(), list.begin() + 1), none;
+  if (!what.powder || !what.powder->grain_size) return none;
+  return what.powder->size ? list : without_size;
+}
+
 const std::vector<Measure>& checks() {
   static const std::vector<Measure> list{
       {"energy_residual", "1",
@@ -237,19 +259,6 @@ bool has_tc(const Outcome& o) {
   return o.what.contact.lasting == cases::Lasting::tc && o.what.run.engine != "soft";
 }
 
-/// The mean of one quantity; a replicate in which it does not exist (no collision) is left out.
-void combine(Quantity& q, const std::vector<double>& values) {
-  std::vector<double> there;
-  for (const double v : values) {
-    if (std::isfinite(v)) there.push_back(v);
-  }
-  q.value = q.ci95 = nothing;
-  if (there.empty()) return;
-  const observe::Estimate e = observe::estimate(there);
-  q.value = e.mean;
-  q.ci95 = e.ci95;
-}
-
 /// The worst of all replicates, averaged or not; one that is not even a number is the worst there
 /// is.
 double worst(const Outcome& outcome, const Measure& m) {
@@ -263,6 +272,18 @@ double worst(const Outcome& outcome, const Measure& m) {
 }
 
 }  // namespace
+
+void combine(Quantity& q, const std::vector<double>& values) {
+  std::vector<double> there;
+  for (const double v : values) {
+    if (std::isfinite(v)) there.push_back(v);
+  }
+  q.value = q.ci95 = nothing;
+  if (there.empty()) return;
+  const observe::Estimate e = observe::estimate(there);
+  q.value = e.mean;
+  q.ci95 = e.ci95;
+}
 
 std::vector<const Replicate*> averaged(const Outcome& outcome) {
   std::vector<const Replicate*> whole, any;
@@ -289,6 +310,7 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   if (outcome.what.run.engine == "soft") gathering.add(losses());
   if (has_tc(outcome)) gathering.add(tc_share());
   if (outcome.what.powder && outcome.what.powder->mass > 0) gathering.add(doses());
+  gathering.add(grains(outcome.what));
   gathering.add(checks());
   return gathering.found();
 }
@@ -304,13 +326,14 @@ std::vector<Quantity> summarise(const Outcome& outcome) {
     for (const auto& one : each) values.push_back(one[i].value);
     combine(list[i], values);
   }
-  for (const Measure& m : checks()) {
-    if (!m.worst) continue;
-    const auto same = [&](const Quantity& q) { return q.name == m.name; };
-    Quantity& q = *std::find_if(list.begin(), list.end(), same);
-    q.value = worst(outcome, m);
-    q.ci95 = nothing;
-  }
+  for (const auto* some : {&grains(outcome.what), &checks()})
+    for (const Measure& m : *some) {
+      if (!m.worst) continue;
+      const auto same = [&](const Quantity& q) { return q.name == m.name; };
+      Quantity& q = *std::find_if(list.begin(), list.end(), same);
+      q.value = worst(outcome, m);
+      q.ci95 = nothing;
+    }
   list.push_back({"replicates", static_cast<double>(chosen.size()), nothing, "1",
                   "independent replicates that the means are taken over"});
   return list;

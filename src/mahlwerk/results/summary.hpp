@@ -24,6 +24,10 @@ std::vector<Quantity> summarise(const Outcome& outcome);
 /// The same of one replicate alone, in the same order; ci95 is NaN.
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate);
 
+/// The mean of a quantity and its half-width; a replicate in which it does not exist (no collision)
+/// is left out.
+void combine(Quantity& q, const std::vector<double>& values);
+
 /// The replicates that means are taken over: those that ran to their end if there are at least two,
 /// else all that counted any time.
 std::vector<const Replicate*> averaged(const Outcome& outcome);

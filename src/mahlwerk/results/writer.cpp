@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/stl.hpp"
 #include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::results {
@@ -42,6 +43,12 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   }
   put("case.resolved.toml", cases::write(resolved));
   put("spectrum.csv", csv(spectrum(outcome)));
+  const std::vector<PairSummary> pairs = by_pair(outcome);
+  if (!pairs.empty()) {
+    put("collisions_by_pair.csv", collisions_by_pair_csv(pairs));
+    put("spectra_by_pair.csv", spectra_by_pair_csv(outcome));
+  }
+  if (const std::string sizes = sizes_csv(outcome.what); !sizes.empty()) put("sizes.csv", sizes);
   put("speeds.csv", csv(speeds(outcome)));
   put("angles.csv", csv(angles(outcome)));
   put("timeseries.csv", csv(time_series(outcome)));

@@ -98,6 +98,63 @@ TEST(Fill, sizes_in_the_ratio_of_five_whatever_their_order) {
   expect_filled(jar, {share(jar, 0.2, 0.02), share(jar, 0.1, 0.05), share(jar, 0.3, 0.1)});
 }
 
+/// A set of `count` balls in twelve sizes from half to twice `diameter`.
+BallSet spread(std::int64_t count, double diameter) {
+  BallSet set = set_of(count, diameter);
+  const Distribution d{
+      .law = Distribution::Law::lognormal, .diameter = diameter, .spread = 1.26, .classes = 12};
+  const std::vector<SizeShare> shares = size_shares(d);
+  const std::vector<std::int64_t> counts = counted_out(count, shares);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    set.classes.push_back({shares[i].diameter, counts[i]});
+  set.diameter = mean_volume_diameter(set.classes);
+  return set;
+}
+
+TEST(Fill, a_set_of_many_sizes_half_full) {
+  const geometry::Cylinder jar{0.2, 0.2};
+  const BallSet set = spread(2400, 0.0126);
+  const double filling = 2400 * pi / 6 * std::pow(set.diameter, 3) / jar.volume();
+  EXPECT_GT(filling, 0.5);
+  Random random(1, 0);
+  const std::vector<scene::Ball> balls = fill(jar, {set, share(jar, 0.02, 0.02)}, random);
+  EXPECT_GT(smallest_gap(balls), 1e-9);
+  EXPECT_GT(smallest_wall_gap(balls, jar), 1e-9);
+}
+
+TEST(Fill, five_large_balls_among_many_fifteen_times_smaller) {
+  const geometry::Cylinder jar{0.06, 0.06};
+  for (const std::int64_t grains : {4000, 12000})  // placed one by one; pushed, sorted in memory
+    expect_filled(jar, {set_of(5, 0.015), set_of(grains, grains == 4000 ? 0.001 : 0.0022)});
+}
+
+TEST(Fill, many_balls_are_where_they_were_the_last_time) {
+  const geometry::Cylinder jar{1, 1};
+  const std::vector<BallSet> sets{share(jar, 0.45, 0.035)};
+  ASSERT_GT(sets[0].count, 10000);
+  const auto places = [&] {
+    Random random(1, 0);
+    std::vector<Vec3> at;
+    for (const scene::Ball& b : fill(jar, sets, random)) at.push_back(b.position);
+    return at;
+  };
+  EXPECT_EQ(places(), places());
+}
+
+TEST(Fill, many_balls_that_never_fit_are_refused_soon) {
+  const geometry::Cylinder jar{1, 1};
+  Random random(1, 0);
+  try {
+    fill(jar, {share(jar, 0.7, 0.045)}, random);
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string& what = error.faults().at(0).what;
+    const double reached = std::stod(what.substr(what.find("random: ") + 8)) / 100;
+    EXPECT_GT(reached, 0.5) << what;
+    EXPECT_LT(reached, 0.64) << what;
+  }
+}
+
 TEST(Fill, depends_on_seed_and_stream_alone) {
   const geometry::Cylinder jar{1, 1};
   const std::vector<BallSet> sets{share(jar, 0.5, 0.1)};

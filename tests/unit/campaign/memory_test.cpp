@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mahlwerk/campaign/run.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+cases::Case drum(std::int64_t balls, std::int64_t replicates) {
+  cases::Case c;
+  c.mill.motion = kinematics::Tumbling{};
+  c.jar.shape = geometry::Cylinder{0.2, 0.2};
+  c.balls = {{balls, 2e-3, 7850, ""}};
+  c.contact.lasting = cases::Lasting::tc;
+  c.run.time = 1e-4;
+  c.run.replicates = replicates;
+  return c;
+}
+
+/// A folder with files as a system would have them; goes away with its owner.
+class System {
+ public:
+  System() {
+    std::string name = (std::filesystem::temp_directory_path() / "mahlwerk-XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) root = name;
+  }
+  ~System() {
+    std::error_code ignored;
+    std::filesystem::remove_all(root, ignored);
+  }
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+  void file(const std::string& path, const std::string& text) const {
+    std::filesystem::create_directories((root / path).parent_path());
+    std::ofstream(root / path) << text;
+  }
+  std::filesystem::path root;
+};
+
+TEST(Memory, is_what_the_machine_has_or_the_control_group_leaves) {
+  const System system;
+  EXPECT_EQ(memory_available(system.root), std::nullopt);
+  system.file("proc/meminfo", "MemTotal: 900 kB\nMemFree: 1 kB\nMemAvailable:  500 kB\n");
+  EXPECT_EQ(memory_available(system.root), 500 * 1024);
+  system.file("sys/fs/cgroup/memory.max", "max\n");
+  system.file("sys/fs/cgroup/memory.current", "100\n");
+  EXPECT_EQ(memory_available(system.root), 500 * 1024);
+  system.file("sys/fs/cgroup/memory.max", "1000\n");
+  EXPECT_EQ(memory_available(system.root), 900);
+  system.file("sys/fs/cgroup/memory/memory.limit_in_bytes", "300\n");
+  system.file("sys/fs/cgroup/memory/memory.usage_in_bytes", "400\n");
+  EXPECT_EQ(memory_available(system.root), 0);
+}
+
+TEST(Memory, grows_with_the_balls_and_with_the_replicates_at_once) {
+  const double few = memory_needed(drum(1000, 1)), many = memory_needed(drum(100000, 1));
+  EXPECT_GT(many, 50e6);
+  EXPECT_LT(few, 10e6);
+  EXPECT_TRUE(memory_faults({drum(100000, 2)}, 2, 2.01 * many).empty());
+  EXPECT_FALSE(memory_faults({drum(100000, 2)}, 2, 1.99 * many).empty());
+  EXPECT_TRUE(memory_faults({drum(100000, 2)}, 1, 1.01 * many).empty());
+  EXPECT_TRUE(memory_faults({drum(100000, 2)}, 2, std::nullopt).empty());
+}
+
+TEST(Memory, that_does_not_suffice_is_told_with_its_remedy) {
+  const double each = memory_needed(drum(100000, 3));
+  const Fault threads = memory_faults({drum(100000, 3)}, 3, 2.5 * each).at(0);
+  EXPECT_EQ(threads.code, "not-enough-memory");
+  EXPECT_NE(threads.what.find("1e+05 balls in 3 replicates at once need about"), std::string::npos)
+      << threads.what;
+  EXPECT_NE(threads.remedy.find("--threads 2"), std::string::npos) << threads.remedy;
+  const Fault size = memory_faults({drum(100000, 1)}, 3, 0.5 * each).at(0);
+  EXPECT_NE(size.remedy.find("fewer or larger balls: one replicate of some 4.9e+04 fits"),
+            std::string::npos)
+      << size.remedy;
+}
+
+TEST(Memory, is_looked_at_before_a_run_starts) {
+  Options options;
+  options.threads = 1;
+  options.memory = 1e6;
+  EXPECT_THROW(run(drum(50, 1), options), InputError);
+  options.memory = 1e9;
+  EXPECT_EQ(run(drum(50, 1), options).replicates.size(), 1U);
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
