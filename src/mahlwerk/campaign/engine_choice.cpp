@@ -91,10 +91,11 @@ std::string against_soft(const cases::Case& what) {
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   if (what.run.engine != "auto") return {what.run.engine, {}};
-  if (std::holds_alternative<geometry::Mesh>(what.jar.shape))
+  if (!geometry::exact_touches(what.jar.shape))
     return {"soft",
-            {"Engine: soft, chosen by auto. The jar is a mesh, which the event engine does not "
-             "take."}};
+            {fmt::format("Engine: soft, chosen by auto. The event engine does not take a jar of "
+                         "kind \"{}\".",
+                         geometry::name_of(what.jar.shape))}};
   if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
     return {"soft",
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "

@@ -31,10 +31,12 @@ std::vector<Fault> soft_faults(const Case& c) {
 }
 
 std::vector<Fault> event_faults(const Case& c) {
-  if (std::holds_alternative<geometry::Mesh>(c.jar.shape))
+  if (!geometry::exact_touches(c.jar.shape))
     return {{place_of(c, "run.engine"),
-             "the event engine takes no mesh: it computes exact times of touch from a formula",
-             "write engine = \"soft\", or \"auto\"", "mesh-needs-soft"}};
+             fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
+                         "times of touch from a formula",
+                         geometry::name_of(c.jar.shape)),
+             "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
   if (c.contact.lasting != Lasting::roll) return {};
   const std::int64_t count = balls_count(c.balls);
   if (count > 1)

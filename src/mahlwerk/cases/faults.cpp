@@ -179,6 +179,22 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
        "fillet-too-large"});
 }
 
+/// Parts of a jar that do not fit together.
+void impossible_jar(const Case& c, std::vector<Fault>& found) {
+  const std::string flaw = std::visit(
+      [](const auto& s) -> std::string {
+        if constexpr (requires { s.flaw(); })
+          return s.flaw();
+        else
+          return "";
+      },
+      c.jar.shape);
+  if (flaw.empty()) return;
+  found.push_back({place_of(c, "jar.kind"),
+                   fmt::format("there is no such {}: {}", geometry::name_of(c.jar.shape), flaw),
+                   "see docs/theory/geometry.md for what the sizes mean", "impossible-jar"});
+}
+
 /// Without walls there is nothing that could move or carry the balls.
 void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
   if (!std::holds_alternative<geometry::PeriodicBox>(c.jar.shape)) return;
@@ -287,6 +303,7 @@ std::vector<Fault> misfits(const Case& c) {
   const std::size_t so_far = found.size();
   balls_too_large(c, found);
   fillet_too_large(c, found);
+  impossible_jar(c, found);
   periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_places(c, found);

@@ -26,6 +26,10 @@ constexpr bool has_fillet = requires(S s) {
   s.fillet;
 };
 
+/// Its sizes follow from a volume; others have parts in them.
+template <class S>
+constexpr bool is_plain = geometry::has_exact_touches<S>;
+
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
 double size_for(S shape, double volume) {
@@ -81,7 +85,7 @@ void read_shape(Section&, geometry::Mesh&) {}  // has a reader of its own
 template <class S>
 void read_shape(Section& in, S& shape) {
   constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
-  const bool by_volume = in.one_of({follows, "volume"}) == "volume";
+  const bool by_volume = is_plain<S> && in.one_of({follows, "volume"}) == "volume";
   double S::*size = nullptr;
   for (const auto& field : S::fields()) {
     if (field.key == follows && by_volume) {
@@ -89,10 +93,14 @@ void read_shape(Section& in, S& shape) {
       continue;
     }
     Wanted wanted(field);
-    if (field.key == follows) wanted.instead = "volume";
+    if (field.key == follows && is_plain<S>) wanted.instead = "volume";
     shape.*field.value = in.value(wanted);
   }
-  if (size != nullptr) size_from_volume(in, shape, follows, size);
+  if constexpr (is_plain<S>) {
+    if (size != nullptr) size_from_volume(in, shape, follows, size);
+  } else {
+    shape.complete();
+  }
 }
 
 }  // namespace

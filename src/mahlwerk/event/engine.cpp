@@ -9,13 +9,11 @@
 namespace mahlwerk::event {
 namespace {
 
-/// Exact times of touch need a formula.
 template <class S>
-constexpr bool is_mesh = std::is_same_v<S, geometry::Mesh>;
-
-InputError no_mesh() {
-  return InputError(
-      Fault{"jar", "the event engine takes no mesh", "write engine = \"soft\"", "mesh-needs-soft"});
+InputError not_exact() {
+  return InputError(Fault{"jar",
+                          "the event engine does not take a jar of kind " + std::string(S::name),
+                          "write engine = \"soft\"", "jar-needs-soft"});
 }
 
 }  // namespace
@@ -24,8 +22,8 @@ std::unique_ptr<scene::Engine> one_ball(const scene::Chamber& chamber, const sce
                                         const Rules& rules, double start) {
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<scene::Engine> {
-        if constexpr (is_mesh<S>)
-          throw no_mesh();
+        if constexpr (!geometry::has_exact_touches<S>)
+          throw not_exact<S>();
         else if constexpr (S::faces > 0)
           return one_ball_in(shape, chamber, ball, rules, start);
         else
@@ -39,8 +37,8 @@ std::unique_ptr<scene::Engine> many_balls(const scene::Chamber& chamber,
                                           const contact::BounceTable& bounces, double start) {
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<scene::Engine> {
-        if constexpr (is_mesh<S>)
-          throw no_mesh();
+        if constexpr (!geometry::has_exact_touches<S>)
+          throw not_exact<S>();
         else
           return std::make_unique<ManyBalls>(enclosure_of(shape, chamber), balls, rules, bounces,
                                              start);

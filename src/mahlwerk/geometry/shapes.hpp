@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
+#include "mahlwerk/geometry/attritor.hpp"
 #include "mahlwerk/geometry/box.hpp"
 #include "mahlwerk/geometry/capsule.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/lifter_cylinder.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
@@ -17,12 +20,26 @@ namespace mahlwerk::geometry {
 template <class... Formulas>
 struct Register {
   using Formula = std::variant<Formulas...>;
-  using Any = std::variant<Formulas..., Mesh>;
+  using Any = std::variant<Formulas..., LifterCylinder, Attritor, Mesh>;
 };
 /// The register: every jar shape there is. A new one is its file and its name here.
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;
 
-using FormulaShape = Shapes::Formula;  ///< those that a formula describes: what every engine takes
-using AnyShape = Shapes::Any;          ///< and meshes
+using FormulaShape = Shapes::Formula;  ///< convex ones, whose touches are exact: for both engines
+using AnyShape = Shapes::Any;          ///< and those for the soft engine alone
+
+template <class S, class Variant>
+constexpr bool is_among = false;
+template <class S, class... Shapes>
+constexpr bool is_among<S, std::variant<Shapes...>> = (std::is_same_v<S, Shapes> || ...);
+/// Whether the event engine knows when a ball touches it.
+template <class S>
+constexpr bool has_exact_touches = is_among<S, FormulaShape>;
+inline std::string_view name_of(const AnyShape& shape) {
+  return std::visit([](const auto& s) -> std::string_view { return s.name; }, shape);
+}
+inline bool exact_touches(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return has_exact_touches<S>; }, shape);
+}
 
 }  // namespace mahlwerk::geometry

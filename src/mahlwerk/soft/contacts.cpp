@@ -85,12 +85,13 @@ void SoftBalls::end(Packet& p, int lane) {
   const Vec3 where = swarm_.place.one(ball) + p.radius_i[lane] * n;
   const Deeds& d = p.deeds;
   const double duration = time_of(swarm_.step - began.step);
+  const int face = wall ? p.face[k] : -1;
   ended_.push_back({.time = time_of(began.step),
                     .duration = duration,
                     .ball = static_cast<std::int32_t>(p.i[lane]),
                     .other = wall ? ~p.face[k] : static_cast<std::int32_t>(p.j[lane]),
-                    .where = jar_->own(where, t),
-                    .normal = jar_->own(n, t),
+                    .where = jar_->own(where, t, face),
+                    .normal = jar_->own(n, t, face),
                     .mass = breed.touching.mass,
                     .approach = began.approach,
                     .slip = began.slip,

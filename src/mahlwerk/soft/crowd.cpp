@@ -183,6 +183,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .reach = reach_,
       .before = before,
       .after = after,
+      .turning = jar_->turning_from() < jar_->faces(),
       .remembers = remembers_,
       .frame = {.step = rules_.time_step,
                 .jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z},
@@ -280,7 +281,7 @@ void Crowd::gather() {
 void Crowd::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(step_);
-  const double wall = norm(jar_->ride(t).velocity) + norm(jar_->spin(t)) * jar_->reach();
+  const double wall = jar_->fastest(t);
   const Species& first = breeds_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;

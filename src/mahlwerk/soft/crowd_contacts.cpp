@@ -175,13 +175,14 @@ void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
   const Breed& breed = breeds_[g.breed[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
   const Vec3 normal = one(g.normal, l);
+  const int face = wall ? g.j[k] : -1;
   chunk.ended.push_back({step_,
                          {.time = time_of(began.step),
                           .duration = duration,
                           .ball = id_[static_cast<std::size_t>(g.i[k])],
                           .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
-                          .where = jar_->own(ball.place() + ball.radius * normal, t),
-                          .normal = jar_->own(normal, t),
+                          .where = jar_->own(ball.place() + ball.radius * normal, t, face),
+                          .normal = jar_->own(normal, t, face),
                           .mass = breed.touching.mass,
                           .approach = began.approach,
                           .slip = began.slip,

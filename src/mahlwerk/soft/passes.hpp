@@ -97,6 +97,11 @@ template <bool wide>
     const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
+    for (int l = 0; s.turning && l < lanes; ++l) {
+      if (g.j[static_cast<std::size_t>(l)] < s.jar->turning_from()) continue;
+      const Vec3& rotor = s.before.rotor;
+      b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
+    }
     b.vj = cross(b.wj, at);
     b.apart = at - Vec<Lanes>{c[0], c[1], c[2]};
     b.relative = Vec<Lanes>{c[4], c[5], c[6]} - b.vj;

@@ -205,7 +205,7 @@ scene::Account SoftBalls::account() const {
 void SoftBalls::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(swarm_.step);
-  const double wall = norm(jar_->ride(t).velocity) + norm(jar_->spin(t)) * jar_->reach();
+  const double wall = jar_->fastest(t);
   const Species& first = breeds_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;

@@ -142,7 +142,7 @@ template <class Law, bool wide>
     }
     if (!w.near.empty()) {
       const std::size_t f = w.blocks * lanes;
-      s.jar.feet(w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat.spin,
+      s.jar.feet(w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat,
                  {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
                   w.feet_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
                   numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,

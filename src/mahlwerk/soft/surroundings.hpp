@@ -17,6 +17,7 @@ struct Beat {
   Vec3 pull;   ///< [m/s2] gravity less the acceleration of the jar's centre
   Vec3 speed;  ///< [m/s] of the jar's centre
   Vec3 spin;   ///< [rad/s] of the jar
+  Vec3 rotor;  ///< [rad/s] of faces that turn by themselves
 };
 
 /// A ball that is near a face. Its foot may stay where it is while the ball has not moved by
@@ -54,7 +55,7 @@ class Surroundings {
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
   /// Where the balls meet the faces they are near to.
-  virtual void feet(std::span<const Near> near, double t, const Vec3& spin,
+  virtual void feet(std::span<const Near> near, double t, const Beat& beat,
                     const Places& places) const = 0;
   /// The same of the balls that touch, of eight at a face each; faces matter up to `beyond` [m]
   /// from a ball's surface.
@@ -65,18 +66,25 @@ class Surroundings {
   virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
   virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
-  virtual Vec3 own(const Vec3& a, double t) const = 0;
+  /// A vector in the axes that a face turns with; of balls (face < 0) those of the jar.
+  virtual Vec3 own(const Vec3& a, double t, int face) const = 0;
   virtual bool meets(int face, double radius) const = 0;
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }
+  int turning_from() const { return turning_from_; }  ///< faces that turn by themselves, if any
   double sweep() const { return sweep_; }  ///< [m/s] how fast its wall may come to a ball at rest
   double reach() const { return reach_; }  ///< [m]
+  /// As fast as any point of the walls moves, or faster [m/s].
+  double fastest(double t) const {
+    const double turning = turning_from_ < faces_ ? sweep_ : 0;
+    return norm(ride(t).velocity) + norm(spin(t)) * reach_ + turning;
+  }
   const Vec3& periods() const { return periods_; }  ///< [m] infinite where it does not repeat
 
  protected:
   Vec3 gravity_, periods_;
-  int faces_ = 0;
+  int faces_ = 0, turning_from_ = 0;
   double sweep_ = 0, reach_ = 0;
 };
 

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/attritor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mahlwerk::geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// To a solid cylinder about z whose end, at z = 0, is flat and which goes on upwards for ever.
+Gap from_shaft(const Vec3& p, double radius) {
+  const double r = std::hypot(p.x, p.y), out = r - radius, below = -p.z;
+  const Vec3 side = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
+  if (out > 0 && below > 0) {
+    const double far = std::hypot(out, below);
+    return {far, out / far * side - Vec3{0, 0, below / far}, 0};
+  }
+  if (below > out) return {below, {0, 0, -1}, 0};
+  return {out, side, -1 / radius};
+}
+
+}  // namespace
+
+/// From the nearest point of an arm's axis.
+Vec3 Attritor::from_core(int face, const Vec3& p) const {
+  const int arm = face - turning_from - 1;
+  const double half = 0.5 * (arm_span - arm_diameter);
+  const double z = p.z + 0.5 * height - arm_clearance - arm * arm_spacing;
+  return arm % 2 == 0 ? Vec3{p.x - std::clamp(p.x, -half, half), p.y, z}
+                      : Vec3{p.x, p.y - std::clamp(p.y, -half, half), z};
+}
+
+Gap Attritor::gap(int face, const Vec3& p) const {
+  if (face < turning_from) return vessel().gap(face, p);
+  if (face == turning_from)
+    return from_shaft(p + Vec3{0, 0, 0.5 * height - shaft_clearance}, 0.5 * shaft_diameter);
+  const Vec3 e = from_core(face, p);
+  const double far = norm(e), radius = 0.5 * arm_diameter;
+  return {far - radius, far > 0 ? e / far : Vec3{0, 0, 1}, -1 / radius};
+}
+
+Vec3 Attritor::normal_rate(int face, const Vec3& p, const Vec3& v) const {
+  if (face < turning_from) return vessel().normal_rate(face, p, v);
+  Vec3 e, u = v;
+  if (face == turning_from) {
+    if (p.z < shaft_clearance - 0.5 * height) return {};  // its end is flat, and its rim sharp
+    e = {p.x, p.y, 0}, u.z = 0;
+  } else {
+    e = from_core(face, p);
+    if (e.x == 0) u.x = 0;  // along the axis
+    if (e.y == 0) u.y = 0;
+  }
+  return squared(e) > 0 ? -rate_about_core(e, u) : Vec3{};
+}
+
+/// The vessel less the shaft and what of the arms stands out of it (geo.16).
+double Attritor::volume() const {
+  const double shaft = 0.5 * shaft_diameter, arm = 0.5 * arm_diameter;
+  const double whole = pi * arm * arm * (arm_span - arm_diameter) + 4 * pi / 3 * arm * arm * arm;
+  // Two cylinders that cross square: the integral over y of 4 sqrt(shaft^2 - y^2) sqrt(arm^2 - y^2)
+  // from -arm to arm, by Gauss and Chebyshev.
+  constexpr int nodes = 64;
+  double crossing = 0;
+  for (int k = 1; k <= nodes; ++k) {
+    const double angle = k * pi / (nodes + 1), y = arm * std::cos(angle), s = std::sin(angle);
+    crossing += pi / (nodes + 1) * s * s * arm * arm * 4 * std::sqrt(shaft * shaft - y * y);
+  }
+  return vessel().volume() - pi * shaft * shaft * (height - shaft_clearance) -
+         arms * (whole - crossing);
+}
+
+/// The largest ball that fits, wherever the stirrer stands, and its place: beside or below the
+/// stirrer.
+std::pair<Vec3, double> Attritor::largest_ball() const {
+  const double beside = 0.25 * (diameter - 2 * turning_reach());
+  const double lowest = std::min(shaft_clearance, arm_clearance - 0.5 * arm_diameter);
+  const double above = height - arm_clearance - (arms - 1) * arm_spacing - 0.5 * arm_diameter;
+  const double room = 0.25 * (diameter - shaft_diameter);
+  const double below = 0.5 * std::min(lowest, diameter), over = std::min(0.5 * above, room);
+  const double half = 0.5 * height;
+  std::pair<Vec3, double> best{{0, 0, below - half}, below};
+  if (over > best.second) best = {{0.25 * (diameter + shaft_diameter), 0, half - over}, over};
+  const double side = std::min(beside, half);
+  if (side > best.second) best = {{0.5 * diameter - side, 0, 0}, side};
+  return best;
+}
+
+std::string Attritor::flaw() const {
+  const double top = arm_clearance + (arms - 1) * arm_spacing + 0.5 * arm_diameter;
+  if (arms != std::floor(arms)) return "arms must be a whole number";
+  if (arm_span >= diameter) return "the arms are longer than the vessel is wide";
+  if (arm_span <= shaft_diameter + arm_diameter) return "the arms do not stand out of the shaft";
+  if (arm_diameter >= shaft_diameter) return "the arms are thicker than the shaft they go through";
+  if (arm_clearance <= 0.5 * arm_diameter) return "the lowest arm touches the bottom";
+  if (shaft_clearance > arm_clearance - 0.5 * arm_diameter)
+    return "the shaft ends above the lowest arm";
+  if (arms > 1 && arm_spacing <= arm_diameter) return "the arms touch each other";
+  if (top >= height) return "the arms reach above the vessel";
+  return "";
+}
+
+}  // namespace mahlwerk::geometry

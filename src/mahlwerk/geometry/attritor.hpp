@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string>
+
+#include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/surface.hpp"
+
+namespace mahlwerk::geometry {
+
+/// A vessel with a stirrer in it: a shaft from above along the axis, with arms through it, one
+/// above the other and each square to the last. The stirrer turns by itself. Shaft and arms are
+/// convex, each a face, so a ball meets each at one point (geo.15).
+struct Attritor {
+  double diameter = 0, height = 0;                 // [m] of the vessel
+  double shaft_diameter = 0, shaft_clearance = 0;  // [m] between its end and the bottom
+  double arms = 0;                                 // how many
+  double arm_diameter = 0, arm_span = 0;           // [m] from tip to tip
+  double arm_clearance = 0, arm_spacing = 0;       // [m] of the lowest arm's axis from the bottom
+  double rotor_speed = 0;                          // [rad/s] about z
+  int faces = 4;
+
+  static constexpr std::string_view name = "attritor";
+  static constexpr std::string_view about = "a vessel with a stirrer: a shaft with arms that turns";
+  static constexpr bool axisymmetric = false;
+  static constexpr int turning_from = 3;  // this face and those after it are of the stirrer
+  static std::string face_name(int face) {
+    if (face < 3) return std::string(Cylinder::face_name(face));
+    return face == 3 ? "shaft" : "arm" + std::to_string(face - 3);
+  }
+  static constexpr auto fields() {
+    using A = Attritor;
+    return std::array{
+        Field<A>{"diameter", "m", &A::diameter, positive, "inner diameter of the vessel"},
+        Field<A>{"height", "m", &A::height, positive, "inner height of the vessel"},
+        Field<A>{"shaft_diameter", "m", &A::shaft_diameter, positive, "diameter of the shaft"},
+        Field<A>{"shaft_clearance", "m", &A::shaft_clearance, not_negative,
+                 "between the shaft's end and the bottom"},
+        Field<A>{"arms",
+                 "",
+                 &A::arms,
+                 {.least = 1, .most = 1000},
+                 "how many bars go through the shaft, each square to the one below"},
+        Field<A>{"arm_diameter", "m", &A::arm_diameter, positive,
+                 "diameter of an arm, round at its tips"},
+        Field<A>{"arm_span", "m", &A::arm_span, positive, "from tip to tip of an arm"},
+        Field<A>{"arm_clearance", "m", &A::arm_clearance, positive,
+                 "between the bottom and the axis of the lowest arm"},
+        Field<A>{"arm_spacing", "m", &A::arm_spacing, positive, "between the axes of two arms"},
+        Field<A>{"rotor_speed", "rad/s", &A::rotor_speed, any_number,
+                 "of the stirrer about the vessel's axis, relative to the vessel"}};
+  }
+  void complete() { faces = 4 + static_cast<int>(arms); }
+  std::string flaw() const;
+
+  /// The stirrer's faces as it stands at first, its first arm along x.
+  Gap gap(int face, const Vec3& p) const;
+  Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const;
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
+  Outlook outlook(int face, const Course& c, double radius) const {
+    if (face < turning_from) return vessel().outlook(face, c, radius);
+    const double gap = this->gap(face, c.position).distance - radius, speed = norm(c.velocity);
+    return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+  }
+  bool meets(int, double) const { return true; }
+  double volume() const;
+  double reach() const { return vessel().reach(); }
+  double inradius() const { return largest_ball().second; }
+  Vec3 middle() const { return largest_ball().first; }
+  Extent extent() const {
+    const Vec3 half{0.5 * diameter, 0.5 * diameter, 0.5 * height};
+    return {-half, half};
+  }
+  /// How far the stirrer reaches from the axis [m].
+  double turning_reach() const { return 0.5 * std::max(arm_span, shaft_diameter); }
+  bool operator==(const Attritor&) const = default;
+
+ private:
+  Cylinder vessel() const { return {diameter, height}; }
+  Vec3 from_core(int face, const Vec3& p) const;
+  std::pair<Vec3, double> largest_ball() const;
+};
+
+}  // namespace mahlwerk::geometry

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/geometry/lifter_cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mahlwerk::geometry {
+
+/// In the plane across the axis, from the middle of the bar's foot: up towards the axis, and aside.
+/// The bar is what lies below its top and between its sides, however deep (geo.13).
+Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
+  const double shell = 0.5 * diameter, reach = shell - lifter_height - within;
+  if (reach > 0 && p.x * p.x + p.y * p.y < reach * reach) return {never, {0, 0, 1}, 0};
+  const SinCos at = sin_cos(2 * std::numbers::pi * which / lifters);
+  const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
+  const double aside = std::abs(along), top = half_top();
+  // From the edge between top and side.
+  const double up = shell - out - lifter_height, off = aside - top;
+  const SinCos side = sin_cos(lifter_face_angle);
+  const double from_side = up * side.cos + off * side.sin;
+  const double down_side = off * side.cos - up * side.sin;
+  double distance = 0, n_up = 0, n_off = 0;
+  if (off <= 0 && (up > 0 || up > from_side)) {
+    distance = up, n_up = 1;
+  } else if (off > 0 && down_side < 0) {
+    distance = std::hypot(up, off), n_up = up / distance, n_off = off / distance;
+  } else {
+    distance = from_side, n_up = side.cos, n_off = side.sin;
+  }
+  if (along < 0) n_off = -n_off;
+  const Vec3 inward{-n_up * at.cos - n_off * at.sin, -n_up * at.sin + n_off * at.cos, 0};
+  return {distance, inward, 0};
+}
+
+/// Of the shell less the bars: each a trapezoid on the chord between its feet, and the segment of
+/// the circle under the chord (geo.14).
+double LifterCylinder::volume() const {
+  const double r = 0.5 * diameter,
+               slope = std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
+  // Where a side meets the shell: half_foot = width/2 - slope s, s = r - sqrt(r^2 - half_foot^2).
+  double half_foot = 0.5 * lifter_width;
+  for (int i = 0; i < 60; ++i)
+    half_foot = 0.5 * lifter_width - slope * (r - std::sqrt(r * r - half_foot * half_foot));
+  const double sagitta = r - std::sqrt(r * r - half_foot * half_foot);
+  const double angle = 2 * std::asin(half_foot / r);
+  const double trapezoid = (half_foot + half_top()) * (lifter_height - sagitta);
+  const double segment = 0.5 * r * r * (angle - std::sin(angle));
+  return shell().volume() - lifters * (trapezoid + segment) * height;
+}
+
+std::string LifterCylinder::flaw() const {
+  const double r = 0.5 * diameter, half = 0.5 * lifter_width;
+  if (lifters != std::floor(lifters)) return "lifters must be a whole number";
+  if (lifter_height >= r) return "the lifters reach the middle of the jar";
+  if (half >= r || lifters * std::asin(half / r) >= std::numbers::pi)
+    return "the lifters are so wide that they cover the whole shell";
+  if (half_top() <= 0)
+    return "the sides of a lifter meet below its top: it is too high for its width and face angle";
+  const double top = half_top();
+  if (lifter_height <= r - std::sqrt(r * r - top * top))
+    return "the lifters are so low and wide that the shell bulges through their tops";
+  if (lifters > 2 &&
+      std::asin(std::min(1.0, top / (r - lifter_height))) >= std::numbers::pi / lifters)
+    return "the tops of neighbouring lifters run into each other";
+  return "";
+}
+
+}  // namespace mahlwerk::geometry

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string>
+
+#include "mahlwerk/base/trig.hpp"
+#include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/surface.hpp"
+
+namespace mahlwerk::geometry {
+
+/// A cylinder with flat ends and equal bars along its shell: a drum with lifters, or with a liner
+/// of many low bars. Each bar is a face; it is convex, so a ball meets it at one point (geo.13).
+struct LifterCylinder {
+  double diameter = 0, height = 0;             // [m]
+  double lifters = 0;                          // how many
+  double lifter_height = 0, lifter_width = 0;  // [m] above the shell; at the foot
+  double lifter_face_angle = 0;                // [rad] between its sides and its foot
+  int faces = 3;
+
+  static constexpr std::string_view name = "lifter_cylinder";
+  static constexpr std::string_view about = "a cylinder with lifter bars along its shell";
+  static constexpr bool axisymmetric = false;
+  static std::string face_name(int face) {
+    return face < 3 ? std::string(Cylinder::face_name(face)) : "lifter" + std::to_string(face - 2);
+  }
+  static constexpr auto fields() {
+    using L = LifterCylinder;
+    constexpr double right = 0.5 * std::numbers::pi;
+    return std::array{
+        Field<L>{"diameter", "m", &L::diameter, positive, "inner diameter of the shell"},
+        Field<L>{"height", "m", &L::height, positive, "inner height"},
+        Field<L>{"lifters",
+                 "",
+                 &L::lifters,
+                 {.least = 1, .most = 1000},
+                 "how many bars, evenly round the shell"},
+        Field<L>{"lifter_height", "m", &L::lifter_height, positive,
+                 "how far a bar stands out from the shell, at its middle"},
+        Field<L>{"lifter_width", "m", &L::lifter_width, positive, "width of a bar at its foot"},
+        Field<L>{"lifter_face_angle",
+                 "rad",
+                 &L::lifter_face_angle,
+                 {.least = right / 9, .most = right},
+                 "between the sides of a bar and its foot",
+                 right,
+                 "90 deg: rectangular bars"}};
+  }
+  /// What follows from the fields.
+  void complete() { faces = 3 + static_cast<int>(lifters); }
+  /// Why there is no such jar; empty if there is.
+  std::string flaw() const;
+
+  Gap gap(int face, const Vec3& p) const { return gap(face, p, never); }
+  Gap gap(int face, const Vec3& p, double within) const {
+    return face < 3 ? shell().gap(face, p) : bar(face - 3, p, within);
+  }
+  double distance(int face, const Vec3& p, double within) const {
+    return gap(face, p, within).distance;
+  }
+  void distances(const Vec3& p, double within, std::span<double> out) const {
+    for (int face = 0; face < faces; ++face)
+      out[static_cast<std::size_t>(face)] = gap(face, p, within).distance;
+  }
+  Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
+    return face < 3 ? shell().normal_rate(face, p, v) : Vec3{};  // bars are flat
+  }
+  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
+  Outlook outlook(int face, const Course& c, double radius) const {
+    if (face < 3) return shell().outlook(face, c, radius);
+    const double gap = bar(face - 3, c.position, never).distance - radius, speed = norm(c.velocity);
+    return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+  }
+  bool meets(int, double) const { return true; }
+  double volume() const;
+  double reach() const { return shell().reach(); }
+  double inradius() const { return 0.5 * std::min(diameter - 2 * lifter_height, height); }
+  Vec3 middle() const { return {}; }
+  Extent extent() const {
+    const Vec3 half{0.5 * diameter, 0.5 * diameter, 0.5 * height};
+    return {-half, half};
+  }
+  bool operator==(const LifterCylinder&) const = default;
+
+ private:
+  Cylinder shell() const { return {diameter, height}; }
+  /// Half the width of a bar's flat top.
+  double half_top() const {
+    return 0.5 * lifter_width -
+           lifter_height * std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
+  }
+  Gap bar(int which, const Vec3& p, double within) const;
+};
+
+}  // namespace mahlwerk::geometry
