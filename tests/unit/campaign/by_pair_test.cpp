@@ -6,6 +6,9 @@
 
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
 #include "statement.hpp"
 
@@ -100,6 +103,17 @@ TEST(ByPairOfARun, a_single_ball_has_no_table) {
   c.balls = {{1, 8e-3, 7850, ""}};
   c.contact.lasting = cases::Lasting::roll;
   EXPECT_TRUE(results::by_pair(run(c)).empty());
+}
+
+TEST(ByPairOfARun, print_report_and_summary_tell_it) {
+  const results::Outcome outcome = run(mixed("event"));
+  const std::string printed = report::pair_table(results::by_pair(outcome), 0.1);
+  EXPECT_NE(printed.find("\nballs.1 with powder  "), std::string::npos) << printed;
+  EXPECT_NE(report::report_page(outcome, "1").find("Who hits whom"), std::string::npos);
+  const std::string summary = results::summary_json(outcome, results::summarise(outcome), "1");
+  for (const char* words :
+       {"\"_pairs\": [", "\"coarse_graining_ratio\": {", "Powder as grains: 40"})
+    EXPECT_NE(summary.find(words), std::string::npos) << words;
 }
 
 TEST(ByPairOfARun, tables_name_sets_and_units) {
