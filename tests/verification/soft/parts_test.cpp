@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The soft engine in jars with parts: lifter bars carry a ball as far as the forces say, a stirrer
+// hits as a moving wall does, and what it puts in is what is lost.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mahlwerk/base/random.hpp"
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+using contact::LawName;
+using contact::Rolling;
+
+constexpr double pi = std::numbers::pi;
+
+std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
+                                      const std::vector<scene::Ball>& balls,
+                                      const contact::Pair& pair, double step, std::size_t few = 32,
+                                      int threads = 1) {
+  soft::Rules rules{of_law(LawName::hertz_mindlin, Rolling::none), step, false};
+  rules.few = few;
+  rules.threads = threads;
+  const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
+  return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
+}
+
+geometry::Attritor stirrer(double speed) {
+  geometry::Attritor jar;
+  jar.diameter = 0.1, jar.height = 0.12, jar.shaft_diameter = 0.02, jar.shaft_clearance = 0.01;
+  jar.arms = 4, jar.arm_diameter = 0.008, jar.arm_span = 0.08;
+  jar.arm_clearance = 0.02, jar.arm_spacing = 0.02, jar.rotor_speed = speed;
+  jar.complete();
+  return jar;
+}
+
+/// Balls of 6 mm on a lattice, free of everything.
+std::vector<scene::Ball> strewn(const geometry::Attritor& jar, std::size_t count) {
+  constexpr double radius = 0.003;
+  std::vector<scene::Ball> balls;
+  Random random(4, 0);
+  for (double z = -0.056; z < 0.056; z += 0.0065)
+    for (double y = -0.046; y < 0.047; y += 0.0065)
+      for (double x = -0.046; x < 0.047; x += 0.0065) {
+        double gap = geometry::never;
+        for (int face = 0; face < jar.faces; ++face)
+          gap = std::min(gap, jar.gap(face, {x, y, z}).distance);
+        if (gap > radius && balls.size() < count)
+          balls.push_back({radius, 7850, {x, y, z}, 0.01 * random.direction(), {}});
+      }
+  return balls;
+}
+
+TEST(LifterJar, a_ball_without_friction_leaves_the_shell_where_the_forces_say) {
+  geometry::LifterCylinder jar;
+  jar.diameter = 0.2, jar.height = 0.05;
+  jar.lifters = 1, jar.lifter_height = 0.02, jar.lifter_width = 0.01;
+  jar.lifter_face_angle = 0.5 * pi;
+  jar.complete();
+  // The drum lies along x and turns about it: the bar, at the jar's own x axis, starts low.
+  const double radius = 0.005, turn = 5, aside = 0.5 * jar.lifter_width + radius;
+  const double shell = 0.5 * jar.diameter - radius, out = std::sqrt(shell * shell - aside * aside);
+  const Rotation mount = scene::mounted_along({1, 0, 0});
+  const kinematics::Tumbling mill{turn};
+  const scene::Chamber chamber{jar, mill, mount, {0, 0, -gravity}};
+  // The bar stands at angle a to the horizontal; the ball rides ahead of it.
+  const Vec3 along0 = mount * Vec3{1, 0, 0}, aside0 = mount * Vec3{0, 1, 0};
+  const double sense = dot(cross(mill.spin(0), along0), aside0) > 0 ? 1 : -1;
+  const Vec3 place = out * along0 + sense * aside * aside0;
+  contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, 0.3, 0);
+  const auto engine =
+      run_in(chamber, {{radius, 7850, place, cross(mill.spin(0), place), {}}}, pair, 2e-6);
+  Recorder seen;
+  engine->advance(1.2, seen);
+  double left = 0;
+  for (const scene::Collision& c : seen.all)
+    if (c.other == ~0 && c.duration > 0.1) left = c.time + c.duration;
+  const Vec3 bar = mill.turn(left) * along0;
+  // Along the bar's side g sin(a) outweighs the share of the centripetal force there.
+  states("angle of the bar over the horizontal [rad]", std::asin(bar.z),
+         std::asin(turn * turn * out / gravity), 2e-3,
+         "balance along the bar; 2e-3 rad are 0.4 ms, ten contact times");
+}
+
+TEST(StirredJar, an_arm_drives_a_ball_at_rest_off_as_a_moving_wall_does) {
+  constexpr double turn = 5, radius = 0.003, e = 0.5, far = 0.03;
+  const geometry::Attritor jar = stirrer(turn);
+  for (const std::size_t few : {32, 0}) {
+    // Level with the lowest arm, a little before it, and without weight.
+    const double z = jar.arm_clearance - 0.5 * jar.height, ahead = radius + 0.5 * jar.arm_diameter;
+    scene::Chamber chamber{jar, kinematics::Still{}, {}, {}};
+    const auto engine = run_in(chamber, {{radius, 7850, {far, ahead + 1e-5, z}, {}, {}}},
+                               pair_of({1e9, 0.3}, {1e9, 0.3}, e, 0), 2e-7, few);
+    Recorder seen;
+    engine->advance(1e-3, seen);
+    ASSERT_EQ(seen.all.size(), 1U);
+    EXPECT_EQ(seen.all[0].other, ~4);  // the first arm
+    // The arm turns by w t while it touches, and before by 1e-5 m over w far: of the first order.
+    const double slack = turn * far * (turn * seen.all[0].duration + 1e-5 / far);
+    states("speed of approach [m/s]", seen.all[0].approach, turn * far, slack, "w r of the arm");
+    states("speed of the ball [m/s]", norm(engine->balls()[0].velocity), (1 + e) * turn * far,
+           (1 + e) * slack, "(1 + e) w r");
+  }
+}
+
+TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
+  const geometry::Attritor jar = stirrer(40);
+  const scene::Chamber chamber{jar, kinematics::Still{}, {}, {0, 0, -gravity}};
+  const auto balls = strewn(jar, 400);
+  ASSERT_EQ(balls.size(), 400U);
+  const auto engine =
+      run_in(chamber, balls, pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6, 32, 2);
+  Recorder seen;
+  engine->advance(0.5, seen);
+  const scene::Account a = engine->account();
+  EXPECT_GT(a.wall_work, 0.1);
+  stays_below("balance over the stirrer's work", std::abs(a.residual()) / a.wall_work, 1e-3,
+              "a hundredth of the step's share of a contact, squared (dem.26)");
+  // Without the stirrer's turning nothing is put in.
+  const auto still = run_in({stirrer(0), kinematics::Still{}, {}, {0, 0, -gravity}}, balls,
+                            pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
+  still->advance(0.05, seen);
+  states("work of walls at rest [J]", still->account().wall_work, 0, 0, "they do not move");
+}
+
+TEST(StirredJar, few_balls_and_a_crowd_are_moved_alike) {
+  const geometry::Attritor jar = stirrer(40);
+  const scene::Chamber chamber{jar, kinematics::Still{}, {}, {0, 0, -gravity}};
+  const auto balls = strewn(jar, 60);
+  const contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4);
+  const auto few = run_in(chamber, balls, pair, 5e-6, 1000),
+             crowd = run_in(chamber, balls, pair, 5e-6, 0);
+  Recorder of_few, of_crowd;
+  few->advance(0.05, of_few);
+  crowd->advance(0.05, of_crowd);
+  EXPECT_GT(of_few.all.size(), 100U);
+  EXPECT_EQ(of_few.all.size(), of_crowd.all.size());
+  double apart = 0;
+  const auto one = few->balls(), other = crowd->balls();
+  for (std::size_t i = 0; i < one.size(); ++i)
+    apart = std::max(apart, norm(one[i].position - other[i].position));
+  stays_below("positions apart [m]", apart, 1e-9, "sums in another order, grown over 0.05 s");
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
