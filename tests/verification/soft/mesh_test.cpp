@@ -48,7 +48,7 @@ TEST(MeshJar, a_box_of_triangles_moves_balls_as_a_box_does) {
     a->advance(time, by_box);
     b->advance(time, by_mesh);
     c->advance(time, by_nudged);
-    EXPECT_GT(by_box.all.size(), 8U);
+    EXPECT_GT(by_box.all.size(), 5U);
     EXPECT_EQ(by_box.all.size(), by_mesh.all.size());
     stays_below(mill.name + ": positions off [m]", apart(*a, *b),
                 std::max(1e-12, 10 * apart(*a, *c)), "the same in a box; grown from 1e-13 m");
@@ -62,19 +62,20 @@ struct Figures {
   std::vector<double> power, rate;  // [W], [1/s] above 0.1 m/s, of each replicate
 };
 
-Figures drum(const geometry::AnyShape& shape, const Mesh& places) {
+Figures shaken_lying(const geometry::AnyShape& shape, const Mesh& places) {
   Figures found;
   for (std::uint32_t replicate = 0; replicate < 6; ++replicate) {
     Random random(5, replicate);
     const auto engine =
-        run_in(shape, kinematics::Tumbling{16}, lying, strewn(places, 20, 0.003, random), 5e-6);
+        run_in(shape, shaken(25, 0.01), lying, strewn(places, 8, 0.004, random), 5e-6);
     Recorder warm_up, counted;
-    engine->advance(0.3, warm_up);
+    engine->advance(0.1, warm_up);
     const double before = engine->account().wall_work;
-    engine->advance(1.3, counted);
-    found.power.push_back(engine->account().wall_work - before);
-    found.rate.push_back(static_cast<double>(std::ranges::count_if(
-        counted.all, [](const scene::Collision& c) { return c.approach > 0.1; })));
+    engine->advance(3.1, counted);
+    found.power.push_back((engine->account().wall_work - before) / 3);
+    const auto hits = std::ranges::count_if(
+        counted.all, [](const scene::Collision& c) { return c.approach > 0.1; });
+    found.rate.push_back(static_cast<double>(hits) / 3);
   }
   return found;
 }
@@ -94,7 +95,8 @@ void agree(const std::string& what, const std::vector<double>& a, const std::vec
 
 TEST(MeshJar, a_fine_cylinder_of_triangles_takes_the_power_and_the_hits_of_a_cylinder) {
   const Mesh mesh = mesh_of(cylinder(256, 0.06, 0.03));
-  const Figures found = drum(mesh, mesh), exact = drum(geometry::Cylinder{0.06, 0.03}, mesh);
+  const Figures found = shaken_lying(mesh, mesh),
+                exact = shaken_lying(geometry::Cylinder{0.06, 0.03}, mesh);
   agree("power [W]", found.power, exact.power);
   agree("hits above 0.1 m/s [1/s]", found.rate, exact.rate);
 }
