@@ -54,7 +54,9 @@ std::vector<Fault> event_faults(const Case& c) {
 }  // namespace
 
 std::vector<Fault> engine_faults(const Case& c) {
-  return c.run.engine == "soft" ? soft_faults(c) : event_faults(c);
+  const bool mesh = std::holds_alternative<geometry::Mesh>(c.jar.shape);  // "auto" takes it to soft
+  const bool soft = c.run.engine == "soft" || (mesh && c.run.engine == "auto");
+  return soft ? soft_faults(c) : event_faults(c);
 }
 
 }  // namespace mahlwerk::cases

@@ -20,31 +20,34 @@ float above(double x) {
 }  // namespace
 
 BoxTree::Box BoxTree::Box::empty() {
-  return {{far, far, far}, {-far, -far, -far}};
+  const Four most{far, far, far, far};
+  return {most, -most};
 }
 
 void BoxTree::Box::add(const Vec3& p) {
   const std::array<double, 3> x{p.x, p.y, p.z};
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], below(x[k]));
-    high[k] = std::max(high[k], above(x[k]));
+  for (int k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], below(x[static_cast<std::size_t>(k)]));
+    high[k] = std::max(high[k], above(x[static_cast<std::size_t>(k)]));
   }
 }
 
 void BoxTree::Box::add(const Box& other) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], other.low[k]);
-    high[k] = std::max(high[k], other.high[k]);
-  }
+  low = other.low < low ? other.low : low;
+  high = other.high > high ? other.high : high;
 }
 
 /// Halves along the axis on which the middles of the boxes spread most.
 BoxTree::Item BoxTree::build(std::span<Item> items) {
+  for (const Item& i : items)
+    for (int k = 0; k < 3; ++k)
+      widest_ = std::max({widest_, std::abs(static_cast<double>(i.box.low[k])),
+                          std::abs(static_cast<double>(i.box.high[k]))});
   if (items.size() == 1) return items[0];
-  const auto middle = [](const Item& i, std::size_t k) { return i.box.low[k] + i.box.high[k]; };
-  std::size_t axis = 0;
+  const auto middle = [](const Item& i, int k) { return i.box.low[k] + i.box.high[k]; };
+  int axis = 0;
   float widest = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k) {
     const auto [least, most] =
         std::ranges::minmax(items, {}, [&](const Item& i) { return middle(i, k); });
     const float spread = middle(most, k) - middle(least, k);

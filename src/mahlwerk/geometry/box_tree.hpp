@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,19 +17,27 @@ namespace mahlwerk::geometry {
 /// leaf is told by ~number, and is what the caller says it is.
 class BoxTree {
  public:
+  using Four = float __attribute__((vector_size(16)));  // x, y, z and nothing
+
+  /// A point, and what floats may have made of it and of a box's borders.
+  struct Probe {
+    Four place, slack;
+  };
   /// Floats, rounded outwards: half the memory, and never too small.
   struct Box {
-    std::array<float, 3> low, high;
+    Four low, high;
 
     void add(const Vec3& p);
     void add(const Box& other);
     static Box empty();
-    /// Squared distance from a point [m2], 0 inside.
-    double distance2(const Vec3& p) const {
-      const double x = std::max({low[0] - p.x, p.x - high[0], 0.0});
-      const double y = std::max({low[1] - p.y, p.y - high[1], 0.0});
-      const double z = std::max({low[2] - p.z, p.z - high[2], 0.0});
-      return x * x + y * y + z * z;
+    /// Squared distance from a point [m2], or a little less; 0 inside.
+    double distance2(const Probe& p) const {
+      const Four below = low - p.place, above = p.place - high;
+      const Four out = (below > above ? below : above) - p.slack;
+      const Four way = out > 0 ? out : Four{};
+      const Four squares = way * way;
+      constexpr double rounding = 1 - 1e-6;  // of three squares and their sum
+      return rounding * (squares[0] + squares[1] + squares[2]);
     }
   };
   struct Item {
@@ -49,13 +58,14 @@ class BoxTree {
     };
     std::array<Waiting, 64> stack;  // a node waits at each level of a tree of at most 2^31 leaves
     std::size_t count = 0;
+    const Probe probe = probe_at(p);
     for (std::int32_t id = root;;) {
       if (id < 0) {
         visit(~id, within2);
       } else {
         const Node& node = nodes_[static_cast<std::size_t>(id)];
-        Waiting a{node.child[0], node.box[0].distance2(p)};
-        Waiting b{node.child[1], node.box[1].distance2(p)};
+        Waiting a{node.child[0], node.box[0].distance2(probe)};
+        Waiting b{node.child[1], node.box[1].distance2(probe)};
         if (b.distance2 < a.distance2) std::swap(a, b);
         if (b.distance2 < within2) stack[count++] = b;
         if (a.distance2 < within2) {
@@ -74,7 +84,15 @@ class BoxTree {
     std::array<Box, 2> box;
     std::array<std::int32_t, 2> child;
   };
+  Probe probe_at(const Vec3& p) const {
+    const Four place{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    const auto far =
+        static_cast<float>(3e-7 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), widest_}));
+    return {place, Four{far, far, far, far}};
+  }
+
   std::vector<Node> nodes_;
+  double widest_ = 0;  // [m] of all coordinates
 };
 
 }  // namespace mahlwerk::geometry

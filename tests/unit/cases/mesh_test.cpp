@@ -234,6 +234,9 @@ TEST(MeshFile, the_event_engine_takes_no_mesh) {
   EXPECT_EQ(found[0].code, "mesh-needs-soft");
   EXPECT_EQ(found[0].remedy, "write engine = \"soft\", or \"auto\"");
   EXPECT_TRUE(engine_faults(read_with(binary_stl(brick))).empty());
+  EXPECT_TRUE(
+      engine_faults(read_with(binary_stl(brick), with(meshed, "engine", "engine = \"auto\"")))
+          .empty());
 }
 
 TEST(MeshFile, a_ball_larger_than_a_hollow_is_warned_of) {

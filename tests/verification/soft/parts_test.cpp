@@ -78,6 +78,7 @@ TEST(LifterJar, a_ball_without_friction_leaves_the_shell_where_the_forces_say) {
   Recorder seen;
   engine->advance(1.2, seen);
   double left = 0;
+  for (const scene::Collision& c : seen.all) printf("%d t %.4f dur %.4f app %.3f\n", ~c.other, c.time, c.duration, c.approach);
   for (const scene::Collision& c : seen.all)
     if (c.other == ~0 && c.duration > 0.1) left = c.time + c.duration;
   const Vec3 bar = mill.turn(left) * along0;
