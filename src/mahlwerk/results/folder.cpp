@@ -23,12 +23,24 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a result or a campaign may hold: --force removes these and nothing else.
-constexpr std::array<std::string_view, 18> our_files{
-    "summary.json",        "case.resolved.toml", "spectrum.csv",  "collisions_by_pair.csv",
-    "spectra_by_pair.csv", "sizes.csv",          "speeds.csv",    "angles.csv",
-    "timeseries.csv",      "replicates.csv",     "collisions.h5", "report.html",
-    "campaign.csv",        "campaign.html",      "compare.csv",   "compare.html",
-    "jar.stl",             "motion.csv"};
+constexpr std::array<std::string_view, 18> our_files{"summary.json",
+                                                     "case.resolved.toml",
+                                                     "spectrum.csv",
+                                                     "collisions_by_pair.csv",
+                                                     "spectra_by_pair.csv",
+                                                     "sizes.csv",
+                                                     "speeds.csv",
+                                                     "angles.csv",
+                                                     "timeseries.csv",
+                                                     "replicates.csv",
+                                                     "collisions.h5",
+                                                     "report.html",
+                                                     "campaign.csv",
+                                                     "campaign.html",
+                                                     "compare.csv",
+                                                     "compare.html",
+                                                     "jar.stl",
+                                                     "motion.csv"};
 
 /// Those there is one of for a replicate: what stands before and behind its number.
 constexpr std::array<std::array<std::string_view, 2>, 2> our_numbered{

@@ -231,7 +231,7 @@ TEST(MeshFile, the_event_engine_takes_no_mesh) {
   const Case c = read_with(binary_stl(brick), with(meshed, "engine", "engine = \"event\""));
   const std::vector<Fault> found = engine_faults(c);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].code, "mesh-needs-soft");
+  EXPECT_EQ(found[0].code, "jar-needs-soft");
   EXPECT_EQ(found[0].remedy, "write engine = \"soft\", or \"auto\"");
   EXPECT_TRUE(engine_faults(read_with(binary_stl(brick))).empty());
   EXPECT_TRUE(
