@@ -37,8 +37,8 @@ inline constexpr std::array benchmarks{
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
     Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
               beside_peers},
-    Benchmark{"crowd", "drums of 10 000 and 100 000, five balls in powder, beside LAMMPS; minutes",
-              crowd},
+    Benchmark{"crowd",
+              "drums of 10 000 and 100 000, five balls in powder, beside the same; minutes", crowd},
 };
 
 double cpu_seconds();
