@@ -24,6 +24,7 @@ std::vector<Row> event();
 std::vector<Row> soft();
 std::vector<Row> beside_peers();
 std::vector<Row> crowd();
+std::vector<Row> cost_curve();
 
 struct Benchmark {
   std::string_view name, about;
@@ -39,6 +40,8 @@ inline constexpr std::array benchmarks{
               beside_peers},
     Benchmark{"crowd",
               "drums of 10 000 and 100 000, five balls in powder, beside the same; minutes", crowd},
+    Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
+              cost_curve},
 };
 
 double cpu_seconds();
