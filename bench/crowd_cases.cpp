@@ -91,8 +91,8 @@ struct Drum {
 };
 
 constexpr std::array drums{
-    Drum{10000, 0.005, 0.0992, 6.02, 1e-5, 10000, 2000, {2000, 1000, 300}, 0.01},
-    Drum{100000, 0.0025, 0.124, 5.98, 5e-6, 12000, 500, {500, 200, 30}, 0.002},
+    Drum{10000, 0.005, 0.0992, 6.02, 1e-5, 10000, 2000, {2000, 1000, 300}, 2e-3},
+    Drum{100000, 0.0025, 0.124, 5.98, 5e-6, 12000, 500, {500, 200, 30}, 2.5e-4},
     // The largest falls and jostles for a short while only: that is the cost curve's.
     Drum{1000000, 0.00125, 0.155, 5.96, 2.5e-6, 1000, 100, {}, 0},
 };
@@ -143,7 +143,7 @@ CrowdCase powder() {
           .skin = 4e-4,
           .margin = 0.1,
           .rolling_stiffness = 1e4,
-          .bending_stiffness = 2.5e-3};
+          .bending_stiffness = 1.3e-4};
 }
 
 CrowdCase crowd_case(std::string_view name) {

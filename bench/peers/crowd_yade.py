@@ -65,9 +65,9 @@ O.engines = [
     InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Facet_Aabb()], verletDist=-case["margin"]),
     InteractionLoop(
         [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()],
-        # krot is one absolute stiffness [N m/rad] for every pair, which small balls do not survive
-        # unless it is small
-        [Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5, eta=0.05,
+        # eta is of the mean of both radii, not of the effective one: half for equal balls. krot is
+        # one absolute stiffness [N m/rad] for every pair; small balls only survive a small one.
+        [Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5, eta=0.025,
                                            krot=case["bending_stiffness"])],
         [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
     moved,
