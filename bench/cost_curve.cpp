@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a ball and step costs, and what memory is held, as the same bed of a drum is made of ever
-// smaller balls. Every bed has jostled and fallen for as many steps of its own.
+// What a ball and step costs on one core, in CPU time, and what memory is held, as the same bed of
+// a drum is made of ever smaller balls. Every bed has jostled and fallen for as many steps of its
+// own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ void add(std::vector<Row>& rows, int count, int steps) {
   for (int turn = 0; turn < turns && told.fault.empty(); ++turn) {
     told =
         by_us({.name = c.name, .lead = lead, .steps = steps, .from = "balls.bin"}, folder.path());
-    costs.push_back(1e9 / told.speed);
+    costs.push_back(1e9 * told.cost);
     memories.push_back(told.memory);
   }
   if (!told.fault.empty()) {

@@ -45,7 +45,8 @@ std::string complaint(const fs::path& folder) {
 
 /// Speed and energy, from the words of LAMMPS, which the decks for others use, too.
 Told told_in(const fs::path& log, int last_step) {
-  Told told{NAN, NAN, 0, {}};
+  Told told{NAN, NAN, NAN, 0, {}};
+  double particle_steps = NAN;
   std::ifstream file(log);
   for (std::string line; std::getline(file, line);) {
     double moving = 0, spinning = 0, seconds = 0;
@@ -54,8 +55,12 @@ Told told_in(const fs::path& log, int last_step) {
         step == last_step)
       told.kinetic = moving + spinning;
     if (std::sscanf(line.c_str(), "Loop time of %lf on %*d procs for %d steps with %d atoms",
-                    &seconds, &steps, &balls) == 3)
-      told.speed = static_cast<double>(balls) * steps / seconds;
+                    &seconds, &steps, &balls) == 3) {
+      particle_steps = static_cast<double>(balls) * steps;
+      told.speed = particle_steps / seconds;
+    }
+    if (std::sscanf(line.c_str(), "CPU time of %lf", &seconds) == 1)
+      told.cost = seconds / particle_steps;
   }
   return told;
 }

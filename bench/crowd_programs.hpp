@@ -27,6 +27,7 @@ inline constexpr std::array<CrowdProgram, peers> crowd_programs{{
 
 struct Told {
   double speed = 0;    ///< [particle-steps/s] of the program's own clock, in its loop of steps
+  double cost = 0;     ///< [s] CPU time of a particle and step; where the program tells it
   double kinetic = 0;  ///< [J] at the end, translation and rotation
   double memory = 0;   ///< [MB] the most it held, all its processes together
   std::string fault;   ///< why there is nothing of that

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "benchmarks.hpp"
 #include "crowd_cases.hpp"
 
 namespace mahlwerk::bench {
@@ -52,11 +53,15 @@ void perform(const CrowdRun& run) {
   Nobody nobody;
   engine_of_run->advance(run.lead * c.step, nobody);
   const Clock::time_point began = Clock::now();
+  const double worked = cpu_seconds();
   engine_of_run->advance((run.lead + run.steps) * c.step, nobody);
   const double taken = std::chrono::duration<double>(Clock::now() - began).count();
+  const double work = cpu_seconds() - worked;
   fmt::output_file("log.txt").print(
-      "{} {:.9g} 0\nLoop time of {:.6f} on {} procs for {} steps with {} atoms\n",
-      run.lead + run.steps, engine_of_run->account().kinetic, taken, run.threads, run.steps, count);
+      "{} {:.9g} 0\nLoop time of {:.6f} on {} procs for {} steps with {} atoms\nCPU time of "
+      "{:.6f}\n",
+      run.lead + run.steps, engine_of_run->account().kinetic, taken, run.threads, run.steps, count,
+      work);
   if (run.to != "-") write_balls(run.to, engine_of_run->balls());
 }
 

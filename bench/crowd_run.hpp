@@ -26,7 +26,7 @@ struct CrowdRun {
 inline constexpr std::string_view crowd_run_word = "--crowd-run";
 std::vector<std::string> words_for(const CrowdRun& run);
 
-/// Writes log.txt in the words of LAMMPS: the kinetic energy and the time of the measured steps.
+/// Writes log.txt in the words of LAMMPS: the kinetic energy and the times of the measured steps.
 int perform_crowd_run(const std::vector<std::string>& words);
 
 std::vector<scene::Ball> read_balls(const std::filesystem::path& file);
