@@ -24,6 +24,7 @@ std::vector<Row> event();
 std::vector<Row> soft();
 std::vector<Row> beside_peers();
 std::vector<Row> crowd();
+std::vector<Row> cost_curve();
 
 struct Benchmark {
   std::string_view name, about;
@@ -37,8 +38,10 @@ inline constexpr std::array benchmarks{
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
     Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
               beside_peers},
-    Benchmark{"crowd", "drums of 10 000 and 100 000, five balls in powder, beside LAMMPS; minutes",
-              crowd},
+    Benchmark{"crowd",
+              "drums of 10 000 and 100 000, five balls in powder, beside the same; minutes", crowd},
+    Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
+              cost_curve},
 };
 
 double cpu_seconds();

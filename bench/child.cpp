@@ -18,6 +18,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "memory.hpp"
+
 namespace mahlwerk::bench {
 namespace {
 
@@ -122,11 +124,32 @@ class Lines {
   std::string begun_;
 };
 
+/// Looks at a process's memory every now and then.
+class MemoryWatch {
+ public:
+  explicit MemoryWatch(pid_t id) : id_(id) {}
+
+  void look() {
+    if (Clock::now() < next_) return;
+    next_ = Clock::now() + between;
+    peak_ = std::max(peak_, peak_memory(id_));
+  }
+  double peak() const { return peak_; }
+
+ private:
+  // At first it is still a copy of this process.
+  static constexpr std::chrono::milliseconds first{100}, between{400};
+  pid_t id_;
+  Clock::time_point next_ = Clock::now() + first;
+  double peak_ = 0;
+};
+
 /// Reads until the child writes no more. Tells whether that was before the time was up.
-bool read_all(int input, Clock::time_point last, Lines lines) {
+bool read_all(int input, Clock::time_point last, Lines lines, MemoryWatch& memory) {
   std::vector<char> buffer(1 << 16);
   while (Clock::now() < last) {
     if (wished_to_end != 0) throw Interrupted{wished_to_end};
+    memory.look();
     pollfd ready{input, POLLIN, 0};
     constexpr int patience = 200;  // [ms] a wish to end may come just before poll begins to wait
     if (poll(&ready, 1, patience) <= 0) continue;
@@ -191,23 +214,33 @@ fs::path find_program(std::string_view name) {
   return {};
 }
 
-std::string run_child(const Child& child, const std::function<void(std::string_view)>& line) {
+Ended watch_child(const Child& child, const std::function<void(std::string_view)>& line) {
   const Clock::time_point last = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                     std::chrono::duration<double>(child.limit));
   const Noting noting;
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return std::strerror(errno);
+  if (pipe2(ends, O_CLOEXEC) != 0) return {std::strerror(errno)};
   const Descriptor input(ends[0]);
   Descriptor output(ends[1]);
   const pid_t id = start(child, output.number());
-  if (id < 0) return std::strerror(errno);
+  if (id < 0) return {std::strerror(errno)};
   Running running(id);
   output.shut();
-  const int status = read_all(input.number(), last, Lines(line)) ? running.ended(last) : -1;
-  if (status == -1) return fmt::format("not ready after {:.0f} s, ended", child.limit);
-  if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", WTERMSIG(status));
-  if (WEXITSTATUS(status) != 0) return fmt::format("ended with code {}", WEXITSTATUS(status));
-  return {};
+  MemoryWatch memory(id);
+  const bool closed = read_all(input.number(), last, Lines(line), memory);
+  const int status = closed ? running.ended(last) : -1;
+  Ended ended{{}, memory.peak()};
+  if (status == -1)
+    ended.fault = fmt::format("not ready after {:.0f} s, ended", child.limit);
+  else if (WIFSIGNALED(status))
+    ended.fault = fmt::format("ended by signal {}", WTERMSIG(status));
+  else if (WEXITSTATUS(status) != 0)
+    ended.fault = fmt::format("ended with code {}", WEXITSTATUS(status));
+  return ended;
+}
+
+std::string run_child(const Child& child, const std::function<void(std::string_view)>& line) {
+  return watch_child(child, line).fault;
 }
 
 }  // namespace mahlwerk::bench

@@ -40,8 +40,15 @@ struct Interrupted {
   int signal;
 };
 
+struct Ended {
+  std::string fault;       ///< what went wrong; nothing if all went well
+  double peak_memory = 0;  ///< [MB] of the program and those it started, as last seen
+};
+
 /// Runs a program to its end and hands over each line that it writes, without the line's end.
-/// Tells what went wrong; nothing if all went well.
+Ended watch_child(const Child& child, const std::function<void(std::string_view)>& line);
+
+/// The same; tells what went wrong.
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line);
 
 }  // namespace mahlwerk::bench

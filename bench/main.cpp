@@ -9,6 +9,7 @@
 #include <string>
 
 #include "benchmarks.hpp"
+#include "crowd_run.hpp"
 
 namespace mahlwerk::bench {
 
@@ -84,5 +85,7 @@ int perform(int argc, char** argv) {
 }  // namespace mahlwerk::bench
 
 int main(int argc, char** argv) {
-  return mahlwerk::bench::perform(argc, argv);
+  using namespace mahlwerk::bench;
+  if (argc > 1 && argv[1] == crowd_run_word) return perform_crowd_run({argv + 2, argv + argc});
+  return perform(argc, argv);
 }

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "crowd_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace mahlwerk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double pi = std::numbers::pi;
+
+kinematics::Ride ride_of(const CrowdCase& c) {
+  return std::visit([](const auto& m) { return m.ride(0); }, c.mill.motion);
+}
+
+/// Null for a drum.
+const kinematics::Planetary* planetary(const CrowdCase& c) {
+  return std::get_if<kinematics::Planetary>(&c.mill.motion);
+}
+
+void write_state(const fs::path& file, const CrowdCase& c, const std::vector<scene::Ball>& balls) {
+  const auto ride = ride_of(c);
+  // Space just large enough for the jar while it is watched: the others divide all of it into bins.
+  const Vec3 axis = c.mill.mount * Vec3{0, 0, 1};
+  const double spare = 0.006, across = c.radius + spare, along = c.height / 2 + spare;
+  const auto extent = [&](double a) { return std::abs(a) > 0.5 ? along : across; };
+  fmt::ostream out = fmt::output_file(file.string());
+  out.print("state\n\n{} atoms\n2 atom types\n\n", balls.size());
+  for (const auto& [name, centre, a] : {std::tuple{"x", ride.centre.x, axis.x},
+                                        {"y", ride.centre.y, axis.y},
+                                        {"z", ride.centre.z, axis.z}})
+    out.print("{1} {2} {0}lo {0}hi\n", name, centre - extent(a), centre + extent(a));
+  out.print("\nAtoms\n\n");
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const scene::Ball& b = balls[i];
+    const Vec3 x = b.position + ride.centre;
+    out.print("{} {} {:.12g} {:.12g} {:.15g} {:.15g} {:.15g}\n", i + 1, b.kind + 1, 2 * b.radius,
+              b.density, x.x, x.y, x.z);
+  }
+  out.print("\nVelocities\n\n");
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const scene::Ball& b = balls[i];
+    const Vec3 v = b.velocity + ride.velocity;
+    out.print("{} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", i + 1, v.x, v.y, v.z,
+              b.spin.x, b.spin.y, b.spin.z);
+  }
+}
+
+/// Speeds [rad/s] of the disc, none for a drum, and of the jar about its own axis.
+struct Speeds {
+  double disc, spin, orbit;
+};
+
+Speeds speeds_of(const CrowdCase& c) {
+  if (const auto* p = planetary(c)) return {p->speed, p->jar_spin(), p->orbit_radius};
+  return {0, std::get<kinematics::Tumbling>(c.mill.motion).speed, 0};
+}
+
+void write_numbers(const fs::path& file, const CrowdCase& c) {
+  const Speeds s = speeds_of(c);
+  const std::pair<const char*, double> numbers[] = {
+      {"step_time", c.step},
+      {"youngs_modulus", c.youngs_modulus},
+      {"skin", c.skin},
+      {"margin", c.margin},
+      {"rolling_stiffness", c.rolling_stiffness},
+      {"bending_stiffness", c.bending_stiffness},
+      {"disc", s.disc},
+      {"spin", s.spin},
+      {"orbit", s.orbit},
+  };
+  fmt::ostream out = fmt::output_file(file.string());
+  for (const auto& [name, value] : numbers) out.print("variable {} equal {}\n", name, value);
+  out.print("variable search string {}\nvariable split string \"{}\"\n", c.search, c.processors);
+}
+
+void write_region(const fs::path& file, const CrowdCase& c) {
+  const Speeds s = speeds_of(c);
+  const double half = c.height / 2, turn = s.spin * c.step, carry = s.disc * c.step;
+  fmt::ostream out = fmt::output_file(file.string());
+  out.print("variable turned equal {}*step\n", turn);
+  if (s.disc == 0) {
+    out.print("region jar cylinder x 0 0 {} {} {} side in rotate v_turned 0 0 0 1 0 0\n", c.radius,
+              -half, half);
+    return;
+  }
+  out.print("variable dx equal {0}*cos({1}*step)-{0}\nvariable dy equal {0}*sin({1}*step)\n",
+            s.orbit, carry);
+  out.print(
+      "region jar cylinder z {0} 0 {1} {2} {3} side in move v_dx v_dy NULL rotate v_turned {0} 0 0 "
+      "0 0 1\n",
+      s.orbit, c.radius, -half, half);
+}
+
+/// A jar on a disc is moved by two turnings: with the disc, then about its own axis.
+void write_motion(const fs::path& file, const CrowdCase& c) {
+  const Speeds s = speeds_of(c);
+  fmt::ostream out = fmt::output_file(file.string());
+  const auto turning = [&](const char* name, double origin, const char* axis, double speed) {
+    out.print("fix {} all move/mesh mesh jar rotate origin {} 0. 0. axis {} period {}\n", name,
+              origin, axis, 2 * pi / speed);
+  };
+  if (s.disc == 0) return turning("turned", 0, "1. 0. 0.", s.spin);
+  turning("carried", 0, "0. 0. 1.", s.disc);
+  turning("turned", s.orbit, "0. 0. -1.", s.disc - s.spin);
+}
+
+void write_mesh(const fs::path& file, const CrowdCase& c) {
+  constexpr int sides = 72;
+  const double h = c.height, radius = c.radius / std::cos(pi / sides);
+  const Vec3 centre = ride_of(c).centre;
+  const auto corner = [&](int k, double z) {
+    const double angle = 2 * pi * k / sides;
+    return Vec3{radius * std::cos(angle), radius * std::sin(angle), z};
+  };
+  fmt::ostream out = fmt::output_file(file.string());
+  const auto write = [&](const std::array<Vec3, 3>& triangle) {
+    out.print("facet normal 0 0 0\n outer loop\n");  // the reader works the normal out
+    for (const Vec3& one : triangle) {
+      const Vec3 p = c.mill.mount * one + centre;
+      out.print("  vertex {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
+    }
+    out.print(" endloop\nendfacet\n");
+  };
+  out.print("solid jar\n");
+  for (int k = 0; k < sides; ++k) {
+    for (const double z : {-h / 2, 0.0}) {  // two rows: long triangles are searched more slowly
+      const double top = z + h / 2;
+      write({corner(k, z), corner(k + 1, z), corner(k + 1, top)});
+      write({corner(k, z), corner(k + 1, top), corner(k, top)});
+    }
+    for (const double z : {-h / 2, h / 2}) write({Vec3{0, 0, z}, corner(k, z), corner(k + 1, z)});
+  }
+  out.print("endsolid jar\n");
+}
+
+}  // namespace
+
+void write_crowd(const fs::path& folder, const CrowdCase& c,
+                 const std::vector<scene::Ball>& balls) {
+  write_state(folder / "state.data", c, balls);
+  write_numbers(folder / "case.in", c);
+  write_region(folder / "jar.in", c);
+  write_motion(folder / "mesh.in", c);
+  write_mesh(folder / "jar.stl", c);
+}
+
+}  // namespace mahlwerk::bench

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/scene/balls.hpp"
+
+// Mahlwerk's own runs of many balls, each in a process that holds nothing else, as the other
+// programs' are.
+namespace mahlwerk::bench {
+
+struct CrowdRun {
+  std::string name;  ///< of the case
+  int threads = 1;
+  int lead = 0, steps = 0;           ///< not measured, then measured
+  double start = 0;                  ///< [s] on the mill's clock
+  std::string from = "-", to = "-";  ///< files of balls; "-": the case's filling, nowhere
+};
+
+/// The first word of a command line that asks this program for such a run; the others are those of
+/// `words`.
+inline constexpr std::string_view crowd_run_word = "--crowd-run";
+std::vector<std::string> words_for(const CrowdRun& run);
+
+/// Writes log.txt in the words of LAMMPS: the kinetic energy and the times of the measured steps.
+int perform_crowd_run(const std::vector<std::string>& words);
+
+std::vector<scene::Ball> read_balls(const std::filesystem::path& file);
+
+}  // namespace mahlwerk::bench
