@@ -25,10 +25,12 @@ std::vector<Row> soft();
 std::vector<Row> beside_peers();
 std::vector<Row> crowd();
 std::vector<Row> cost_curve();
+std::vector<Row> mixing();
 
 struct Benchmark {
   std::string_view name, about;
   std::vector<Row> (*run)();
+  bool only_by_name = false;  ///< too long to run with all the others
 };
 
 inline constexpr std::array benchmarks{
@@ -42,6 +44,8 @@ inline constexpr std::array benchmarks{
               "drums of 10 000 and 100 000, five balls in powder, beside the same; minutes", crowd},
     Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
               cost_curve},
+    Benchmark{"mixing", "two layers of grains in a drum, case 2 of Dosta et al. 2024; half an hour",
+              mixing, true},
 };
 
 double cpu_seconds();

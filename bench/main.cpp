@@ -58,7 +58,7 @@ int perform(int argc, char** argv) {
   std::vector<Row> rows;
   bool found = name.empty();
   for (const Benchmark& one : benchmarks) {
-    if (!name.empty() && name != one.name) continue;
+    if (name.empty() ? one.only_by_name : name != one.name) continue;
     found = true;
     const std::vector<Row> more = one.run();
     rows.insert(rows.end(), more.begin(), more.end());

@@ -78,13 +78,17 @@ const char* sticking(const cases::Case& what) {
 
 /// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
 std::string against_soft(const cases::Case& what) {
-  if (balls(what) > most_soft_balls)
-    return fmt::format("more than {} balls would take it long; engine = \"soft\" asks for it",
-                       most_soft_balls);
   cases::Case soft = what;
   soft.run.engine = "soft";
   const std::vector<Fault> wrong = run_faults(soft);
-  return wrong.empty() ? "" : wrong.front().what;
+  if (!wrong.empty()) return wrong.front().what;
+  const double time = (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+  const double work = static_cast<double>(balls(what)) * time / soft_settings(soft).rules.time_step;
+  if (work <= most_soft_work) return "";
+  return fmt::format(
+      "it would take some {:.0f} hours of a core; engine = \"soft\" asks for it, and softening "
+      "makes it fewer",
+      std::max(2.0, work / most_soft_work));
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace mahlwerk::campaign {
 /// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
 /// bounces, and the soft engine is advised (docs/theory/many-balls.md).
 constexpr double most_contact = 0.25;
-/// Beyond so many balls the soft engine of this version is slow, and is not chosen by itself.
-constexpr std::int64_t most_soft_balls = 200;
+/// Balls times steps that the soft engine does in about an hour on one core: "auto" does not ask
+/// for more.
+constexpr double most_soft_work = 6e10;
 
 /// Which engine a case is run by, and why.
 struct Choice {

@@ -61,8 +61,8 @@ inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamb
                                                      double start) {
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<scene::Engine> {
-        if constexpr (std::is_same_v<S, geometry::Mesh>) {
-          return nullptr;  // the event engine takes none
+        if constexpr (!geometry::has_exact_touches<S>) {
+          return nullptr;  // the event engine does not take it
         } else {
           const event::Jar<S, Counted> jar(shape, motion, chamber);
           if constexpr (S::faces > 0)
