@@ -54,8 +54,8 @@ std::vector<Fault> event_faults(const Case& c) {
 }  // namespace
 
 std::vector<Fault> engine_faults(const Case& c) {
-  const bool mesh = std::holds_alternative<geometry::Mesh>(c.jar.shape);  // "auto" takes it to soft
-  const bool soft = c.run.engine == "soft" || (mesh && c.run.engine == "auto");
+  const bool exact = geometry::exact_touches(c.jar.shape);  // others "auto" takes to soft
+  const bool soft = c.run.engine == "soft" || (!exact && c.run.engine == "auto");
   return soft ? soft_faults(c) : event_faults(c);
 }
 

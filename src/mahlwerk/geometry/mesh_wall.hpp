@@ -14,7 +14,7 @@ namespace mahlwerk::geometry {
 /// The inner wall of a closed surface of triangles, and how far points are from it.
 class MeshWall {
  public:
-  static constexpr double far = 1e3;  ///< [m] what stands for "not near"
+  static constexpr double far = not_near;
 
   /// A surface without flaw_of().
   MeshWall(Surface surface, double crease_angle);

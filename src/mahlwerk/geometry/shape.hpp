@@ -82,6 +82,9 @@ Vec3 periods_of(const S& shape) {
     return {never, never, never};
 }
 
+constexpr double not_near =
+    1e3;  ///< [m] in place of a distance that nobody asked for: a number still
+
 // Questions to shapes of many faces, which answer for what is near alone.
 
 /// The gap where it is `within` [m] of the face, something larger elsewhere.

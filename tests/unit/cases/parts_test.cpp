@@ -54,6 +54,8 @@ TEST(JarWithParts, the_event_engine_does_not_take_them) {
       engine_faults(read_sample(with(std::string(drum), "engine", "engine = \"event\"")));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "jar-needs-soft");
+  EXPECT_TRUE(
+      engine_faults(read_sample(with(std::string(drum), "engine", "engine = \"auto\""))).empty());
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ geometry::Attritor stirrer(double speed) {
 }
 
 /// Balls of 6 mm on a lattice, free of everything.
-std::vector<scene::Ball> strewn(const geometry::Attritor& jar, std::size_t count) {
+template <class S>
+std::vector<scene::Ball> strewn(const S& jar, std::size_t count) {
   constexpr double radius = 0.003;
   std::vector<scene::Ball> balls;
   Random random(4, 0);
@@ -132,13 +133,11 @@ TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
   states("work of walls at rest [J]", still->account().wall_work, 0, 0, "they do not move");
 }
 
-TEST(StirredJar, few_balls_and_a_crowd_are_moved_alike) {
-  const geometry::Attritor jar = stirrer(40);
-  const scene::Chamber chamber{jar, kinematics::Still{}, {}, {0, 0, -gravity}};
-  const auto balls = strewn(jar, 60);
+void moves_few_and_many_alike(const scene::Chamber& chamber,
+                              const std::vector<scene::Ball>& balls) {
   const contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4);
-  const auto few = run_in(chamber, balls, pair, 5e-6, 1000),
-             crowd = run_in(chamber, balls, pair, 5e-6, 0);
+  const auto few = run_in(chamber, balls, pair, 5e-6, 1000);
+  const auto crowd = run_in(chamber, balls, pair, 5e-6, 0);
   Recorder of_few, of_crowd;
   few->advance(0.05, of_few);
   crowd->advance(0.05, of_crowd);
@@ -149,6 +148,23 @@ TEST(StirredJar, few_balls_and_a_crowd_are_moved_alike) {
   for (std::size_t i = 0; i < one.size(); ++i)
     apart = std::max(apart, norm(one[i].position - other[i].position));
   stays_below("positions apart [m]", apart, 1e-9, "sums in another order, grown over 0.05 s");
+}
+
+TEST(StirredJar, few_balls_and_a_crowd_are_moved_alike) {
+  const geometry::Attritor jar = stirrer(40);
+  moves_few_and_many_alike({jar, kinematics::Still{}, {}, {0, 0, -gravity}}, strewn(jar, 60));
+}
+
+TEST(LifterJar, few_balls_and_a_crowd_are_moved_alike) {
+  geometry::LifterCylinder jar;
+  jar.diameter = 0.1, jar.height = 0.05;
+  jar.lifters = 12, jar.lifter_height = 0.008, jar.lifter_width = 0.01;
+  jar.lifter_face_angle = 1.2;
+  jar.complete();
+  const Rotation mount = scene::mounted_along({1, 0, 0});
+  std::vector<scene::Ball> balls = strewn(jar, 120);
+  for (scene::Ball& b : balls) b.position = mount * b.position;
+  moves_few_and_many_alike({jar, kinematics::Tumbling{20}, mount, {0, 0, -gravity}}, balls);
 }
 
 }  // namespace
