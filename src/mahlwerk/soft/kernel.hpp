@@ -114,10 +114,10 @@ struct alignas(64) Meeting {
   Vec<Lanes> turning = b.wi - b.wj;
   turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
   const Lanes none{}, most = p.rolling * push.load;
-  // What stops it within two steps: speeds are predicted from the last step's torque, and a torque
-  // that stops it within one would swing for ever.
+  // What stops it within sixteen steps: speeds are predicted from the last step's torque, a ball
+  // has a dozen neighbours that all resist, and together they must not turn it back.
   const auto limited = [&](const Lanes& size) {
-    return smaller(size, 0.5 * p.inertia / frame.step);
+    return smaller(size, 0.0625 * p.inertia / frame.step);
   };
   Vec<Lanes> torque;
   if (frame.rolling == contact::Rolling::cdt) {
