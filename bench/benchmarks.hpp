@@ -22,8 +22,14 @@ std::vector<Row> one_ball();
 std::vector<Row> fluid();
 std::vector<Row> event();
 std::vector<Row> soft();
-std::vector<Row> beside_peers();
+std::vector<Row> few();
 std::vector<Row> crowd();
+inline std::vector<Row> beside_peers() {
+  std::vector<Row> rows = few();
+  const std::vector<Row> more = crowd();
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
 std::vector<Row> cost_curve();
 std::vector<Row> mixing();
 
@@ -38,10 +44,12 @@ inline constexpr std::array benchmarks{
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
     Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
-    Benchmark{"peers", "five balls in a planetary mill, beside LAMMPS, LIGGGHTS, YADE; minutes",
+    Benchmark{"peers",
+              "beside LAMMPS, LIGGGHTS, YADE: five balls, then crowd; a quarter of an hour",
               beside_peers},
-    Benchmark{"crowd",
-              "drums of 10 000 and 100 000, five balls in powder, beside the same; minutes", crowd},
+    Benchmark{"few", "of it five balls in a planetary mill; minutes", few, true},
+    Benchmark{"crowd", "of it drums of 10 000 and 100 000, five balls in powder; minutes", crowd,
+              true},
     Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
               cost_curve},
     Benchmark{"mixing", "two layers of grains in a drum, case 2 of Dosta et al. 2024; half an hour",

@@ -158,7 +158,7 @@ std::vector<Row> measure() {
 
 }  // namespace
 
-std::vector<Row> beside_peers() {
+std::vector<Row> few() {
   try {
     return measure();
   } catch (const Interrupted& by) {
