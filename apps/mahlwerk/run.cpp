@@ -168,7 +168,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
                                            point.observe.frames ? "leave out [observe] frames"
                                                                 : "write collisions = false"),
                                "bad-checkpoint"});
-      what += cases::write(point);
+      what += cases::write(point) + cases::contents_of_files(point);
       replicates += static_cast<std::size_t>(point.run.replicates);
     }
   fs::path place = jobs.front().folder->wanted();

@@ -38,7 +38,9 @@ std::vector<scene::Ball> one_of_each(const cases::Case& what) {
 double meeting_speed(const cases::Case& what) {
   const double reach = std::visit([](const auto& s) { return s.reach(); }, what.jar.shape);
   const auto most = std::visit([](const auto& m) { return m.bounds(); }, what.mill.motion);
-  const double wall = most.speed + most.spin * reach + what.run.start_speed;
+  const double parts =
+      std::visit([](const auto& s) { return geometry::speed_of_parts(s); }, what.jar.shape);
+  const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
   constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
   return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
 }

@@ -82,7 +82,8 @@ class Derivation {
       const double reach = about_axis ? jar_radius(c_.jar) : jar_reach(c_.jar);
       return norm(motion.ride(t).velocity) + norm(spin) * reach;
     };
-    peak_ = largest(motion, wall_speed);
+    peak_ = largest(motion, wall_speed) +
+            std::visit([](const auto& s) { return geometry::speed_of_parts(s); }, c_.jar.shape);
     say("peak_wall_speed", peak_, "m/s",
         "largest speed of the jar's wall, at most: centre and turning added (kin.9)");
     const double pull =

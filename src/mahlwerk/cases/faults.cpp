@@ -184,7 +184,7 @@ void impossible_jar(const Case& c, std::vector<Fault>& found) {
   const std::string flaw = std::visit(
       [](const auto& s) -> std::string {
         if constexpr (requires { s.flaw(); })
-          return s.flaw();
+          return std::isnan(s.volume()) ? "" : s.flaw();  // a size was no good: said already
         else
           return "";
       },

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/grid.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -29,7 +30,7 @@ class Places {
 
   Vec3 draw(Random& random) const {
     constexpr int tries = 1000;  // between halvings; the first box is half full at least
-    for (double scale = 1;; scale *= 0.5)
+    for (double scale = 1; scale > 1e-9; scale *= 0.5)
       for (int i = 0; i < tries; ++i) {
         const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
         const double z = random.uniform(-1, 1);
@@ -37,6 +38,9 @@ class Places {
         const Vec3 p = middle_ + scale * (place - middle_);
         if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
       }
+    throw InputError(Fault{"jar", "no place was found for a ball in it",
+                           "give a smaller ball; a mesh must not cut through itself",
+                           "does-not-fit"});
   }
   /// Half the sides of a box that holds all such places.
   const Vec3& box() const { return box_; }

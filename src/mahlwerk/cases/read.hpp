@@ -30,6 +30,10 @@ Case read_text(const std::string& text, const std::filesystem::path& file,
 /// == c.
 std::string write(const Case& c);
 
+/// What the files a case names hold, the jar's mesh and the measured motion, as a fingerprint:
+/// another file under the same name is another case.
+std::string contents_of_files(const Case& c);
+
 /// Faults of a case as a whole, wherever it came from: values out of range, a ball that does not
 /// fit its jar. Empty if it makes sense. Called by read(); bindings and tests call it too.
 std::vector<Fault> faults(const Case& c);

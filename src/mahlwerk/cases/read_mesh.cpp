@@ -118,13 +118,14 @@ class MeshReader {
     const auto path = std::filesystem::path(folder_) / name;
     const std::string file = path.generic_string();
     std::error_code ignored;
-    std::ifstream stream(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!std::filesystem::is_regular_file(path, ignored) || !stream.is_open()) {
+    std::ifstream stream;
+    if (std::filesystem::is_regular_file(path, ignored)) stream.open(path, std::ios::binary);
+    if (!stream.is_open()) {
       fault(fmt::format("the mesh file {} cannot be read", file),
             "name it relative to the case file", "no-such-file");
       return std::nullopt;
     }
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     try {
       return closed(read_stl(bytes, scale), file);
     } catch (const StlError& error) {

@@ -79,8 +79,18 @@ double read_grain_size(Section& in, const Powder& powder) {
 
 /// How many grains there are; 0 after a fault.
 std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
-  const double count = std::max(1.0, std::round(powder.mass / grain));
-  if (std::isnan(powder.mass / grain)) return 0;  // reported where it comes from
+  const double exact = powder.mass / grain, count = std::max(1.0, std::round(exact));
+  if (std::isnan(exact)) return 0;  // reported where it comes from
+  constexpr double fair = 0.05;     // of the mass, that whole grains may be off by
+  if (std::abs(count - exact) > fair * exact) {
+    in.fault(
+        *in.find("as"),
+        fmt::format("the powder ({}) is {:.2g} grains of {}: whole grains would not have its "
+                    "mass",
+                    show_rounded(powder.mass, "kg"), exact, show_rounded(*powder.grain_size, "m")),
+        "give a smaller grain_size, or more powder", "too-few-grains");
+    return 0;
+  }
   if (count <= most_grains) {
     in.note("count", fmt::format("{:.0f}", count), in.find("as"),
             "mass of the powder over that of a grain");

@@ -225,4 +225,22 @@ std::string write(const Case& c) {
   return out.text();
 }
 
+std::string contents_of_files(const Case& c) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  const auto add = [&](const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
+  };
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape)) {
+    const geometry::Surface& surface = mesh->surface();
+    add(surface.points.data(), surface.points.size() * sizeof surface.points[0]);
+    add(surface.triangles.data(), surface.triangles.size() * sizeof surface.triangles[0]);
+  }
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&c.mill.motion))
+    for (const kinematics::Sample& s : measured->samples())
+      for (const double number : {s.time, s.centre.x, s.centre.y, s.centre.z, s.angle})
+        add(&number, sizeof number);
+  return fmt::format("# files {:016x}\n", hash);
+}
+
 }  // namespace mahlwerk::cases

@@ -82,6 +82,15 @@ Vec3 periods_of(const S& shape) {
     return {never, never, never};
 }
 
+/// How fast a part of the shape moves in it [m/s]: a stirrer's tips.
+template <class S>
+double speed_of_parts(const S& shape) {
+  if constexpr (requires { shape.rotor_speed; })
+    return std::abs(shape.rotor_speed) * shape.turning_reach();
+  else
+    return 0;
+}
+
 constexpr double not_near =
     1e3;  ///< [m] in place of a distance that nobody asked for: a number still
 

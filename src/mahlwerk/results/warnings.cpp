@@ -17,6 +17,9 @@ namespace {
 /// allow; where contacts are followed in steps, to what the step allows.
 constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
 
+/// Of a ball's radius: far beyond what contact laws are made for.
+constexpr double sunk = 0.2;
+
 double named(const std::vector<Quantity>& list, std::string_view name) {
   return std::ranges::find(list, name, &Quantity::name)->value;
 }
@@ -42,6 +45,13 @@ std::vector<std::string> warnings(const Outcome& outcome) {
         fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
                     "{:.0e} is expected.",
                     collision, closed_collision));
+  const double deepest = named(quantities, "deepest_overlap");
+  if (outcome.engine == "soft" && deepest > sunk)
+    list.push_back(fmt::format(
+        "Two bodies overlapped by {:.2g} of a ball's radius. Where balls are squeezed so, forces "
+        "are no longer those of the contact law: a larger contact.softening, stiffer contacts or a "
+        "shorter run.time_step help.",
+        deepest));
   const double run = named(quantities, "energy_balance");
   const double closed = outcome.engine == "soft" ? closed_run_in_steps : closed_run;
   if (!(run <= closed))

@@ -17,6 +17,12 @@ namespace {
 constexpr std::int64_t block = 64;          // steps between two looks at the energy
 constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
 
+/// How many threads find something to do at every step.
+int most_helpful(std::size_t balls) {
+  constexpr std::size_t each = 1000;
+  return static_cast<int>(std::clamp<std::size_t>(balls / each, 1, 1024));
+}
+
 /// Eight alike.
 Make make_of(const Breed& breed, const Species& a, const Species* b) {
   Make m;
@@ -50,7 +56,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
              std::isfinite(jar_->periods().z)),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
                  rules.law.rolling == contact::Rolling::epsd || rules.law.rescaled_unloading),
-      crew_(std::max(1, rules.threads)) {
+      crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
   const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
   makes_.resize(breeds_.all().size());
   double smallest = geometry::never;

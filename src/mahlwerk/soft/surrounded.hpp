@@ -22,7 +22,7 @@ class Surrounded final : public Surroundings {
     sweep_ = jar.sweep();
     if constexpr (has_rotor) {
       turning_from_ = S::turning_from;
-      sweep_ += std::abs(jar.shape().rotor_speed) * jar.shape().turning_reach();
+      sweep_ += geometry::speed_of_parts(jar.shape());
     }
     reach_ = jar.shape().reach();
   }

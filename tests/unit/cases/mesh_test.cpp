@@ -227,6 +227,13 @@ TEST(MeshFile, more_triangles_than_there_is_memory_for_are_refused) {
   }
 }
 
+TEST(MeshFile, another_surface_under_the_same_name_is_another_case) {
+  const std::string other = binary_stl(tests::box(0.03, 0.03, 0.03));
+  const Case one = read_with(binary_stl(brick)), two = read_with(other);
+  EXPECT_EQ(contents_of_files(one), contents_of_files(read_with(binary_stl(brick))));
+  EXPECT_NE(contents_of_files(one), contents_of_files(two));
+}
+
 TEST(MeshFile, the_event_engine_takes_no_mesh) {
   const Case c = read_with(binary_stl(brick), with(meshed, "engine", "engine = \"event\""));
   const std::vector<Fault> found = engine_faults(c);

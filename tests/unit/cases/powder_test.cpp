@@ -143,7 +143,7 @@ TEST(PowderFaults, what_is_missing_or_means_nothing) {
             std::string::npos);
   EXPECT_NE(wrong(with(grains, "ball_to", "filling = \"15 %\"\nmass = \"3 g\"")).find("[too-much]"),
             std::string::npos);
-  EXPECT_NE(wrong(with(grains, "grain_size", "grain_size = \"50 mm\"")).find("[ball-too-large]"),
+  EXPECT_NE(wrong(with(grains, "grain_size", "grain_size = \"50 mm\"")).find("[too-few-grains]"),
             std::string::npos);
 }
 
