@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 
 #include "memory.hpp"
@@ -237,6 +238,16 @@ Ended watch_child(const Child& child, const std::function<void(std::string_view)
   else if (WEXITSTATUS(status) != 0)
     ended.fault = fmt::format("ended with code {}", WEXITSTATUS(status));
   return ended;
+}
+
+std::string complaint(const std::filesystem::path& folder) {
+  std::string line, last;
+  for (const char* name : {"errors.txt", "log.txt"}) {
+    std::ifstream file(folder / name);
+    while (std::getline(file, line))
+      if (line.find("ERROR") != line.npos || line.find("Error") != line.npos) last = line;
+  }
+  return last;
 }
 
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line) {

@@ -51,4 +51,7 @@ Ended watch_child(const Child& child, const std::function<void(std::string_view)
 /// The same; tells what went wrong.
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line);
 
+/// What a program said last about why it gave up, in its errors.txt and log.txt.
+std::string complaint(const std::filesystem::path& folder);
+
 }  // namespace mahlwerk::bench

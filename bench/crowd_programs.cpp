@@ -32,17 +32,6 @@ std::vector<std::string> words_of(Peer peer, int steps, int cores) {
   return words;
 }
 
-/// What the program said last about why it gave up.
-std::string complaint(const fs::path& folder) {
-  std::string line, last;
-  for (const char* name : {"errors.txt", "log.txt"}) {
-    std::ifstream file(folder / name);
-    while (std::getline(file, line))
-      if (line.find("ERROR") != line.npos || line.find("Error") != line.npos) last = line;
-  }
-  return last;
-}
-
 /// Speed and energy, from the words of LAMMPS, which the decks for others use, too.
 Told told_in(const fs::path& log, int last_step) {
   Told told{NAN, NAN, NAN, 0, {}};

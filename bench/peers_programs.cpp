@@ -39,17 +39,6 @@ Child child_for(const Program& program, const fs::path& folder, int steps, int e
   return child;
 }
 
-/// What the program said last about why it gave up.
-std::string complaint(const fs::path& folder) {
-  std::string line, last;
-  for (const char* name : {"errors.txt", "log.txt"}) {
-    std::ifstream file(folder / name);
-    while (std::getline(file, line))
-      if (line.find("ERROR") != line.npos || line.find("Error") != line.npos) last = line;
-  }
-  return last;
-}
-
 /// [s] of the loop of steps, from the program's log; no number if it has not come so far.
 double loop_time(const fs::path& folder) {
   std::ifstream file(folder / "log.txt");

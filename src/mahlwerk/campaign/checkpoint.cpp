@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/fingerprint.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -25,14 +26,8 @@ InputError damaged(const std::filesystem::path& file) {
   return trouble(file, "the checkpoint is damaged", "start the run anew, without --resume");
 }
 
-/// FNV-1a of all bytes, which ends the file: a state with a bit turned would run on, wrongly.
-std::uint64_t fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
-
-/// Takes the fingerprint off the end of a file; whether it is right.
+/// Takes the fingerprint of all else off the end of a file; whether it is right. A state with a bit
+/// turned would run on, wrongly.
 bool whole(std::string& bytes) {
   std::uint64_t kept = 0;
   if (bytes.size() < sizeof kept) return false;

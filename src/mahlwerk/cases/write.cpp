@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
@@ -226,21 +227,17 @@ std::string write(const Case& c) {
 }
 
 std::string contents_of_files(const Case& c) {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  const auto add = [&](const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
+  std::string bytes;
+  const auto add = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
   if (const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape)) {
-    const geometry::Surface& surface = mesh->surface();
-    add(surface.points.data(), surface.points.size() * sizeof surface.points[0]);
-    add(surface.triangles.data(), surface.triangles.size() * sizeof surface.triangles[0]);
+    for (const Vec3& point : mesh->surface().points) add(point);
+    for (const auto& triangle : mesh->surface().triangles) add(triangle);
   }
   if (const auto* measured = std::get_if<kinematics::Tabulated>(&c.mill.motion))
-    for (const kinematics::Sample& s : measured->samples())
-      for (const double number : {s.time, s.centre.x, s.centre.y, s.centre.z, s.angle})
-        add(&number, sizeof number);
-  return fmt::format("# files {:016x}\n", hash);
+    for (const kinematics::Sample& sample : measured->samples()) add(sample);
+  return fmt::format("# files {:016x}\n", fingerprint(bytes));
 }
 
 }  // namespace mahlwerk::cases

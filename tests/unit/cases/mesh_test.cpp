@@ -144,6 +144,8 @@ TEST(MeshFile, what_is_missing_is_asked_for) {
             "\"my-jar.stl\"|missing-value");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "file = \"no.stl\"")),
             "the mesh file no.stl cannot be read|name it relative to the case file|no-such-file");
+  EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "file = \".\"")),
+            "the mesh file . cannot be read|name it relative to the case file|no-such-file");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "unit", "unit = \"kg\"")).substr(0, 11),
             "unit = \"kg\"");
 }
