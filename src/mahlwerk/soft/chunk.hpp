@@ -13,16 +13,26 @@
 
 namespace mahlwerk::soft {
 
+constexpr std::uint32_t bit(int lane) {
+  return 1U << lane;
+}
+/// The lanes whose bits are set.
+[[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
+  constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
+  return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
+}
+
 /// Eight contacts side by side: those that touch, and nothing else. Free lanes touch nothing, but
 /// name bodies that there are.
 struct alignas(64) Grip {
-  LaneMask touching{};
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
   std::array<std::int32_t, lanes> breed{};
-  std::int32_t fresh = 0;  ///< a bit for each lane that first touches in this step
-  bool alike = true;       ///< all lanes are of one breed
-  Vec<Lanes> spring{}, normal{};
+  std::uint32_t touching = 0, fresh = 0;  ///< bits of lanes; of those that first do in this step
+  bool alike = true;                      ///< all lanes are of one breed
+  Vec<Lanes> spring{};
   Lanes impulse{}, lost_normal{}, lost_across{};  ///< since they began
+
+  bool touches(int lane) const { return (touching & bit(lane)) != 0; }
 };
 /// What only some laws remember.
 struct alignas(64) Memory {

@@ -53,7 +53,6 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
                 .glide = norm(glide - dot(glide, n) * n)};
   put(p.spring, lane, {});
   put(p.roll, lane, {});
-  put(p.normal, lane, n);
   p.stiffness[lane] = 0;
   contact::LawNumbers numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = p.numbers[i][lane];
@@ -81,11 +80,14 @@ void SoftBalls::end(Packet& p, int lane) {
   const Breed& breed = breeds_[p.breed[k]];
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const double t = clock(swarm_.step);
-  const Vec3 n = one(p.normal, lane);
-  const Vec3 where = swarm_.place.one(ball) + p.radius_i[lane] * n;
+  const int face = wall ? p.face[k] : -1;
+  const Vec3 x = swarm_.place.one(ball);
+  const Vec3 apart = wall ? -jar_->gap(face, x, t, geometry::never).inward
+                          : nearest(swarm_.place.one(static_cast<std::size_t>(p.j[lane])) - x);
+  const Vec3 n = (1 / norm(apart)) * apart;
+  const Vec3 where = x + p.radius_i[lane] * n;
   const Deeds& d = p.deeds;
   const double duration = time_of(swarm_.step - began.step);
-  const int face = wall ? p.face[k] : -1;
   ended_.push_back({.time = time_of(began.step),
                     .duration = duration,
                     .ball = static_cast<std::int32_t>(p.i[lane]),

@@ -14,6 +14,7 @@
 namespace mahlwerk::soft {
 namespace {
 
+constexpr std::size_t in_cache = 30000;     // balls that a processor's cache holds, with contacts
 constexpr std::int64_t block = 64;          // steps between two looks at the energy
 constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
 
@@ -54,6 +55,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
       start_(start),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
              std::isfinite(jar_->periods().z)),
+      large_(balls.size() > in_cache),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
                  rules.law.rolling == contact::Rolling::epsd || rules.law.rescaled_unloading),
       crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
@@ -189,6 +191,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .reach = reach_,
       .before = before,
       .after = after,
+      .large = large_,
       .turning = jar_->turning_from() < jar_->faces(),
       .remembers = remembers_,
       .frame = {.step = rules_.time_step,

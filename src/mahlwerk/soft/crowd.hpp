@@ -9,6 +9,7 @@
 #include "mahlwerk/base/roomy.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/breeds.hpp"
+#include "mahlwerk/soft/candidates.hpp"
 #include "mahlwerk/soft/crew.hpp"
 #include "mahlwerk/soft/grid.hpp"
 #include "mahlwerk/soft/pass.hpp"
@@ -81,6 +82,7 @@ class Crowd final : public scene::Engine, private Comings {
   bool worth_sorting() const;
   void sort_pairs();
   double gap(const Nigh& pair) const;
+  std::int32_t gather_near(std::int32_t from, std::int32_t last, Candidates& candidates) const;
   void find_near(Chunk& chunk);
   struct Wrong {
     std::size_t row = 0;
@@ -111,7 +113,7 @@ class Crowd final : public scene::Engine, private Comings {
   Breeds breeds_;
   PassOf pass_;
   double start_, reach_ = 0, mass_ = 0;
-  bool folds_, remembers_;
+  bool folds_, large_, remembers_;
   std::vector<Make> makes_;           // of each breed
   std::vector<Eight> kicks_;          // of each species
   std::vector<int> class_of_;         // each species' class of sizes

@@ -33,7 +33,7 @@ Crowd::Stored Crowd::stored(const Chunk& chunk) const {
     for (std::size_t n = 0; n < list.grips.size(); ++n) {
       const Grip& g = list.grips[n];
       for (int l = 0; l < lanes; ++l) {
-        if (g.touching[l] == 0) continue;
+        if (!g.touches(l)) continue;
         const auto k = static_cast<std::size_t>(l);
         const auto i = static_cast<std::size_t>(g.i[k]);
         const Make& make =

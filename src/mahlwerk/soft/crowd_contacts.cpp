@@ -55,8 +55,8 @@ void Crowd::seize(Chunk& chunk, const Nigh& pair) {
   const auto l = static_cast<std::size_t>(at % lanes);
   g.i[l] = pair.ball;
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
-  g.touching[at % lanes] = -1;
-  g.fresh |= 1 << l;
+  g.touching |= bit(at % lanes);
+  g.fresh |= bit(static_cast<int>(l));
 }
 
 /// A lane for a contact of `ball` and of that breed, its history cleared.
@@ -84,10 +84,9 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
   g.breed[static_cast<std::size_t>(l)] = breed;
   g.alike = true;
   for (int k = 0; k < lanes; ++k)
-    g.alike = g.alike && (g.touching[k] == 0 || g.breed[static_cast<std::size_t>(k)] == breed);
+    g.alike = g.alike && (!g.touches(k) || g.breed[static_cast<std::size_t>(k)] == breed);
   if (g.alike) g.breed.fill(breed);
   put(g.spring, l, {});
-  put(g.normal, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
   if (remembers_) {
     Memory& m = grips.memories[n];
@@ -108,7 +107,7 @@ void Crowd::touches(Chunk& chunk, std::int32_t ball, int more) {
 void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, const Bodies& b) {
   Grip& g = grips.grips[n];
   for (int l = 0; l < lanes; ++l) {
-    if ((g.fresh >> l & 1) == 0) continue;
+    if ((g.fresh & bit(l)) == 0) continue;
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], 1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
@@ -119,7 +118,6 @@ void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, c
              .approach = std::max(m.rate[l], 0.0),
              .slip = norm(one(m.slip, l)),
              .glide = norm(glide - dot(glide, normal) * normal)};
-    put(g.normal, l, normal);
     if (!remembers_) continue;
     const Make& make =
         grips.makes.empty() ? makes_[static_cast<std::size_t>(g.breed[k])] : grips.makes[n];
@@ -154,13 +152,13 @@ void Crowd::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touch
   Grip& g = grips.grips[n];
   const bool wall = &grips == &chunk.wall;
   for (int l = 0; l < lanes; ++l) {
-    if (g.touching[l] == 0 || touching[l] != 0) continue;
+    if (!g.touches(l) || touching[l] != 0) continue;
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], -1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], -1);
     if (&grips != &chunk.cross || g.i[k] < g.j[k]) record(chunk, grips, n, l);
     (wall ? chunk.near_wall : chunk.near).parted.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
-    g.touching[l] = 0;
+    g.touching &= ~bit(l);
     put(g.spring, l, {});
     grips.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
   }
@@ -174,8 +172,10 @@ void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
   const Beginning& began = grips.began[n][k];
   const Breed& breed = breeds_[g.breed[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
-  const Vec3 normal = one(g.normal, l);
   const int face = wall ? g.j[k] : -1;
+  const Vec3 apart = wall ? -jar_->gap(face, ball.place(), t, geometry::never).inward
+                          : nearest(now_[static_cast<std::size_t>(g.j[k])].place() - ball.place());
+  const Vec3 normal = (1 / norm(apart)) * apart;
   chunk.ended.push_back({step_,
                          {.time = time_of(began.step),
                           .duration = duration,

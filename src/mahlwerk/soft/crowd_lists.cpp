@@ -150,13 +150,37 @@ void Crowd::tune_skin() {
   skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
 }
 
+/// Balls that may be near to those from `from` on that share a cell; returns where these end.
+std::int32_t Crowd::gather_near(std::int32_t from, std::int32_t last,
+                                Candidates& candidates) const {
+  const Row& first = now_[static_cast<std::size_t>(from)];
+  const Grid& own =
+      grids_[static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[from])])];
+  const std::size_t cell = own.cell(first.place());
+  Vec3 low = first.place(), high = low;
+  std::int32_t to = from + 1;
+  for (; to < last; ++to) {
+    const Vec3 x = now_[static_cast<std::size_t>(to)].place();
+    if (own.cell(x) != cell) break;
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  candidates.clear();
+  for (const Grid& grid : grids_) {
+    const double far = own.radius() + grid.radius() + skin_ + reach_;
+    grid.near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
+              [&](std::int32_t a, std::int32_t b) { candidates.add(now_.data(), a, b); });
+  }
+  return to;
+}
+
 /// Near pairs that have no contact yet. A pair with a ball of another chunk is found by both.
 void Crowd::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const Grips* list : {&chunk.own, &chunk.cross})
     for (const Grip& g : list->grips)
       for (std::size_t l = 0; l < lanes; ++l) {
-        if (g.touching[static_cast<int>(l)] == 0) continue;
+        if (!g.touches(static_cast<int>(l))) continue;
         const bool own = list == &chunk.own;
         touching.emplace_back(own ? std::min(g.i[l], g.j[l]) : g.i[l],
                               own ? std::max(g.i[l], g.j[l]) : g.j[l]);
@@ -167,30 +191,21 @@ void Crowd::find_near(Chunk& chunk) {
   auto at = touching.begin();
   std::vector<bool> beside(chunks_.size());
   const auto outside = [&](std::int32_t j) { return j < chunk.first || j >= chunk.last; };
-  for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const Row& ball = now_[static_cast<std::size_t>(i)];
-    const Vec3 x = ball.place();
-    const auto begin = at;
-    while (at != touching.end() && at->first == i) ++at;
-    const auto has = [&](std::int32_t j) {
-      return std::any_of(begin, at, [&](const auto& pair) { return pair.second == j; });
-    };
-    for (const Grid& grid : grids_)
-      grid.near(x, ball.radius + grid.radius() + skin_ + reach_,
-                [&](std::int32_t first, std::int32_t last) {
-                  for (std::int32_t j = first; j < last; ++j) {
-                    if (j <= i && !outside(j)) continue;
-                    const Row& other = now_[static_cast<std::size_t>(j)];
-                    const double touch = ball.radius + other.radius;
-                    const double far = touch + skin_ + reach_;
-                    const double distance2 = squared(nearest(other.place() - x));
-                    if (!(distance2 < far * far)) continue;
-                    if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
-                    if (has(j)) continue;
-                    found.push_back({i, j});
-                    gaps.push_back(std::sqrt(distance2) - touch);
-                  }
-                });
+  Candidates candidates(jar_->periods());
+  for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
+    to = gather_near(from, chunk.last, candidates);
+    for (std::int32_t i = from; i < to; ++i) {
+      const Row& ball = now_[static_cast<std::size_t>(i)];
+      const auto begin = at;
+      while (at != touching.end() && at->first == i) ++at;
+      const Candidates::Sought sought{ball.place(), ball.radius + skin_ + reach_, i, chunk.first};
+      for (const auto& [j, gap] : candidates.near(sought)) {
+        if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
+        if (std::find(begin, at, std::pair(i, j)) != at) continue;
+        found.push_back({i, j});
+        gaps.push_back(gap - ball.radius);
+      }
+    }
   }
   for (const auto& [i, j] : touching)
     if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
@@ -205,7 +220,7 @@ Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const Grip& g : chunk.wall.grips)
     for (std::size_t l = 0; l < lanes; ++l)
-      if (g.touching[static_cast<int>(l)] != 0) touching.emplace_back(g.i[l], g.j[l]);
+      if (g.touches(static_cast<int>(l))) touching.emplace_back(g.i[l], g.j[l]);
   std::ranges::sort(touching);
   std::vector<Nigh> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));

@@ -13,7 +13,6 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int32_t chunk_size = 1024;
-constexpr std::size_t in_cache = 30000;  // balls that a processor's cache holds, with contacts
 
 template <class Rows>
 void permute(Rows& all, const std::vector<std::int32_t>& from) {
@@ -86,7 +85,7 @@ std::vector<Crowd::Kept> Crowd::take_contacts(const std::vector<std::int32_t>& t
       const Grip& g = list.grips[n];
       for (std::int32_t l = 0; l < lanes; ++l) {
         const auto k = static_cast<std::size_t>(l);
-        if (g.touching[l] == 0 || (shared && g.i[k] > g.j[k])) continue;
+        if (!g.touches(l) || (shared && g.i[k] > g.j[k])) continue;
         all.push_back({.i = to[static_cast<std::size_t>(g.i[k])],
                        .j = wall ? g.j[k] : to[static_cast<std::size_t>(g.j[k])],
                        .wall = wall,
@@ -150,11 +149,10 @@ void Crowd::give(Grips& list, const Kept& c, std::int32_t i, std::int32_t j, std
   const int l = at % lanes, m = c.lane;
   Grip& g = list.grips[n];
   const Grip& from = c.list->grips[old];
-  g.touching[l] = -1;
+  g.touching |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
   list.began[n][static_cast<std::size_t>(l)] = c.list->began[old][static_cast<std::size_t>(m)];
   put(g.spring, l, sign * one(from.spring, m));
-  put(g.normal, l, sign * one(from.normal, m));
   g.impulse[l] = from.impulse[m];
   g.lost_normal[l] = from.lost_normal[m], g.lost_across[l] = from.lost_across[m];
   if (remembers_) {
@@ -186,8 +184,7 @@ void Crowd::share_work() {
   }
   share_.push_back(static_cast<std::int32_t>(chunks_.size()));
   for (std::size_t k = 0; k < chunks_.size(); ++k)  // while fetching is worth it
-    chunks_[k].following =
-        k + 1 < chunks_.size() && now_.size() > in_cache ? &chunks_[k + 1] : nullptr;
+    chunks_[k].following = k + 1 < chunks_.size() && large_ ? &chunks_[k + 1] : nullptr;
   for (Loads& loads : loads_) loads.resize(chunk_size);
 }
 

@@ -68,15 +68,17 @@ std::uint64_t Grid::key(const Vec3& p) const {
   return all;
 }
 
+std::size_t Grid::cell(const Vec3& p) const {
+  return cell(index(folded(p.x, 0), 0), index(folded(p.y, 1), 1), index(folded(p.z, 2), 2));
+}
+
 void Grid::fill(std::span<const Vec3> sorted, std::int32_t first) {
   const auto count = static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
                      static_cast<std::size_t>(count_[2]);
   from_.assign(count, 0);
   to_.assign(count, 0);
   for (std::size_t k = 0; k < sorted.size(); ++k) {
-    const Vec3& p = sorted[k];
-    const std::size_t c =
-        cell(index(folded(p.x, 0), 0), index(folded(p.y, 1), 1), index(folded(p.z, 2), 2));
+    const std::size_t c = cell(sorted[k]);
     const auto ball = first + static_cast<std::int32_t>(k);
     if (from_[c] == to_[c]) from_[c] = ball;
     to_[c] = ball + 1;

@@ -25,12 +25,13 @@ class Grid {
   /// Balls `first` on stand in the order of their keys.
   void fill(std::span<const Vec3> sorted, std::int32_t first);
 
+  std::size_t cell(const Vec3& place) const;
   /// Calls `f(first, last)` with ranges of balls, among which are all whose centres are within
-  /// `reach` [m] of `place`.
+  /// `reach` [m] of `place` along each axis.
   template <class F>
-  void near(const Vec3& place, double reach, const F& f) const {
+  void near(const Vec3& place, const Vec3& reach, const F& f) const {
     std::array<std::array<std::int32_t, 2>, 3> range{};
-    for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(place, a), reach, a);
+    for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(place, a), at(reach, a), a);
     for (std::int32_t z = range[2][0]; z <= range[2][1]; ++z)
       for (std::int32_t y = range[1][0]; y <= range[1][1]; ++y)
         for (std::int32_t x = range[0][0]; x <= range[0][1]; ++x) {

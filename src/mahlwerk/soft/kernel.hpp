@@ -68,13 +68,13 @@ struct alignas(64) Meeting {
   return m;
 }
 
-/// A vector across the old normal turned with it to the new one, its length kept (dem.19): the
-/// exact rotation in the plane of both, with 1/(1 + cos) by its series about no turn at all.
-[[gnu::always_inline]] inline Vec<Lanes> carried(const Vec<Lanes>& a, const Vec<Lanes>& from,
-                                                 const Vec<Lanes>& to) {
-  const Lanes less = 1.0 - dot(from, to);
-  const Lanes factor = dot(a, to) * (0.5 + less * (0.25 + 0.125 * less));
-  return a - factor * (from + to);
+/// A vector across the last normal laid across this one, its length kept (dem.18): by the series of
+/// 1/sqrt(1 - q), q the square of the sine of what it turns by.
+[[gnu::always_inline]] inline Vec<Lanes> laid_across(const Vec<Lanes>& a, const Vec<Lanes>& n) {
+  const Lanes along = dot(a, n);
+  const Lanes q = along * along / larger(dot(a, a), Lanes{} + 1e-300);
+  const Lanes longer = 1.0 + q * (0.5 + q * (0.375 + 0.3125 * q));
+  return longer * (a - along * n);
 }
 
 /// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
@@ -86,7 +86,7 @@ struct alignas(64) Meeting {
     const Lanes kept = push.stiffness / p.stiffness;
     p.spring = choose(less(push.stiffness, p.stiffness), kept, Lanes{} + 1.0) * p.spring;
   }
-  Vec<Lanes> spring = carried(p.spring, p.normal, m.n) + frame.step * m.slip;
+  Vec<Lanes> spring = laid_across(p.spring, m.n) + frame.step * m.slip;
   Vec<Lanes> force = -(push.stiffness * spring) - push.damping * m.slip;
   const Lanes most = make.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
@@ -130,7 +130,7 @@ struct alignas(64) Meeting {
     torque = -(limited(most * root(ratio)) * turning);
   } else {
     const Lanes stiffness = p.roll_spring * push.stiffness;
-    Vec<Lanes> spring = carried(past.roll, past.normal, m.n) - (frame.step * stiffness) * turning;
+    Vec<Lanes> spring = laid_across(past.roll, m.n) - (frame.step * stiffness) * turning;
     const Lanes squared = dot(spring, spring);
     const LaneMask slips = less(most * most, squared);
     if (any(slips)) {
@@ -167,7 +167,6 @@ template <class Law>
     out.torque_j = out.torque_j - torque;
     by_wall += dot(torque, b.wj);
   }
-  past.normal = m.n;
   d.impulse += frame.step * f.force;
   d.normal += frame.step * (f.force * m.rate);
   d.tangential -= frame.step * dot(friction, m.slip);

@@ -53,7 +53,6 @@ inline void copy_lane(const Make& a, int lane, Make& b, int place) {
 struct alignas(64) History {
   Lanes memory[contact::law_memories]{};
   Vec<Lanes> spring{};  ///< [m] xi, the tangential spring
-  Vec<Lanes> normal{};  ///< at the last step, from i to j
   Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
   Lanes stiffness{};    ///< [N/m] across, at the last step
 };

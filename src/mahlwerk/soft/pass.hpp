@@ -40,6 +40,7 @@ struct alignas(64) Pass {
   double bin = 0;          ///< [m] width of the bins of pairs that wait
   double reach = 0;        ///< [m] farthest that a contact holds beyond touch
   Beat before, after;      ///< now, and a step later
+  bool large = false;      ///< more than the processor's cache holds
   bool turning = false;    ///< some faces turn by themselves
   bool remembers = false;  ///< laws or rolling that need Memory
   Frame frame;

@@ -86,13 +86,14 @@ template <bool wide>
 
 /// The bodies of a grip.
 template <bool wide>
-[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g, Whose whose) {
+[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g, LaneMask touching,
+                                            Whose whose) {
   Bodies b;
   const Lanes none{};
   Lanes c[8];
   if (whose == Whose::wall) {
     Eight foot[3];
-    s.jar->feet(s.rows, g.i, g.j, g.touching, s.time, s.reach, foot);
+    s.jar->feet(s.rows, g.i, g.j, touching, s.time, s.reach, foot);
     columns<wide>(s.rows, g.i, c);
     const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
     const Vec3& spin = s.before.spin;
@@ -145,24 +146,25 @@ template <class Law, bool wide>
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
     Grip& g = list.grips[n];
     ahead.fetch();
-    if (!any(g.touching)) continue;
+    if (g.touching == 0) continue;
     if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
-    const Bodies b = bodies<wide>(s, g, whose);
+    const LaneMask touched = mask(g.touching);
+    const Bodies b = bodies<wide>(s, g, touched, whose);
     const Make* make = &s.makes[g.breed[0]];
     if (!list.makes.empty())
       make = &list.makes[n];
     else if (!g.alike)
       mixed(s.makes, g, made), make = &made;
-    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, g.touching);
-    const LaneMask touching = less(squared, near * near) & g.touching;
+    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, touched);
+    const LaneMask touching = less(squared, near * near) & touched;
     const Meeting m = meet(*make, b, squared);
     if (g.fresh != 0) {
       s.comings->begin(chunk, list, n, m, b);
       if (!list.makes.empty()) make = &list.makes[n];
     }
-    if (any(touching ^ g.touching)) s.comings->end(chunk, list, n, touching);
+    if (any(touching ^ touched)) s.comings->end(chunk, list, n, touching);
     History past;
-    past.spring = g.spring, past.normal = g.normal;
+    past.spring = g.spring;
     if (s.remembers) {
       const Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
@@ -170,7 +172,7 @@ template <class Law, bool wide>
     }
     Deeds d;
     const Push out = push<Law>(*make, past, d, s.frame, b, m, touching);
-    g.spring = past.spring, g.normal = past.normal;
+    g.spring = past.spring;
     if (s.remembers) {
       Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
@@ -262,14 +264,22 @@ template <bool wide>
     put_eight(s.half[i], half);
     const Lanes row = eight(s.rows[i]);
     const Lanes place = row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
-    put_eight(s.next[i], __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15));
-    put_four(s.next_turns[i], __builtin_shufflevector(seen, seen, 4, 5, 6, 15));
+    const Lanes next = __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15);
+    const Four turn = __builtin_shufflevector(seen, seen, 4, 5, 6, 15);
+    if (wide && s.large) {
+      put_past_cache(s.next[i], next);
+      put_past_cache(s.next_turns[i], turn);
+    } else {
+      put_eight(s.next[i], next);
+      put_four(s.next_turns[i], turn);
+    }
     const Four way = __builtin_shufflevector(place, place, 0, 1, 2, 2) - four(s.looked[i]);
     const Four off = way - guess;
     sum += way;
     most = most > off ? most : off;
     most = most > -off ? most : -off;
   }
+  if (wide && s.large) all_are_put();
   const double count = std::max(1, chunk.last - chunk.first);
   drift.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
   drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
@@ -288,8 +298,6 @@ template <bool wide>
   ahead.add(c.cross.grips.data(), c.cross.grips.size());
   ahead.add(&s.half[c.first], balls);
   ahead.add(&s.looked[c.first], balls);
-  ahead.add(&s.next[c.first], balls);
-  ahead.add(&s.next_turns[c.first], balls);
   ahead.divide(chunk.own.grips.size() + chunk.cross.grips.size());
   return ahead;
 }

@@ -4,6 +4,7 @@
 
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/soft/machines.hpp"
 
 // Balls in rows: what the contacts ask of a ball lies in one line of the cache, so that eight balls
 // anywhere are eight loads, turned into columns in registers.
@@ -53,6 +54,19 @@ template <class R>
 template <class R>
 [[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
   *reinterpret_cast<FourAnywhere*>(&row) = a;
+}
+/// Past the cache: to where nobody looks before everything else has been through it.
+template <class R, class A>
+[[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
+#ifdef MAHLWERK_WIDE
+  asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
+#endif
+}
+/// Before anybody else looks there.
+[[gnu::always_inline]] inline void all_are_put() {
+#ifdef MAHLWERK_WIDE
+  asm volatile("sfence" ::: "memory");
+#endif
 }
 [[gnu::always_inline]] inline Four four(const Spot& spot) {
   return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/machines.hpp"
+
+namespace mahlwerk::soft {
+
+Candidates::Candidates(const Vec3& periods)
+    : periods_(periods),
+      folds_(std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z)),
+      wide_(machine() == Machine::wide) {}
+
+void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
+  for (std::int32_t j = first; j < last; ++j, ++count_) {
+    if (count_ == lanes * blocks_.size()) blocks_.emplace_back();
+    Block& block = blocks_[count_ / lanes];
+    const auto l = static_cast<int>(count_ % lanes);
+    const Row& ball = rows[j];
+    block.x[l] = ball.x, block.y[l] = ball.y, block.z[l] = ball.z;
+    block.radius[l] = ball.radius, block.row[l] = j;
+  }
+}
+
+[[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
+                                                        Lanes& squared) const {
+  Lanes x = b.x - sought.place.x, y = b.y - sought.place.y, z = b.z - sought.place.z;
+  for (int l = 0; folds_ && l < lanes; ++l) {
+    x[l] = std::remainder(x[l], periods_.x);
+    y[l] = std::remainder(y[l], periods_.y);
+    z[l] = std::remainder(z[l], periods_.z);
+  }
+  squared = x * x + y * y + z * z;
+  const Lanes far = b.radius + sought.beyond, none{};
+  return less(squared, far * far) &
+         (less(none + sought.after, b.row) | less(b.row, none + sought.before));
+}
+
+template <bool wide>
+[[gnu::always_inline]] inline void Candidates::find(const Sought& sought) {
+  found_.clear();
+  for (std::size_t n = 0; n * lanes < count_; ++n) {
+    const Block& b = blocks_[n];
+    Lanes squared;
+    const LaneMask near = test(b, sought, squared);
+    if (!any(near)) continue;
+    const int full = static_cast<int>(std::min<std::size_t>(lanes, count_ - n * lanes));
+    int bits = 0;
+    for (int l = 0; l < full; ++l) bits |= near[l] != 0 ? 1 << l : 0;
+    for (; bits != 0; bits &= bits - 1) {
+      const int l = __builtin_ctz(static_cast<unsigned>(bits));
+      found_.push_back({static_cast<std::int32_t>(b.row[l]), std::sqrt(squared[l]) - b.radius[l]});
+    }
+  }
+}
+
+#ifdef MAHLWERK_WIDE
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_wide(
+    const Sought& sought) {
+  find<true>(sought);
+}
+#else
+void Candidates::find_wide(const Sought& sought) {
+  find<false>(sought);
+}
+#endif
+
+std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
+  if (wide_)
+    find_wide(sought);
+  else
+    find<false>(sought);
+  return found_;
+}
+
+}  // namespace mahlwerk::soft
