@@ -195,6 +195,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .turning = jar_->turning_from() < jar_->faces(),
       .remembers = remembers_,
       .frame = {.step = rules_.time_step,
+                .per_step = 1 / rules_.time_step,
                 .jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z},
                 .rolling = rules_.law.rolling,
                 .rolling_damping = rules_.law.rolling_damping,

@@ -10,7 +10,7 @@ namespace mahlwerk::soft {
 
 /// What is the same for all packets of a step.
 struct alignas(64) Frame {
-  double step = 0;  ///< [s]
+  double step = 0, per_step = 0;  ///< [s], [1/s]
   Vec<Lanes> jar_speed{};
   contact::Rolling rolling = contact::Rolling::none;
   double rolling_damping = 0;
@@ -73,7 +73,7 @@ struct alignas(64) Meeting {
 [[gnu::always_inline]] inline Vec<Lanes> laid_across(const Vec<Lanes>& a, const Vec<Lanes>& n) {
   const Lanes along = dot(a, n);
   const Lanes q = along * along / larger(dot(a, a), Lanes{} + 1e-300);
-  const Lanes longer = 1.0 + q * (0.5 + q * (0.375 + 0.3125 * q));
+  const Lanes longer = 1.0 + q * (0.5 + 0.375 * q);
   return longer * (a - along * n);
 }
 
@@ -117,7 +117,7 @@ struct alignas(64) Meeting {
   // What stops it within sixteen steps: speeds are predicted from the last step's torque, a ball
   // has a dozen neighbours that all resist, and together they must not turn it back.
   const auto limited = [&](const Lanes& size) {
-    return smaller(size, 0.0625 * p.inertia / frame.step);
+    return smaller(size, (0.0625 * frame.per_step) * p.inertia);
   };
   Vec<Lanes> torque;
   if (frame.rolling == contact::Rolling::cdt) {
@@ -146,10 +146,11 @@ struct alignas(64) Meeting {
   return choose<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
-/// All that the pairs of a packet do to each other in a step.
+/// All that the pairs of a packet do to each other in a step; `walls`: some may be at a wall.
 template <class Law>
 [[gnu::always_inline]] inline Push push(const Make& p, History& past, Deeds& d, const Frame& frame,
-                                        const Bodies& b, const Meeting& m, LaneMask touching) {
+                                        const Bodies& b, const Meeting& m, LaneMask touching,
+                                        bool walls) {
   const Lanes none{};
   contact::Push<Lanes> f = Law::template push<Lanes>(
       p.numbers, past.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
@@ -160,17 +161,18 @@ template <class Law>
   const Vec<Lanes> arm = cross(m.n, friction);
   out.torque_i = m.lever_i * arm;
   out.torque_j = m.lever_j * arm;
-  Lanes by_wall = dot(out.force, b.vj + frame.jar_speed);
+  Lanes by_wall{};
+  if (walls) by_wall = dot(out.force, b.vj + frame.jar_speed);
   if (frame.rolling != contact::Rolling::none) {
     const Vec<Lanes> torque = resist(p, past, d, frame, m, b, f, touching);
     out.torque_i = out.torque_i + torque;
     out.torque_j = out.torque_j - torque;
-    by_wall += dot(torque, b.wj);
+    if (walls) by_wall += dot(torque, b.wj);
   }
   d.impulse += frame.step * f.force;
   d.normal += frame.step * (f.force * m.rate);
   d.tangential -= frame.step * dot(friction, m.slip);
-  d.wall += choose(p.wall, frame.step * by_wall, none);
+  if (walls) d.wall += choose(p.wall, frame.step * by_wall, none);
   d.deepest = larger(d.deepest, choose(touching, m.overlap, none));
   return out;
 }

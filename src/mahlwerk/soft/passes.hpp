@@ -15,52 +15,59 @@ namespace mahlwerk::soft {
 
 enum class Whose { own, cross, wall };
 
-/// Columns of eight rows. Without wide registers, number by number.
-template <bool wide, class R>
-[[gnu::always_inline]] inline void columns(const R* rows, const std::array<std::int32_t, lanes>& at,
-                                           Lanes (&out)[8]) {
-  for (int l = 0; l < lanes; ++l) {
-    const R& row = rows[at[static_cast<std::size_t>(l)]];
-    if constexpr (wide) {
-      out[l] = eight(row);
-    } else {
-      const double* numbers = reinterpret_cast<const double*>(&row);
-      for (int c = 0; c < 8; ++c) out[c][l] = numbers[c];
+using Bodied = std::array<std::int32_t, lanes>;  // a body for each lane
+
+/// Places and velocities. Without wide registers, number by number.
+template <bool wide>
+[[gnu::always_inline]] inline void motion(const Row* rows, const Bodied& at, Vec<Lanes>& place,
+                                          Vec<Lanes>& velocity) {
+  Lanes x[4], v[4];
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Row& a = rows[at[k]];
+    const auto l = static_cast<int>(k);
+    if constexpr (!wide) {
+      x[0][l] = a.x, x[1][l] = a.y, x[2][l] = a.z;
+      v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
+    } else if (k < 4) {
+      const Row& b = rows[at[k + 4]];
+      x[k] = fours(a, b), v[k] = last_fours(a, b);
     }
   }
-  if constexpr (wide) transpose(out);
+  if constexpr (wide) transpose(x), transpose(v);
+  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
-/// Of what eight pairs differ by, j less i.
+/// The same, of j less i.
 template <bool wide>
-[[gnu::always_inline]] inline void differences(const Row* rows, const Grip& g, Lanes (&out)[8]) {
-  for (int l = 0; l < lanes; ++l) {
-    const auto k = static_cast<std::size_t>(l);
-    const Row &a = rows[g.i[k]], &b = rows[g.j[k]];
-    if constexpr (wide) {
-      out[l] = eight(b) - eight(a);
-    } else {
-      out[0][l] = b.x - a.x, out[1][l] = b.y - a.y, out[2][l] = b.z - a.z;
-      out[4][l] = b.u - a.u, out[5][l] = b.v - a.v, out[6][l] = b.w - a.w;
+[[gnu::always_inline]] inline void differences(const Row* rows, const Grip& g, Vec<Lanes>& place,
+                                               Vec<Lanes>& velocity) {
+  Lanes x[4], v[4];
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Row &i = rows[g.i[k]], &j = rows[g.j[k]];
+    const auto l = static_cast<int>(k);
+    if constexpr (!wide) {
+      x[0][l] = j.x - i.x, x[1][l] = j.y - i.y, x[2][l] = j.z - i.z;
+      v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
+    } else if (k < 4) {
+      const Row &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
+      x[k] = fours(j, j4) - fours(i, i4), v[k] = last_fours(j, j4) - last_fours(i, i4);
     }
   }
-  if constexpr (wide) transpose(out);
+  if constexpr (wide) transpose(x), transpose(v);
+  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 template <bool wide>
-[[gnu::always_inline]] inline void spins(const Turn* turns, const Grip& g, Bodies& b) {
-  Lanes w[8];
-  for (int l = 0; l < lanes; ++l) {
-    const auto k = static_cast<std::size_t>(l);
-    const Turn &i = turns[g.i[k]], &j = turns[g.j[k]];
-    if constexpr (wide) {
-      w[l] = joined(four(i), four(j));
-    } else {
-      w[0][l] = i.x, w[1][l] = i.y, w[2][l] = i.z;
-      w[4][l] = j.x, w[5][l] = j.y, w[6][l] = j.z;
-    }
+[[gnu::always_inline]] inline Vec<Lanes> spins(const Turn* turns, const Bodied& at) {
+  Lanes w[4];
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Turn& a = turns[at[k]];
+    const auto l = static_cast<int>(k);
+    if constexpr (!wide)
+      w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
+    else if (k < 4)
+      w[k] = fours(a, turns[at[k + 4]]);
   }
   if constexpr (wide) transpose(w);
-  b.wi = {w[0], w[1], w[2]};
-  b.wj = {w[4], w[5], w[6]};
+  return {w[0], w[1], w[2]};
 }
 
 /// Adds forces and torques to the rows of the balls, in the order of the lanes.
@@ -90,11 +97,12 @@ template <bool wide>
                                             Whose whose) {
   Bodies b;
   const Lanes none{};
-  Lanes c[8];
+  Vec<Lanes> place, velocity;
+  b.wi = spins<wide>(s.turns, g.i);
   if (whose == Whose::wall) {
     Eight foot[3];
     s.jar->feet(s.rows, g.i, g.j, touching, s.time, s.reach, foot);
-    columns<wide>(s.rows, g.i, c);
+    motion<wide>(s.rows, g.i, place, velocity);
     const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
@@ -104,21 +112,17 @@ template <bool wide>
       b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
     }
     b.vj = cross(b.wj, at);
-    b.apart = at - Vec<Lanes>{c[0], c[1], c[2]};
-    b.relative = Vec<Lanes>{c[4], c[5], c[6]} - b.vj;
-    for (int l = 0; l < lanes; ++l) {
-      const Turn& i = s.turns[g.i[static_cast<std::size_t>(l)]];
-      b.wi.x[l] = i.x, b.wi.y[l] = i.y, b.wi.z[l] = i.z;
-    }
+    b.apart = at - place;
+    b.relative = velocity - b.vj;
   } else {
-    differences<wide>(s.rows, g, c);
-    b.apart = {c[0], c[1], c[2]};
+    differences<wide>(s.rows, g, place, velocity);
+    b.apart = place;
     if (s.frame.periodic)
-      b.apart = {folded(c[0], s.frame.periods.x), folded(c[1], s.frame.periods.y),
-                 folded(c[2], s.frame.periods.z)};
-    b.relative = {-c[4], -c[5], -c[6]};
+      b.apart = {folded(place.x, s.frame.periods.x), folded(place.y, s.frame.periods.y),
+                 folded(place.z, s.frame.periods.z)};
+    b.relative = -velocity;
     b.vj = {none, none, none};
-    spins<wide>(s.turns, g, b);
+    b.wj = spins<wide>(s.turns, g.j);
   }
   return b;
 }
@@ -171,7 +175,7 @@ template <class Law, bool wide>
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
     Deeds d;
-    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching);
+    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching, whose == Whose::wall);
     g.spring = past.spring;
     if (s.remembers) {
       Memory& k = list.memories[n];
@@ -182,7 +186,8 @@ template <class Law, bool wide>
     g.lost_normal += d.normal;
     g.lost_across += d.tangential + d.rolling;
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
-    sums.sliding += d.sliding, sums.wall += d.wall;
+    sums.sliding += d.sliding;
+    if (whose == Whose::wall) sums.wall += d.wall;
     sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
     add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
     if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
@@ -192,19 +197,19 @@ template <class Law, bool wide>
 /// Which of the pairs from `at` on, up to eight, touch: a bit for each.
 template <bool wide>
 [[gnu::always_inline]] inline int touching_of(const Pass& s, const Nigh* pairs, std::size_t count) {
-  Lanes c[8];
-  Lanes touch{};
-  for (std::size_t l = 0; l < lanes; ++l) {
-    const Nigh& pair = pairs[l < count ? l : 0];
-    const Row &a = s.rows[pair.ball], &b = s.rows[pair.other];
-    if constexpr (wide) {
-      c[l] = eight(b) - eight(a);
-    } else {
-      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z;
-    }
-    touch[l] = a.radius + b.radius;
+  Lanes c[4];  // of what j and i differ by; the sum of their radii
+  const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const auto pair = [&](std::size_t n) -> const Nigh& { return pairs[n < count ? n : 0]; };
+    const Row &a = s.rows[pair(k).ball], &b = s.rows[pair(k).other];
+    const auto l = static_cast<int>(k);
+    if constexpr (!wide)
+      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = a.radius + b.radius;
+    else if (k < 4)
+      c[k] = fours(b, s.rows[pair(k + 4).other]) - sign * fours(a, s.rows[pair(k + 4).ball]);
   }
   if constexpr (wide) transpose(c);
+  const Lanes touch = c[3];
   Vec<Lanes> apart{c[0], c[1], c[2]};
   if (s.frame.periodic)
     apart = {folded(c[0], s.frame.periods.x), folded(c[1], s.frame.periods.y),

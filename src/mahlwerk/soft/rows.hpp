@@ -51,6 +51,27 @@ template <class R>
 [[gnu::always_inline]] inline Four four(const R& row) {
   return *reinterpret_cast<const FourAnywhere*>(&row);
 }
+/// Side by side. Said outright: GCC 12 would load both and then shuffle.
+[[gnu::always_inline]] inline Lanes joined(const FourAnywhere& a, const FourAnywhere& b) {
+  Lanes both;
+#ifdef MAHLWERK_WIDE
+  asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
+#else
+  both = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+  return both;
+}
+/// The first four numbers of two rows, or the last.
+template <class R>
+[[gnu::always_inline]] inline Lanes fours(const R& a, const R& b) {
+  return joined(*reinterpret_cast<const FourAnywhere*>(&a),
+                *reinterpret_cast<const FourAnywhere*>(&b));
+}
+template <class R>
+[[gnu::always_inline]] inline Lanes last_fours(const R& a, const R& b) {
+  return joined(*(reinterpret_cast<const FourAnywhere*>(&a) + 1),
+                *(reinterpret_cast<const FourAnywhere*>(&b) + 1));
+}
 template <class R>
 [[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
   *reinterpret_cast<FourAnywhere*>(&row) = a;
@@ -71,10 +92,21 @@ template <class R, class A>
 [[gnu::always_inline]] inline Four four(const Spot& spot) {
   return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);
 }
-[[gnu::always_inline]] inline Lanes joined(const Four& a, const Four& b) {
-  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
-}
 
+/// Rows k and k + 4 side by side, of four numbers each, to four columns of eight, in place.
+[[gnu::always_inline]] inline void transpose(Lanes (&r)[4]) {
+  const auto unpack = [](const Lanes& a, const Lanes& b, Lanes& even, Lanes& odd) {
+    even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  };
+  Lanes even[2], odd[2];
+  unpack(r[0], r[1], even[0], odd[0]);
+  unpack(r[2], r[3], even[1], odd[1]);
+  r[0] = __builtin_shufflevector(even[0], even[1], 0, 1, 8, 9, 4, 5, 12, 13);
+  r[1] = __builtin_shufflevector(odd[0], odd[1], 0, 1, 8, 9, 4, 5, 12, 13);
+  r[2] = __builtin_shufflevector(even[0], even[1], 2, 3, 10, 11, 6, 7, 14, 15);
+  r[3] = __builtin_shufflevector(odd[0], odd[1], 2, 3, 10, 11, 6, 7, 14, 15);
+}
 /// Eight rows to eight columns, in place; or back.
 [[gnu::always_inline]] inline void transpose(Lanes (&r)[8]) {
   Lanes t[8], s[8];

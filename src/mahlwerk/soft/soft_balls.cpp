@@ -127,6 +127,7 @@ void SoftBalls::stretch(std::int64_t until) {
             .jar = *jar_,
             .seldom = *this,
             .frame = {.step = rules_.time_step,
+                      .per_step = 1 / rules_.time_step,
                       .jar_speed = {},
                       .rolling = rules_.law.rolling,
                       .rolling_damping = rules_.law.rolling_damping,
