@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/scene/collision.hpp"
+#include "mahlwerk/soft/apart.hpp"
 #include "mahlwerk/soft/kernel.hpp"
 #include "mahlwerk/soft/rows.hpp"
 
@@ -60,10 +61,6 @@ struct Grips {
   }
 };
 
-/// A pair that is near; other < 0: the face ~other.
-struct Nigh {
-  std::int32_t ball = 0, other = 0;
-};
 /// Pairs that are near and do not touch, by their gap when they were last sorted: those of bin k
 /// had at least k times the width. So few need be looked at until bodies have moved.
 struct Waiting {

@@ -81,8 +81,8 @@ class Crowd final : public scene::Engine, private Comings {
   std::int64_t tests() const;
   bool worth_sorting() const;
   void sort_pairs();
-  double gap(const Nigh& pair) const;
-  std::int32_t gather_near(std::int32_t from, std::int32_t last, Candidates& candidates) const;
+  double wall_gap(const Nigh& pair) const;
+  std::int32_t gather_near(const Chunk& chunk, std::int32_t from, Candidates& candidates) const;
   void find_near(Chunk& chunk);
   struct Wrong {
     std::size_t row = 0;

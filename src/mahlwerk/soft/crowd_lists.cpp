@@ -19,16 +19,17 @@ namespace {
 void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<double>& gaps,
                double width) {
   std::array<std::int32_t, Waiting::bins + 1> count{};
-  const auto bin = [&](double gap) {
-    return static_cast<std::size_t>(
-        std::clamp(static_cast<int>(gap / width), 0, Waiting::bins - 1));
-  };
-  for (const double gap : gaps) ++count[bin(gap) + 1];
+  constexpr double most = Waiting::bins - 1;
+  std::vector<std::uint8_t> bins(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    bins[k] = static_cast<std::uint8_t>(std::min(std::max(0.0, gaps[k] / width), most));
+    ++count[bins[k] + 1U];
+  }
   for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
   w.end = count;
   w.pairs.resize(found.size());
   for (std::size_t k = 0; k < found.size(); ++k)
-    w.pairs[static_cast<std::size_t>(count[bin(gaps[k])]++)] = found[k];
+    w.pairs[static_cast<std::size_t>(count[bins[k]]++)] = found[k];
   w.parted.clear();
 }
 
@@ -108,10 +109,13 @@ void Crowd::sort_pairs() {
     for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
       Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
       for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
-        pairs.swap(w->pairs);
+        pairs.assign(w->pairs.begin(), w->pairs.end());
         pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
-        gaps.clear();
-        for (const Nigh& pair : pairs) gaps.push_back(gap(pair));
+        gaps.resize(pairs.size());
+        if (w == &chunk.near)
+          find_gaps(now_.data(), pairs, jar_->periods(), gaps);
+        else
+          std::ranges::transform(pairs, gaps.begin(), [&](const Nigh& p) { return wall_gap(p); });
         into_bins(*w, pairs, gaps, skin_ * Waiting::width);
       }
     }
@@ -121,12 +125,9 @@ void Crowd::sort_pairs() {
   mark_places();
 }
 
-double Crowd::gap(const Nigh& pair) const {
+double Crowd::wall_gap(const Nigh& pair) const {
   const Row& a = now_[static_cast<std::size_t>(pair.ball)];
-  if (pair.other < 0)
-    return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
-  const Row& b = now_[static_cast<std::size_t>(pair.other)];
-  return norm(nearest(b.place() - a.place())) - a.radius - b.radius;
+  return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
 }
 
 /// The skin for which looking for near pairs and looking at them cost least together, in counts, so
@@ -150,8 +151,9 @@ void Crowd::tune_skin() {
   skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
 }
 
-/// Balls that may be near to those from `from` on that share a cell; returns where these end.
-std::int32_t Crowd::gather_near(std::int32_t from, std::int32_t last,
+/// Balls that may be near to those from `from` on that share a cell, less those of the chunk before
+/// them, whose pairs are found; returns where these end.
+std::int32_t Crowd::gather_near(const Chunk& chunk, std::int32_t from,
                                 Candidates& candidates) const {
   const Row& first = now_[static_cast<std::size_t>(from)];
   const Grid& own =
@@ -159,7 +161,7 @@ std::int32_t Crowd::gather_near(std::int32_t from, std::int32_t last,
   const std::size_t cell = own.cell(first.place());
   Vec3 low = first.place(), high = low;
   std::int32_t to = from + 1;
-  for (; to < last; ++to) {
+  for (; to < chunk.last; ++to) {
     const Vec3 x = now_[static_cast<std::size_t>(to)].place();
     if (own.cell(x) != cell) break;
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
@@ -169,7 +171,9 @@ std::int32_t Crowd::gather_near(std::int32_t from, std::int32_t last,
   for (const Grid& grid : grids_) {
     const double far = own.radius() + grid.radius() + skin_ + reach_;
     grid.near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
-              [&](std::int32_t a, std::int32_t b) { candidates.add(now_.data(), a, b); });
+              [&](std::int32_t a, std::int32_t b) {
+                if (a < chunk.first || b > from) candidates.add(now_.data(), a, b);
+              });
   }
   return to;
 }
@@ -193,7 +197,7 @@ void Crowd::find_near(Chunk& chunk) {
   const auto outside = [&](std::int32_t j) { return j < chunk.first || j >= chunk.last; };
   Candidates candidates(jar_->periods());
   for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
-    to = gather_near(from, chunk.last, candidates);
+    to = gather_near(chunk, from, candidates);
     for (std::int32_t i = from; i < to; ++i) {
       const Row& ball = now_[static_cast<std::size_t>(i)];
       const auto begin = at;

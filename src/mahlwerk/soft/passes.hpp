@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mahlwerk/soft/ahead.hpp"
+#include "mahlwerk/soft/apart.hpp"
 #include "mahlwerk/soft/machines.hpp"
 #include "mahlwerk/soft/pass.hpp"
 
@@ -197,24 +198,12 @@ template <class Law, bool wide>
 /// Which of the pairs from `at` on, up to eight, touch: a bit for each.
 template <bool wide>
 [[gnu::always_inline]] inline int touching_of(const Pass& s, const Nigh* pairs, std::size_t count) {
-  Lanes c[4];  // of what j and i differ by; the sum of their radii
-  const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const auto pair = [&](std::size_t n) -> const Nigh& { return pairs[n < count ? n : 0]; };
-    const Row &a = s.rows[pair(k).ball], &b = s.rows[pair(k).other];
-    const auto l = static_cast<int>(k);
-    if constexpr (!wide)
-      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = a.radius + b.radius;
-    else if (k < 4)
-      c[k] = fours(b, s.rows[pair(k + 4).other]) - sign * fours(a, s.rows[pair(k + 4).ball]);
-  }
-  if constexpr (wide) transpose(c);
-  const Lanes touch = c[3];
-  Vec<Lanes> apart{c[0], c[1], c[2]};
+  Apart pair = apart<wide>(s.rows, pairs, count);
   if (s.frame.periodic)
-    apart = {folded(c[0], s.frame.periods.x), folded(c[1], s.frame.periods.y),
-             folded(c[2], s.frame.periods.z)};
-  const LaneMask mask = less(dot(apart, apart), touch * touch);
+    pair.centres = {folded(pair.centres.x, s.frame.periods.x),
+                    folded(pair.centres.y, s.frame.periods.y),
+                    folded(pair.centres.z, s.frame.periods.z)};
+  const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
   if (!any(mask)) return 0;
   int bits = 0;
   for (std::size_t l = 0; l < count; ++l) bits |= mask[static_cast<int>(l)] != 0 ? 1 << l : 0;
