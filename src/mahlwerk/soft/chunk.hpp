@@ -111,7 +111,6 @@ struct Ended {
 /// of one and a ball of another chunk, which has the contact, too; with the wall.
 struct Chunk {
   std::int32_t first = 0, last = 0;
-  const Chunk* following = nullptr;  ///< its memory is fetched meanwhile; or none
   Grips own, cross, wall;
   Waiting near, near_wall;
   double bound = 0, wall_bound = 0;  ///< [m] pairs may have come so much nearer

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/soft/crew.hpp"
 
+#include <algorithm>
+
 namespace mahlwerk::soft {
 namespace {
 
@@ -21,8 +23,29 @@ void await(const std::atomic<T>& value, T old) {
 
 }  // namespace
 
-Crew::Crew(int threads) {
+Crew::Crew(int threads) : left_(new Left[static_cast<std::size_t>(std::max(threads, 1))]) {
   for (int k = 1; k < threads; ++k) team_.emplace_back([this, k] { serve(k); });
+}
+
+std::int32_t Crew::Left::take(bool from_the_end) {
+  std::uint64_t old = range_.load(std::memory_order_relaxed);
+  for (;;) {
+    const auto first = static_cast<std::int32_t>(old >> 32);
+    const auto end = static_cast<std::int32_t>(old & 0xffffffff);
+    if (first >= end) return -1;
+    const std::uint64_t rest = from_the_end ? range(first, end - 1) : range(first + 1, end);
+    if (range_.compare_exchange_weak(old, rest, std::memory_order_relaxed))
+      return from_the_end ? end - 1 : first;
+  }
+}
+
+std::int32_t Crew::take(int thread) {
+  const int all = size();
+  for (int k = 0; k < all; ++k) {
+    const std::int32_t item = left_[static_cast<std::size_t>((thread + k) % all)].take(k > 0);
+    if (item >= 0) return item;
+  }
+  return -1;
 }
 
 Crew::~Crew() {

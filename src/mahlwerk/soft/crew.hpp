@@ -3,7 +3,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -25,9 +28,38 @@ class Crew {
     if (team_.empty()) return work(0);
     do_all([](const void* w, int k) { (*static_cast<const Work*>(w))(k); }, &work);
   }
+  /// Calls `work(thread, item, next)` once for every item from share[0] to the last share. Thread k
+  /// begins with those from share[k] to share[k + 1], in order; when it has done them it takes from
+  /// the end of what others have not come to. It has taken `next`, too; none is -1.
+  template <class Work>
+  void each(std::span<const std::int32_t> share, const Work& work) {
+    for (std::size_t k = 0; k + 1 < share.size(); ++k) left_[k].set(share[k], share[k + 1]);
+    all([&](int thread) {
+      for (std::int32_t item = take(thread), next; item >= 0; item = next) {
+        next = take(thread);
+        work(thread, item, next);
+      }
+    });
+  }
 
  private:
   using Call = void (*)(const void* work, int k);
+  /// Items that nobody has taken: from a first on, before an end.
+  class alignas(64) Left {
+   public:
+    void set(std::int32_t first, std::int32_t end) {
+      range_.store(range(first, end), std::memory_order_relaxed);
+    }
+    std::int32_t take(bool from_the_end);  ///< -1 where there is none
+
+   private:
+    static std::uint64_t range(std::int32_t first, std::int32_t end) {
+      return std::uint64_t{static_cast<std::uint32_t>(first)} << 32 |
+             static_cast<std::uint32_t>(end);
+    }
+    std::atomic<std::uint64_t> range_ = 0;
+  };
+  std::int32_t take(int thread);
   void do_all(Call call, const void* work);
   void serve(int k);
 
@@ -36,6 +68,7 @@ class Crew {
   std::atomic<std::uint32_t> turn_ = 0;
   std::atomic<int> busy_ = 0;
   std::atomic<bool> ends_ = false;
+  std::unique_ptr<Left[]> left_;  // of each thread
   std::vector<std::jthread> team_;
 };
 

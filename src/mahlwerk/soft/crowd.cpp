@@ -203,16 +203,15 @@ void Crowd::step(const Beat& before, const Beat& after) {
                 .periodic = folds_,
                 .periods = {none + jar_->periods().x, none + jar_->periods().y,
                             none + jar_->periods().z}}};
-  crew_.all([&](int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
-      const auto k = static_cast<std::size_t>(c);
-      Drift& d = drifts_[k];
-      const Vec3 last = d.mean;
-      pass_(pass, chunks_[k], loads_[t], d);
-      // The guess of the next step; the one just used belongs to the spread.
-      guesses_[k] = 2.0 * d.mean - last;
-    }
+  crew_.each(share_, [&](int thread, std::int32_t c, std::int32_t next) {
+    const auto k = static_cast<std::size_t>(c);
+    const Chunk* following =
+        large_ && next >= 0 ? &chunks_[static_cast<std::size_t>(next)] : nullptr;
+    Drift& d = drifts_[k];
+    const Vec3 last = d.mean;
+    pass_(pass, chunks_[k], following, loads_[static_cast<std::size_t>(thread)], d);
+    // The guess of the next step; the one just used belongs to the spread.
+    guesses_[k] = 2.0 * d.mean - last;
   });
 }
 

@@ -80,20 +80,17 @@ scene::Account Crowd::reckoned() const {
     Stored stored;
   };
   std::vector<Sum> sums(chunks_.size());
-  crew_.all([&](int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
-      const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-      Sum& sum = sums[static_cast<std::size_t>(c)];
-      for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
-        const auto k = static_cast<std::size_t>(row);
-        const Species& of = breeds_.species(species_[k]);
-        const Vec3 v = velocity(k, change) + ride.velocity;
-        sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
-        sum.potential -= of.mass * dot(jar_->gravity(), now_[k].place() + ride.centre);
-      }
-      sum.stored = stored(chunk);
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    Sum& sum = sums[static_cast<std::size_t>(c)];
+    for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
+      const auto k = static_cast<std::size_t>(row);
+      const Species& of = breeds_.species(species_[k]);
+      const Vec3 v = velocity(k, change) + ride.velocity;
+      sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
+      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].place() + ride.centre);
     }
+    sum.stored = stored(chunk);
   });
   a.kinetic = a.potential = a.elastic = 0;
   for (const Sum& sum : sums) {

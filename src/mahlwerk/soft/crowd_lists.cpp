@@ -52,13 +52,10 @@ void Crowd::rebuild() {
   }
   share_work();
   std::vector<Wrong> wrong(chunks_.size());
-  crew_.all([&](int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
-      Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-      find_near(chunk);
-      wrong[static_cast<std::size_t>(c)] = near_walls(chunk);
-    }
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    find_near(chunk);
+    wrong[static_cast<std::size_t>(c)] = near_walls(chunk);
   });
   grids_.clear();
   spent_ = 0;
@@ -102,22 +99,18 @@ void Crowd::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
   spent_ += most;
-  crew_.all([&](int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    std::vector<Nigh> pairs;
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     std::vector<double> gaps;
-    for (std::int32_t c = share_[t]; c < share_[t + 1]; ++c) {
-      Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-      for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
-        pairs.assign(w->pairs.begin(), w->pairs.end());
-        pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
-        gaps.resize(pairs.size());
-        if (w == &chunk.near)
-          find_gaps(now_.data(), pairs, jar_->periods(), gaps);
-        else
-          std::ranges::transform(pairs, gaps.begin(), [&](const Nigh& p) { return wall_gap(p); });
-        into_bins(*w, pairs, gaps, skin_ * Waiting::width);
-      }
+    for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
+      std::vector<Nigh> pairs = w->pairs;
+      pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
+      gaps.resize(pairs.size());
+      if (w == &chunk.near)
+        find_gaps(now_.data(), pairs, jar_->periods(), gaps);
+      else
+        std::ranges::transform(pairs, gaps.begin(), [&](const Nigh& p) { return wall_gap(p); });
+      into_bins(*w, pairs, gaps, skin_ * Waiting::width);
     }
   });
   for (const Chunk& c : chunks_)

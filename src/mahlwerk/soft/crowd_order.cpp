@@ -183,8 +183,6 @@ void Crowd::share_work() {
     share_.push_back(c);
   }
   share_.push_back(static_cast<std::int32_t>(chunks_.size()));
-  for (std::size_t k = 0; k < chunks_.size(); ++k)  // while fetching is worth it
-    chunks_[k].following = k + 1 < chunks_.size() && large_ ? &chunks_[k + 1] : nullptr;
   for (Loads& loads : loads_) loads.resize(chunk_size);
 }
 

@@ -49,8 +49,9 @@ struct alignas(64) Pass {
 /// Force and torque on each ball of a chunk.
 using Loads = std::vector<Twin>;
 
-/// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean.
-using PassOf = void (*)(Pass&, Chunk&, Loads&, Drift& drift);
+/// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean. The
+/// memory of the one `following`, if any, is fetched meanwhile.
+using PassOf = void (*)(Pass&, Chunk&, const Chunk* following, Loads&, Drift& drift);
 
 /// The pass of each law, compiled for this machine.
 template <class Law>

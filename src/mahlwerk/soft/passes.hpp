@@ -280,10 +280,11 @@ template <bool wide>
 }
 
 /// What the chunk after this one will ask for.
-[[gnu::always_inline]] inline Ahead following(const Pass& s, const Chunk& chunk) {
+[[gnu::always_inline]] inline Ahead fetching(const Pass& s, const Chunk& chunk,
+                                             const Chunk* following) {
   Ahead ahead;
-  if (chunk.following == nullptr) return ahead;
-  const Chunk& c = *chunk.following;
+  if (following == nullptr) return ahead;
+  const Chunk& c = *following;
   const auto balls = static_cast<std::size_t>(c.last - c.first);
   ahead.add(&s.rows[c.first], balls);
   ahead.add(&s.turns[c.first], balls);
@@ -298,8 +299,9 @@ template <bool wide>
 
 /// The main loop's body for a crowd.
 template <class Law, bool wide>
-[[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, Loads& loads, Drift& drift) {
-  Ahead ahead = following(s, chunk);
+[[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, const Chunk* following, Loads& loads,
+                                        Drift& drift) {
+  Ahead ahead = fetching(s, chunk, following);
   look<wide>(s, chunk);
   s.comings->look_at_walls(chunk);
   std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
@@ -323,19 +325,21 @@ template <class Law, bool wide>
 #ifdef MAHLWERK_WIDE
 template <class Law>
 [[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void pass_wide(Pass& s, Chunk& c,
+                                                                          const Chunk* next,
                                                                           Loads& l, Drift& d) {
-  pass<Law, true>(s, c, l, d);
+  pass<Law, true>(s, c, next, l, d);
 }
 #endif
 #ifdef MAHLWERK_MIDDLING
 template <class Law>
-[[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, Loads& l, Drift& d) {
-  pass<Law, false>(s, c, l, d);
+[[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, const Chunk* next,
+                                                         Loads& l, Drift& d) {
+  pass<Law, false>(s, c, next, l, d);
 }
 #endif
 template <class Law>
-[[gnu::flatten]] void pass_plain(Pass& s, Chunk& c, Loads& l, Drift& d) {
-  pass<Law, false>(s, c, l, d);
+[[gnu::flatten]] void pass_plain(Pass& s, Chunk& c, const Chunk* next, Loads& l, Drift& d) {
+  pass<Law, false>(s, c, next, l, d);
 }
 
 template <class Law>
