@@ -51,13 +51,12 @@ struct Grips {
   std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l
   std::int32_t leaving = 0;        ///< contacts that move to a new order of the balls
 
-  /// Room for an eighth more, not for twice as many: it is most of the memory.
-  void grow() {
-    const std::size_t room = grips.size() + grips.size() / 8 + 4;
-    grips.reserve(room);
-    began.reserve(room);
-    if (!memories.empty()) memories.reserve(room);
-    if (!makes.empty()) makes.reserve(room);
+  /// Where contacts remember, or are bent, for that, too.
+  void make_room(std::size_t count, bool remember, bool bend) {
+    grips.reserve(count);
+    began.reserve(count);
+    if (remember) memories.reserve(count);
+    if (bend) makes.reserve(count);
   }
 };
 

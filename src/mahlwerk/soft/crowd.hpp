@@ -58,21 +58,32 @@ class Crowd final : public scene::Engine, private Comings {
   Vec3 spin(std::size_t row) const;
 
   // In which order, and in which chunk (crowd_order.cpp).
-  struct Kept {                 // a contact between two orders of the balls
-    std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
-    bool wall = false;
-    Grips* list = nullptr;  // where it is
-    std::int32_t grip = 0, lane = 0;
-  };
+  void put_in_order();
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
-  std::vector<Kept> take_contacts(const std::vector<std::int32_t>& to);
   std::vector<Chunk> divide();
-  void give_contact(const Kept& kept);
-  void give(Grips& list, const Kept& kept, std::int32_t i, std::int32_t j, std::int32_t breed,
-            double sign);
   void share_work();
   std::int32_t chunk_of(std::int32_t ball) const;
+  std::size_t class_of(std::size_t row) const {
+    return static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[row])]);
+  }
+
+  // Contacts that move with their balls (crowd_carry.cpp).
+  struct Kept {
+    std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
+    std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
+    std::int32_t lane = 0;      // lane l of grip g: 8 g + l
+  };
+  struct Carried {
+    std::vector<Kept> contacts;
+    std::vector<std::int32_t> first;  // of each ball
+  };
+  Carried take_contacts(const std::vector<std::int32_t>& to);
+  void give_contacts(const Carried& all, std::vector<Chunk>& old);
+  void make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const;
+  void give_contact(Chunk& chunk, const Kept& kept, const Grips& from);
+  void give(Grips& list, const Kept& kept, const Grips& from, std::int32_t i, std::int32_t j,
+            std::int32_t breed, double sign);
 
   // Who is near whom (crowd_lists.cpp).
   void rebuild();

@@ -63,9 +63,11 @@ void Crowd::seize(Chunk& chunk, const Nigh& pair) {
 std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
   if (grips.free.empty()) {
     const auto g = static_cast<std::int32_t>(grips.grips.size());
-    if (grips.grips.size() == grips.grips.capacity()) grips.grow();
-    grips.grips.emplace_back();
     const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
+    // An eighth more, not twice as many: it is most of the memory.
+    if (const std::size_t n = grips.grips.size(); n == grips.grips.capacity())
+      grips.make_room(n + n / 8 + 4, remembers_, rules_.law.curved_walls && wall);
+    grips.grips.emplace_back();
     Grip& fresh = grips.grips.back();
     fresh.breed.fill(breed);
     fresh.i.fill(ball);

@@ -39,18 +39,7 @@ void Crowd::rebuild() {
   settle();
   gather();
   tune_skin();
-  const std::vector<std::int32_t> from = sort_balls();
-  std::vector<std::int32_t> to(from.size());
-  for (std::size_t k = 0; k < from.size(); ++k)
-    to[static_cast<std::size_t>(from[k])] = static_cast<std::int32_t>(k);
-  const std::vector<Kept> kept = take_contacts(to);
-  reorder(from);
-  std::vector<Chunk> old = divide();  // kept contacts point into it
-  for (const Kept& k : kept) {
-    give_contact(k);
-    if (--k.list->leaving == 0) *k.list = {};  // room for the others
-  }
-  share_work();
+  put_in_order();
   std::vector<Wrong> wrong(chunks_.size());
   crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
@@ -149,8 +138,7 @@ void Crowd::tune_skin() {
 std::int32_t Crowd::gather_near(const Chunk& chunk, std::int32_t from,
                                 Candidates& candidates) const {
   const Row& first = now_[static_cast<std::size_t>(from)];
-  const Grid& own =
-      grids_[static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[from])])];
+  const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
   const std::size_t cell = own.cell(first.place());
   Vec3 low = first.place(), high = low;
   std::int32_t to = from + 1;
