@@ -57,9 +57,6 @@ class PlainSoft {
   struct Pushed {
     Vec3 acceleration, spin_up;
   };
-  struct History {
-    Vec3 spring, normal;
-  };
   struct Meeting {
     Vec3 n, u, spin;  ///< from the first to the second; of their surfaces; of one against the other
     double overlap = 0, lever = 0, other_lever = 0, radius = 0, mass = 0, inertia = 0;
@@ -134,17 +131,14 @@ class PlainSoft {
   /// Force and rolling torque on the first.
   std::pair<Vec3, Vec3> push(const Meeting& m, int i, int j) {
     if (m.overlap <= 0) {
-      history_.erase({i, j});
+      springs_.erase({i, j});
       return {};
     }
     const double rate = dot(m.u, m.n);
     const Vec3 slip = m.u - rate * m.n;
-    const auto [at, fresh] = history_.try_emplace({i, j});
-    History& h = at->second;
-    if (fresh) {
-      h.normal = m.n;
-      touches_.push_back({time(), rate, i, j});
-    }
+    const auto [at, fresh] = springs_.try_emplace({i, j});
+    if (fresh) touches_.push_back({time(), rate, i, j});
+    const Vec3 last = at->second;
     // Hertz and Mindlin, damped.
     const double a = std::sqrt(m.radius * m.overlap), ln = std::log(pair_.restitution);
     const double beta = ln / std::sqrt(ln * ln + std::numbers::pi * std::numbers::pi);
@@ -153,9 +147,8 @@ class PlainSoft {
     const double normal =
         4.0 / 3 * pair_.modulus * a * m.overlap + damp * std::sqrt(along * m.mass) * rate;
     // The spring turns with the contact, grows by the slip, and is cut off at Coulomb's limit.
-    const Vec3 axis = cross(h.normal, m.n);
-    const double sine = norm(axis);
-    Vec3 spring = sine > 0 ? turning(axis / sine, std::asin(sine)) * h.spring : h.spring;
+    const Vec3 laid = last - dot(last, m.n) * m.n;
+    Vec3 spring = norm(laid) > 0 ? norm(last) / norm(laid) * laid : Vec3{};
     spring += dt_ * slip;
     Vec3 force = -across * spring - damp * std::sqrt(across * m.mass) * slip;
     const double most = pair_.friction * std::abs(normal);
@@ -163,7 +156,7 @@ class PlainSoft {
       force *= most / norm(force);
       if (across * norm(spring) > most) spring *= most / (across * norm(spring));
     }
-    h = {spring, m.n};
+    at->second = spring;
     Vec3 torque{};
     const Vec3 rolling = m.spin - dot(m.spin, m.n) * m.n;
     if (rolls_ && norm(rolling) > 0)
@@ -179,7 +172,7 @@ class PlainSoft {
   double dt_;
   bool rolls_;
   std::vector<Pushed> pushed_;
-  std::map<std::pair<int, int>, History> history_;
+  std::map<std::pair<int, int>, Vec3> springs_;
   std::vector<Touch> touches_;
   long steps_ = 0;
 };
