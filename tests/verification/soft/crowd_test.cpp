@@ -12,6 +12,7 @@
 #include <string>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
@@ -195,6 +196,22 @@ TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
     expect_same(by_one, by_narrow);
     expect_same(*one, *narrow);
   }
+}
+
+/// A change of these bits changes results, if only by rounding, and belongs in the changelog.
+TEST(Crowd, has_the_bits_it_has_always_had) {
+  const scene::Chamber box = still_box(0.05, {0, 0, -gravity});
+  const World w{"box", box, lattice(2000, 0.0035, {0.0015, 0.001}),
+                of_law(LawName::hertz_mindlin, Rolling::cdt), 2e-6};
+  const auto run = crowd(w, 2);
+  Recorder records;
+  run->advance(0.01, records);
+  EXPECT_GT(records.all.size(), 1000U);
+  std::string bytes;
+  for (const scene::Ball& b : run->balls())
+    for (const Vec3& v : {b.position, b.velocity, b.spin})
+      bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+  EXPECT_EQ(fingerprint(bytes), 11273920541912791090U);
 }
 
 TEST(Crowd, closes_its_energy_and_keeps_its_momentum) {
