@@ -243,7 +243,7 @@ template <bool wide>
 }
 
 /// The balls of a chunk, a step on (dem.26).
-template <bool wide>
+template <bool wide, bool past_cache>
 [[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const Twin* loads,
                                         Drift& drift) {
   const double dt = s.frame.step;
@@ -260,7 +260,7 @@ template <bool wide>
     const Lanes place = row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
     const Lanes next = __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15);
     const Four turn = __builtin_shufflevector(seen, seen, 4, 5, 6, 15);
-    if (wide && s.large) {
+    if constexpr (past_cache) {
       put_past_cache(s.next[i], next);
       put_past_cache(s.next_turns[i], turn);
     } else {
@@ -273,7 +273,7 @@ template <bool wide>
     most = most > off ? most : off;
     most = most > -off ? most : -off;
   }
-  if (wide && s.large) all_are_put();
+  if constexpr (past_cache) all_are_put();
   const double count = std::max(1, chunk.last - chunk.first);
   drift.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
   drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
@@ -319,7 +319,10 @@ template <class Law, bool wide>
     all.deepest = larger(all.deepest, d.deepest);
   }
   chunk.doings.ball_steps += chunk.in_touch;
-  move<wide>(s, chunk, loads.data(), drift);
+  if (wide && s.large)
+    move<wide, wide>(s, chunk, loads.data(), drift);
+  else
+    move<wide, false>(s, chunk, loads.data(), drift);
 }
 
 #ifdef MAHLWERK_WIDE
