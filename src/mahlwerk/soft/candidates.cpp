@@ -39,7 +39,6 @@ void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
          (less(none + sought.after, b.row) | less(b.row, none + sought.before));
 }
 
-template <bool wide>
 [[gnu::always_inline]] inline void Candidates::find(const Sought& sought) {
   found_.clear();
   for (std::size_t n = 0; n * lanes < count_; ++n) {
@@ -60,19 +59,18 @@ template <bool wide>
 #ifdef MAHLWERK_WIDE
 [[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_wide(
     const Sought& sought) {
-  find<true>(sought);
-}
-#else
-void Candidates::find_wide(const Sought& sought) {
-  find<false>(sought);
+  find(sought);
 }
 #endif
 
 std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
-  if (wide_)
+#ifdef MAHLWERK_WIDE
+  if (wide_) {
     find_wide(sought);
-  else
-    find<false>(sought);
+    return found_;
+  }
+#endif
+  find(sought);
   return found_;
 }
 

@@ -40,13 +40,13 @@ class Candidates {
   struct alignas(64) Block {
     Lanes x{}, y{}, z{}, radius{}, row{};
   };
-  template <bool wide>
   void find(const Sought& sought);
-  void find_wide(const Sought& sought);
+  void find_wide(const Sought& sought);  // the same with the widest registers
   LaneMask test(const Block& b, const Sought& sought, Lanes& squared) const;
 
   Vec3 periods_;
-  bool folds_, wide_;
+  bool folds_;
+  [[maybe_unused]] bool wide_;
   std::vector<Block> blocks_;
   std::vector<Found> found_;
   std::size_t count_ = 0;

@@ -42,12 +42,18 @@ struct alignas(64) Memory {
   Lanes stiffness{};  ///< where the spring across gives way as contacts unload
 };
 
+/// The normals of walls at the last step: a contact that ends may have left its face.
+struct alignas(64) Facing {
+  Vec<Lanes> normal{};
+};
+
 /// Contacts of one kind, with the lanes that are free.
 struct Grips {
   std::vector<Grip> grips;
   std::vector<std::array<Beginning, lanes>> began;
   std::vector<Memory> memories;    ///< of each grip, where the law or the rolling needs them
   std::vector<Make> makes;         ///< of each grip, where curved walls change them
+  std::vector<Facing> facings;     ///< of each grip with walls
   std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l
   std::int32_t leaving = 0;        ///< contacts that move to a new order of the balls
 

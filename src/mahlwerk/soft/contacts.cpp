@@ -82,7 +82,7 @@ void SoftBalls::end(Packet& p, int lane) {
   const double t = clock(swarm_.step);
   const int face = wall ? p.face[k] : -1;
   const Vec3 x = swarm_.place.one(ball);
-  const Vec3 apart = wall ? -jar_->gap(face, x, t, geometry::never).inward
+  const Vec3 apart = wall ? one(p.normal, lane)
                           : nearest(swarm_.place.one(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(apart)) * apart;
   const Vec3 where = x + p.radius_i[lane] * n;

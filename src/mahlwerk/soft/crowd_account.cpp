@@ -133,7 +133,7 @@ void Crowd::carry(Archive& archive) {
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.doings)(c.beside);
     for (Grips* list : {&c.own, &c.cross, &c.wall})
-      archive(list->grips)(list->began)(list->memories)(list->makes)(list->free);
+      archive(list->grips)(list->began)(list->memories)(list->makes)(list->facings)(list->free);
     for (Waiting* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->parted);
   }
   archive(account_)(watch_)(asked_);

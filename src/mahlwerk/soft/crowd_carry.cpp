@@ -139,6 +139,7 @@ void Crowd::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i, 
     put(memory.roll, l, sign * one(past.roll, m));
     memory.stiffness[l] = past.stiffness[m];
   }
+  if (!list.facings.empty()) put(list.facings[n].normal, l, one(from.facings[old].normal, m));
   if (!list.makes.empty()) copy_lane(from.makes[old], m, list.makes[n], l);
 }
 

@@ -74,6 +74,7 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
     fresh.j.fill(wall ? 0 : ball);
     grips.began.emplace_back();
     if (remembers_) grips.memories.emplace_back();
+    if (wall) grips.facings.emplace_back();
     if (rules_.law.curved_walls && wall)
       grips.makes.push_back(makes_[static_cast<std::size_t>(breed)]);
     for (int l = lanes - 1; l >= 0; --l) grips.free.push_back(g * lanes + l);
@@ -175,7 +176,7 @@ void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
   const Breed& breed = breeds_[g.breed[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
   const int face = wall ? g.j[k] : -1;
-  const Vec3 apart = wall ? -jar_->gap(face, ball.place(), t, geometry::never).inward
+  const Vec3 apart = wall ? one(grips.facings[n].normal, l)
                           : nearest(now_[static_cast<std::size_t>(g.j[k])].place() - ball.place());
   const Vec3 normal = (1 / norm(apart)) * apart;
   chunk.ended.push_back({step_,

@@ -62,6 +62,7 @@ struct alignas(64) History {
 struct alignas(64) Packet : Make, History {
   LaneMask i{}, j{};    ///< bodies; i is always a ball
   LaneMask touching{};  ///< since the last step
+  Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
   Deeds deeds;
 
   std::array<std::int32_t, lanes> face{};   ///< of a wall; < 0: balls

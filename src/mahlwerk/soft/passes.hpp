@@ -168,6 +168,7 @@ template <class Law, bool wide>
       if (!list.makes.empty()) make = &list.makes[n];
     }
     if (any(touching ^ touched)) s.comings->end(chunk, list, n, touching);
+    if (whose == Whose::wall) list.facings[n].normal = m.n;
     History past;
     past.spring = g.spring;
     if (s.remembers) {

@@ -123,6 +123,7 @@ template <class Law, bool wide>
   b.wj = pick<wide>(w.seen_spin, p.j, w.few);
   const Meeting m = meet(p, b, squared);
   if (changes) s.seldom.change(p, touching, m, b);
+  p.normal = m.n;
   out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, true);
   return true;
 }
