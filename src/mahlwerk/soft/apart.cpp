@@ -24,11 +24,7 @@ template <bool wide>
   for (std::size_t k = 0; k < s.pairs.size(); k += lanes) {
     const std::size_t count = std::min<std::size_t>(lanes, s.pairs.size() - k);
     Apart a = apart<wide>(s.rows, s.pairs.data() + k, count);
-    for (int l = 0; folds && l < lanes; ++l) {
-      a.centres.x[l] = std::remainder(a.centres.x[l], s.periods.x);
-      a.centres.y[l] = std::remainder(a.centres.y[l], s.periods.y);
-      a.centres.z[l] = std::remainder(a.centres.z[l], s.periods.z);
-    }
+    if (folds) to_nearest(a.centres, s.periods);
     const Lanes gap = root(dot(a.centres, a.centres)) - a.touch;
     for (std::size_t l = 0; l < count; ++l) s.gaps[k + l] = gap[static_cast<int>(l)];
   }

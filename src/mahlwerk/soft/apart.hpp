@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,21 @@
 #include "mahlwerk/soft/rows.hpp"
 
 namespace mahlwerk::soft {
+
+constexpr std::uint32_t bit(int lane) {
+  return 1U << lane;
+}
+/// The lanes whose bits are set.
+[[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
+  constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
+  return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
+}
+/// The bits of the lanes that are set, of the first `count`.
+[[gnu::always_inline]] inline std::uint32_t bits(const LaneMask& mask, std::size_t count) {
+  std::uint32_t all = 0;
+  for (int l = 0; l < static_cast<int>(count); ++l) all |= mask[l] != 0 ? bit(l) : 0;
+  return all;
+}
 
 /// A pair that is near; other < 0: the face ~other.
 struct Nigh {
@@ -40,8 +56,16 @@ template <bool wide>
   return {{c[0], c[1], c[2]}, c[3]};
 }
 
-/// How far the surfaces of pairs of balls are from each other [m]. `periods` [m] are infinite where
-/// places do not repeat.
+/// To the nearest image, however far apart; `periods` [m] are infinite where places do not repeat.
+inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
+  for (int l = 0; l < lanes; ++l) {
+    apart.x[l] = std::remainder(apart.x[l], periods.x);
+    apart.y[l] = std::remainder(apart.y[l], periods.y);
+    apart.z[l] = std::remainder(apart.z[l], periods.z);
+  }
+}
+
+/// How far the surfaces of pairs of balls are from each other [m].
 void find_gaps(const Row* rows, std::span<const Nigh> pairs, const Vec3& periods,
                std::span<double> gaps);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/soft/apart.hpp"
 #include "mahlwerk/soft/machines.hpp"
 
 namespace mahlwerk::soft {
@@ -27,13 +28,9 @@ void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
 
 [[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
                                                         Lanes& squared) const {
-  Lanes x = b.x - sought.place.x, y = b.y - sought.place.y, z = b.z - sought.place.z;
-  for (int l = 0; folds_ && l < lanes; ++l) {
-    x[l] = std::remainder(x[l], periods_.x);
-    y[l] = std::remainder(y[l], periods_.y);
-    z[l] = std::remainder(z[l], periods_.z);
-  }
-  squared = x * x + y * y + z * z;
+  Vec<Lanes> apart{b.x - sought.place.x, b.y - sought.place.y, b.z - sought.place.z};
+  if (folds_) to_nearest(apart, periods_);
+  squared = dot(apart, apart);
   const Lanes far = b.radius + sought.beyond, none{};
   return less(squared, far * far) &
          (less(none + sought.after, b.row) | less(b.row, none + sought.before));
@@ -46,11 +43,9 @@ void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
     Lanes squared;
     const LaneMask near = test(b, sought, squared);
     if (!any(near)) continue;
-    const int full = static_cast<int>(std::min<std::size_t>(lanes, count_ - n * lanes));
-    int bits = 0;
-    for (int l = 0; l < full; ++l) bits |= near[l] != 0 ? 1 << l : 0;
-    for (; bits != 0; bits &= bits - 1) {
-      const int l = __builtin_ctz(static_cast<unsigned>(bits));
+    std::uint32_t those = bits(near, std::min<std::size_t>(lanes, count_ - n * lanes));
+    for (; those != 0; those &= those - 1) {
+      const int l = __builtin_ctz(those);
       found_.push_back({static_cast<std::int32_t>(b.row[l]), std::sqrt(squared[l]) - b.radius[l]});
     }
   }

@@ -14,15 +14,6 @@
 
 namespace mahlwerk::soft {
 
-constexpr std::uint32_t bit(int lane) {
-  return 1U << lane;
-}
-/// The lanes whose bits are set.
-[[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
-  constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
-  return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
-}
-
 /// Eight contacts side by side: those that touch, and nothing else. Free lanes touch nothing, but
 /// name bodies that there are.
 struct alignas(64) Grip {

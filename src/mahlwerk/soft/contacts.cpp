@@ -8,18 +8,6 @@
 
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
-namespace {
-
-Vec3 one(const Vec<Lanes>& a, int lane) {
-  return {a.x[lane], a.y[lane], a.z[lane]};
-}
-
-void put(Vec<Lanes>& a, int lane, const Vec3& b) {
-  a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
-}
-
-}  // namespace
-
 void SoftBalls::change(Packet& p, const LaneMask& touching, const Meeting& m, const Bodies& b) {
   for (int l = 0; l < lanes; ++l) {
     if (touching[l] == p.touching[l]) continue;

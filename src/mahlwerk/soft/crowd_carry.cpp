@@ -18,13 +18,6 @@ Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
   return list % kinds == own ? chunk.own : list % kinds == cross ? chunk.cross : chunk.wall;
 }
 
-Vec3 one(const Vec<Lanes>& a, int lane) {
-  return {a.x[lane], a.y[lane], a.z[lane]};
-}
-void put(Vec<Lanes>& a, int lane, const Vec3& b) {
-  a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
-}
-
 }  // namespace
 
 /// Every contact once, by the rows its balls will have: `to` of each old row is the new one.

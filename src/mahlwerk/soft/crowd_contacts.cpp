@@ -10,12 +10,6 @@
 namespace mahlwerk::soft {
 namespace {
 
-Vec3 one(const Vec<Lanes>& a, int lane) {
-  return {a.x[lane], a.y[lane], a.z[lane]};
-}
-void put(Vec<Lanes>& a, int lane, const Vec3& b) {
-  a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
-}
 bool is_wall(const Nigh& pair) {
   return pair.other < 0;
 }

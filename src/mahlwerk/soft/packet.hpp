@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/contact/law.hpp"
 
 namespace mahlwerk::soft {
@@ -40,6 +42,12 @@ struct alignas(64) Make {
   Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
 };
 
+inline Vec3 one(const Vec<Lanes>& a, int lane) {
+  return {a.x[lane], a.y[lane], a.z[lane]};
+}
+inline void put(Vec<Lanes>& a, int lane, const Vec3& b) {
+  a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
+}
 inline void copy_lane(const Make& a, int lane, Make& b, int place) {
   constexpr std::size_t columns = sizeof(Make) / sizeof(Lanes);
   const auto* from = reinterpret_cast<const double*>(&a);

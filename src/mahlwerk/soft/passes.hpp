@@ -7,135 +7,13 @@
 
 #include "mahlwerk/soft/ahead.hpp"
 #include "mahlwerk/soft/apart.hpp"
+#include "mahlwerk/soft/bodies.hpp"
 #include "mahlwerk/soft/machines.hpp"
 #include "mahlwerk/soft/pass.hpp"
 
 // A step of a chunk of a crowd: contacts, then the balls. One text for each law and kind of
 // machine.
 namespace mahlwerk::soft {
-
-enum class Whose { own, cross, wall };
-
-using Bodied = std::array<std::int32_t, lanes>;  // a body for each lane
-
-/// Places and velocities. Without wide registers, number by number.
-template <bool wide>
-[[gnu::always_inline]] inline void motion(const Row* rows, const Bodied& at, Vec<Lanes>& place,
-                                          Vec<Lanes>& velocity) {
-  Lanes x[4], v[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const Row& a = rows[at[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!wide) {
-      x[0][l] = a.x, x[1][l] = a.y, x[2][l] = a.z;
-      v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
-    } else if (k < 4) {
-      const Row& b = rows[at[k + 4]];
-      x[k] = fours(a, b), v[k] = last_fours(a, b);
-    }
-  }
-  if constexpr (wide) transpose(x), transpose(v);
-  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
-}
-/// The same, of j less i.
-template <bool wide>
-[[gnu::always_inline]] inline void differences(const Row* rows, const Grip& g, Vec<Lanes>& place,
-                                               Vec<Lanes>& velocity) {
-  Lanes x[4], v[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const Row &i = rows[g.i[k]], &j = rows[g.j[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!wide) {
-      x[0][l] = j.x - i.x, x[1][l] = j.y - i.y, x[2][l] = j.z - i.z;
-      v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
-    } else if (k < 4) {
-      const Row &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
-      x[k] = fours(j, j4) - fours(i, i4), v[k] = last_fours(j, j4) - last_fours(i, i4);
-    }
-  }
-  if constexpr (wide) transpose(x), transpose(v);
-  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
-}
-template <bool wide>
-[[gnu::always_inline]] inline Vec<Lanes> spins(const Turn* turns, const Bodied& at) {
-  Lanes w[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const Turn& a = turns[at[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!wide)
-      w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
-    else if (k < 4)
-      w[k] = fours(a, turns[at[k + 4]]);
-  }
-  if constexpr (wide) transpose(w);
-  return {w[0], w[1], w[2]};
-}
-
-/// Adds forces and torques to the rows of the balls, in the order of the lanes.
-template <bool wide>
-[[gnu::always_inline]] inline void add(Twin* loads, std::int32_t first,
-                                       const std::array<std::int32_t, lanes>& at,
-                                       const Vec<Lanes>& force, const Vec<Lanes>& torque) {
-  Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
-  if constexpr (wide) {
-    transpose(r);
-    for (int l = 0; l < lanes; ++l) {
-      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
-      put_eight(sum, eight(sum) + r[l]);
-    }
-  } else {
-    for (int l = 0; l < lanes; ++l) {
-      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
-      sum.x += r[0][l], sum.y += r[1][l], sum.z += r[2][l];
-      sum.a += r[4][l], sum.b += r[5][l], sum.c += r[6][l];
-    }
-  }
-}
-
-/// The bodies of a grip.
-template <bool wide>
-[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g, LaneMask touching,
-                                            Whose whose) {
-  Bodies b;
-  const Lanes none{};
-  Vec<Lanes> place, velocity;
-  b.wi = spins<wide>(s.turns, g.i);
-  if (whose == Whose::wall) {
-    Eight foot[3];
-    s.jar->feet(s.rows, g.i, g.j, touching, s.time, s.reach, foot);
-    motion<wide>(s.rows, g.i, place, velocity);
-    const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
-    const Vec3& spin = s.before.spin;
-    b.wj = {none + spin.x, none + spin.y, none + spin.z};
-    for (int l = 0; s.turning && l < lanes; ++l) {
-      if (g.j[static_cast<std::size_t>(l)] < s.jar->turning_from()) continue;
-      const Vec3& rotor = s.before.rotor;
-      b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
-    }
-    b.vj = cross(b.wj, at);
-    b.apart = at - place;
-    b.relative = velocity - b.vj;
-  } else {
-    differences<wide>(s.rows, g, place, velocity);
-    b.apart = place;
-    if (s.frame.periodic)
-      b.apart = {folded(place.x, s.frame.periods.x), folded(place.y, s.frame.periods.y),
-                 folded(place.z, s.frame.periods.z)};
-    b.relative = -velocity;
-    b.vj = {none, none, none};
-    b.wj = spins<wide>(s.turns, g.j);
-  }
-  return b;
-}
-
-[[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g, Whose whose) {
-  for (std::size_t l = 0; l < lanes; ++l) {
-    __builtin_prefetch(&s.turns[g.i[l]]);
-    if (whose == Whose::wall) continue;
-    __builtin_prefetch(&s.rows[g.j[l]]);
-    __builtin_prefetch(&s.turns[g.j[l]]);
-  }
-}
 
 /// Lane by lane what their breeds are.
 [[gnu::always_inline]] inline void mixed(const Make* makes, const Grip& g, Make& out) {
@@ -198,7 +76,8 @@ template <class Law, bool wide>
 
 /// Which of the pairs from `at` on, up to eight, touch: a bit for each.
 template <bool wide>
-[[gnu::always_inline]] inline int touching_of(const Pass& s, const Nigh* pairs, std::size_t count) {
+[[gnu::always_inline]] inline std::uint32_t touching_of(const Pass& s, const Nigh* pairs,
+                                                        std::size_t count) {
   Apart pair = apart<wide>(s.rows, pairs, count);
   if (s.frame.periodic)
     pair.centres = {folded(pair.centres.x, s.frame.periods.x),
@@ -206,9 +85,7 @@ template <bool wide>
                     folded(pair.centres.z, s.frame.periods.z)};
   const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
   if (!any(mask)) return 0;
-  int bits = 0;
-  for (std::size_t l = 0; l < count; ++l) bits |= mask[static_cast<int>(l)] != 0 ? 1 << l : 0;
-  return bits;
+  return bits(mask, count);
 }
 
 /// Pairs that are near: those that touch now become contacts.
@@ -221,10 +98,10 @@ template <bool wide>
       constexpr std::size_t ahead = 4 * lanes;  // so that rows are there when they are asked for
       for (std::size_t n = k + ahead; n < std::min(end, k + ahead + lanes); ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
-      int bits = touching_of<wide>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+      std::uint32_t bits =
+          touching_of<wide>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
       for (; bits != 0; bits &= bits - 1)
-        chunk.met.push_back(static_cast<std::int32_t>(k) +
-                            __builtin_ctz(static_cast<unsigned>(bits)));
+        chunk.met.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
     }
     chunk.doings.tests += static_cast<std::int64_t>(end);
   };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstring>
+
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/soft/machines.hpp"
@@ -81,6 +83,8 @@ template <class R, class A>
 [[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
 #ifdef MAHLWERK_WIDE
   asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
+#else
+  std::memcpy(&row, &a, sizeof row);
 #endif
 }
 /// Before anybody else looks there.
