@@ -17,7 +17,7 @@ namespace {
 using results::Table;
 
 std::vector<double> column(const Table& table, std::string_view name, double factor = 1) {
-  const auto place = std::find(table.columns.begin(), table.columns.end(), name);
+  const auto place = std::ranges::find(table.columns, name, &results::Column::name);
   const auto i = static_cast<std::size_t>(place - table.columns.begin());
   std::vector<double> values;
   for (const auto& row : table.rows) values.push_back(row[i] / factor);
@@ -36,12 +36,12 @@ Plot spectrum_plot(const results::Outcome& outcome) {
   // A settling ball bounces ever smaller, over any number of decades: the top seven tell the story.
   constexpr double decades = 1e7, depth = 1e5;
   const Table table = results::spectrum(outcome);
-  std::vector<double> edges = column(table, "energy_low_J");
+  std::vector<double> edges = column(table, "energy_low");
   if (!table.rows.empty()) edges.push_back(table.rows.back()[1]);
   const Multiple unit = multiple(largest(edges), "J");
   for (double& e : edges) e /= unit.factor;
-  const auto normal = column(table, "rate_normal_per_s");
-  const auto point = column(table, "rate_contact_point_per_s");
+  const auto normal = column(table, "rate_normal");
+  const auto point = column(table, "rate_contact_point");
   Plot plot{"Spectrum of impact energies",
             {fmt::format("energy of one collision ({})", unit.unit), true},
             {"collisions per second and bin", true},
@@ -66,8 +66,8 @@ Plot rate_plot(const results::Outcome& outcome) {
           .x = {.label = "time (s)", .least = 0},
           .y = {.label = "collisions per second"},
           .series = {{"",
-                      column(table, "time_s"),
-                      column(table, "collision_rate_above_threshold_per_s"),
+                      column(table, "time"),
+                      column(table, "collision_rate_above_threshold"),
                       {},
                       Mark::line}},
           .height = 260};
@@ -75,20 +75,16 @@ Plot rate_plot(const results::Outcome& outcome) {
 
 Plot power_plot(const results::Outcome& outcome) {
   const Table table = results::time_series(outcome);
-  const auto dissipated = column(table, "dissipated_power_W");
+  const auto dissipated = column(table, "dissipated_power");
   const Multiple unit = multiple(largest(dissipated), "W");
-  const auto time = column(table, "time_s");
+  const auto time = column(table, "time");
   return {
       .title = "Power",
       .x = {.label = "time (s)", .least = 0},
       .y = {.label = fmt::format("power ({})", unit.unit)},
       .series =
-          {{"dissipated", time, column(table, "dissipated_power_W", unit.factor), {}, Mark::line},
-           {"drawn from the jar",
-            time,
-            column(table, "drawn_power_W", unit.factor),
-            {},
-            Mark::line}},
+          {{"dissipated", time, column(table, "dissipated_power", unit.factor), {}, Mark::line},
+           {"drawn from the jar", time, column(table, "drawn_power", unit.factor), {}, Mark::line}},
       .height = 280};
 }
 

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/csv.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
 
 namespace mahlwerk::results {
+
+double Column::number_of(std::string_view word) {
+  const auto place = std::find(words.begin(), words.end(), word);
+  const auto number = static_cast<double>(place - words.begin());
+  if (place == words.end()) words.emplace_back(word);
+  return number;
+}
 
 std::string csv_cell(double value) {
   return std::isfinite(value) ? shortest(value) : "";
@@ -34,10 +42,17 @@ std::string csv_line(const std::vector<std::string>& cells) {
 }
 
 std::string csv(const Table& table) {
-  std::string text = csv_line(table.columns);
+  std::vector<std::string> cells;
+  for (const Column& c : table.columns) cells.push_back(column_name(c.name, c.unit));
+  std::string text = csv_line(cells);
   for (const std::vector<double>& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const double value : row) cells.push_back(csv_cell(value));
+    cells.clear();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::vector<std::string>& words = table.columns[i].words;
+      cells.push_back(words.empty()
+                          ? csv_cell(row[i])
+                          : csv_cell(std::string_view(words[static_cast<std::size_t>(row[i])])));
+    }
     text += csv_line(cells);
   }
   return text;

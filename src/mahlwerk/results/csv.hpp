@@ -8,14 +8,24 @@
 
 namespace mahlwerk::results {
 
-/// Numbers under headings that name their units.
+/// What stands in one column of a table.
+struct Column {
+  std::string name, unit, about;  ///< unit "1" where there is none; what it is, in a few words
+  /// Of a column of words: those its numbers 0, 1, ... stand for.
+  std::vector<std::string> words = {};
+
+  /// The number of a word, which is added unless it is there already.
+  double number_of(std::string_view word);
+};
+
+/// Numbers under headings that know their units. What is not a number is NaN.
 struct Table {
-  std::vector<std::string> columns;
+  std::vector<Column> columns;
   std::vector<std::vector<double>> rows;
 };
 
-/// Comma-separated text with one heading line: pandas.read_csv(path) reads it as it is. What is not
-/// a number is an empty cell.
+/// Comma-separated text with one heading line of names with their units: pandas.read_csv(path)
+/// reads it as it is. What is not a number is an empty cell.
 std::string csv(const Table& table);
 
 /// One cell: the shortest text that reads back as the same double, or nothing.

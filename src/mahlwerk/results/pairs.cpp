@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/results/csv.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -63,6 +62,15 @@ std::vector<const Replicate*> counted(const Outcome& outcome) {
   return chosen;
 }
 
+std::vector<Column> pair_columns() {
+  return {{"one", "1", "a ball set"}, {"other", "1", "what it collides with: a ball set, or jar"}};
+}
+
+/// The first two cells of a row.
+std::vector<double> pair_cells(Table& table, std::string_view one, std::string_view other) {
+  return {table.columns[0].number_of(one), table.columns[1].number_of(other)};
+}
+
 }  // namespace
 
 std::vector<PairSummary> by_pair(const Outcome& outcome) {
@@ -83,29 +91,29 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
   return found;
 }
 
-std::string collisions_by_pair_csv(const std::vector<PairSummary>& pairs) {
-  std::vector<std::string> line{"one", "other"};
+Table collisions_by_pair(const std::vector<PairSummary>& pairs) {
+  Table table{pair_columns(), {}};
   for (const PairMeasure& m : measures()) {
-    line.push_back(column_name(m.name, m.unit));
-    line.push_back(column_name(m.name + "_ci95", m.unit));
+    table.columns.push_back({m.name, m.unit, m.about});
+    table.columns.push_back({m.name + "_ci95", m.unit, "its half-width at 95 %"});
   }
-  std::string text = csv_line(line);
   for (const PairSummary& pair : pairs) {
-    line = {csv_cell(std::string_view(pair.one)), csv_cell(std::string_view(pair.other))};
-    for (const Quantity& q : pair.quantities) {
-      line.push_back(csv_cell(q.value));
-      line.push_back(csv_cell(q.ci95));
-    }
-    text += csv_line(line);
+    std::vector<double> row = pair_cells(table, pair.one, pair.other);
+    for (const Quantity& q : pair.quantities) row.insert(row.end(), {q.value, q.ci95});
+    table.rows.push_back(std::move(row));
   }
-  return text;
+  return table;
 }
 
-std::string spectra_by_pair_csv(const Outcome& outcome) {
-  std::string text = csv_line(
-      {"one", "other", "energy_low_J", "energy_high_J", "rate_normal_per_s", "power_normal_W"});
+Table spectra_by_pair(const Outcome& outcome) {
+  Table table{pair_columns(), {}};
+  table.columns.insert(table.columns.end(),
+                       {{"energy_low", "J", "lower edge of the bin, which belongs to it"},
+                        {"energy_high", "J", "upper edge of the bin"},
+                        {"rate_normal", "1/s", "collisions per second by m u_n^2/2"},
+                        {"power_normal", "W", "the sum of those energies per second"}});
   const std::vector<const Replicate*> chosen = counted(outcome);
-  if (chosen.empty()) return text;
+  if (chosen.empty()) return table;
   const ByPair& first = chosen.front()->tally.by_pair;
   for (int pair = 0; pair < first.pairs(); ++pair) {
     const auto [one, other] = first.kinds_of(pair);
@@ -118,31 +126,36 @@ std::string spectra_by_pair_csv(const Outcome& outcome) {
         power += energies.sum(bin) * share;
       }
       if (rate == 0) continue;
-      const std::string a = name_of(outcome.what, one), b = name_of(outcome.what, other);
-      text += csv_line({csv_cell(std::string_view(a)), csv_cell(std::string_view(b)),
-                        csv_cell(bin == 0 ? 0 : LogHistogram::lower(bin)),
-                        csv_cell(LogHistogram::lower(bin + 1)), csv_cell(rate), csv_cell(power)});
+      std::vector<double> row =
+          pair_cells(table, name_of(outcome.what, one), name_of(outcome.what, other));
+      const double low = bin == 0 ? 0 : LogHistogram::lower(bin);
+      row.insert(row.end(), {low, LogHistogram::lower(bin + 1), rate, power});
+      table.rows.push_back(std::move(row));
     }
   }
-  return text;
+  return table;
 }
 
-std::string sizes_csv(const cases::Case& what) {
+Table sizes(const cases::Case& what) {
+  Table table{{{"set", "1", "the ball set"},
+               {"diameter", "m", "diameter of this size of ball"},
+               {"count", "1", "balls of this size"},
+               {"mass_share", "1", "of the set's mass"}},
+              {}};
   if (std::ranges::all_of(what.balls, [](const auto& set) { return set.classes.empty(); }))
-    return "";
-  std::string text = csv_line({"set", "diameter_m", "count", "mass_share"});
+    return table;
   for (std::size_t i = 0; i < what.balls.size(); ++i) {
     double cubes = 0;
     const auto cube = [](const cases::SizeClass& c) {
       return static_cast<double>(c.count) * c.diameter * c.diameter * c.diameter;
     };
     for (const cases::SizeClass& size : what.balls[i].sizes()) cubes += cube(size);
+    const double set = table.columns[0].number_of(cases::set_name(what, i));
     for (const cases::SizeClass& size : what.balls[i].sizes())
-      text +=
-          csv_line({csv_cell(std::string_view(cases::set_name(what, i))), csv_cell(size.diameter),
-                    std::to_string(size.count), csv_cell(cube(size) / cubes)});
+      table.rows.push_back(
+          {set, size.diameter, static_cast<double>(size.count), cube(size) / cubes});
   }
-  return text;
+  return table;
 }
 
 }  // namespace mahlwerk::results

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -21,10 +22,11 @@ struct PairSummary {
 /// counted.
 std::vector<PairSummary> by_pair(const Outcome& outcome);
 
-std::string collisions_by_pair_csv(const std::vector<PairSummary>& pairs);
-/// A row per kind of pair and bin of normal energy that holds collisions.
-std::string spectra_by_pair_csv(const Outcome& outcome);
-/// sizes.csv: the sizes of balls of each set; empty where each set has one size.
-std::string sizes_csv(const cases::Case& what);
+/// collisions_by_pair.csv: a row per kind of pair.
+Table collisions_by_pair(const std::vector<PairSummary>& pairs);
+/// spectra_by_pair.csv: a row per kind of pair and bin of normal energy that holds collisions.
+Table spectra_by_pair(const Outcome& outcome);
+/// sizes.csv: the sizes of balls of each set; no rows where each set has one size.
+Table sizes(const cases::Case& what);
 
 }  // namespace mahlwerk::results

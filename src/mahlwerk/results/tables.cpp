@@ -58,9 +58,16 @@ double mean(const Chosen& chosen, std::size_t window, const Of& of) {
 Table spectrum(const Outcome& outcome) {
   static constexpr std::array parts{&Tally::energy_normal, &Tally::energy_contact_point,
                                     &Tally::energy_centre, &Tally::energy_lost};
-  Table table{{"energy_low_J", "energy_high_J", "rate_normal_per_s", "rate_contact_point_per_s",
-               "rate_centre_per_s", "rate_lost_per_s", "power_normal_W", "power_contact_point_W",
-               "power_centre_W", "power_lost_W"},
+  Table table{{{"energy_low", "J", "lower edge of the bin, which belongs to it"},
+               {"energy_high", "J", "upper edge of the bin"},
+               {"rate_normal", "1/s", "collisions per second by m u_n^2/2, the normal motion"},
+               {"rate_contact_point", "1/s", "by m (u_n^2 + u_t^2)/2, slip and spin included"},
+               {"rate_centre", "1/s", "by the energy of the motion of the centres"},
+               {"rate_lost", "1/s", "by the energy dissipated"},
+               {"power_normal", "W", "the sum of those normal energies per second"},
+               {"power_contact_point", "W", "the sum of those energies at contact points"},
+               {"power_centre", "W", "the sum of those energies of the centres"},
+               {"power_lost", "W", "the sum of what is dissipated"}},
               {}};
   const Chosen chosen = averaged(outcome);
   const auto [first, last] = filled(chosen, parts);
@@ -79,7 +86,10 @@ Table spectrum(const Outcome& outcome) {
 }
 
 Table speeds(const Outcome& outcome) {
-  Table table{{"speed_low_m_per_s", "speed_high_m_per_s", "rate_per_s"}, {}};
+  Table table{{{"speed_low", "m/s", "lower edge of the bin, which belongs to it"},
+               {"speed_high", "m/s", "upper edge of the bin"},
+               {"rate", "1/s", "collisions per second by their normal speed u_n"}},
+              {}};
   const Chosen chosen = averaged(outcome);
   const auto [first, last] = filled(chosen, std::array{&Tally::approach});
   for (int bin = first; bin < last; ++bin)
@@ -91,7 +101,11 @@ Table speeds(const Outcome& outcome) {
 }
 
 Table angles(const Outcome& outcome) {
-  Table table{{"angle_low_deg", "angle_high_deg", "rate_per_s", "rate_above_threshold_per_s"}, {}};
+  Table table{{{"angle_low", "deg", "lower edge of the bin; 0 is head-on, 90 grazing"},
+               {"angle_high", "deg", "upper edge of the bin"},
+               {"rate", "1/s", "collisions per second by impact angle"},
+               {"rate_above_threshold", "1/s", "those of at least the threshold in normal speed"}},
+              {}};
   const Chosen chosen = averaged(outcome);
   if (chosen.empty()) return table;
   for (std::size_t bin = 0; bin < Tally::angle_bins; ++bin) {
@@ -106,10 +120,16 @@ Table angles(const Outcome& outcome) {
 }
 
 Table time_series(const Outcome& outcome) {
-  Table table{{"time_s", "collision_rate_per_s", "collision_rate_above_threshold_per_s",
-               "energy_normal_mean_J", "dissipated_power_W", "drawn_power_W", "contact_time_share",
-               "kinetic_energy_J"},
-              {}};
+  Table table{
+      {{"time", "s", "end of the stretch, since counting began"},
+       {"collision_rate", "1/s", "collisions per second"},
+       {"collision_rate_above_threshold", "1/s", "those of at least the threshold in normal speed"},
+       {"energy_normal_mean", "J", "mean impact energy of the normal motion"},
+       {"dissipated_power", "W", "all losses per time"},
+       {"drawn_power", "W", "work of the jar on the balls per time"},
+       {"contact_time_share", "1", "share of the balls' time in lasting contact"},
+       {"kinetic_energy", "J", "at the end of the stretch, in the laboratory frame"}},
+      {}};
   const Chosen chosen = averaged(outcome);
   double balls = 0;
   for (const cases::BallSet& set : outcome.what.balls) balls += static_cast<double>(set.count);
@@ -131,7 +151,8 @@ Table time_series(const Outcome& outcome) {
 }
 
 Table replicates(const Outcome& outcome) {
-  Table table{{"replicate", "complete"}, {}};
+  Table table{
+      {{"replicate", "1", "its number, from 1"}, {"complete", "1", "1 if it ran to its end"}}, {}};
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
     const Replicate& r = outcome.replicates[i];
     if (!(r.time() > 0)) continue;
@@ -139,17 +160,26 @@ Table replicates(const Outcome& outcome) {
     std::vector<double> row{static_cast<double>(i + 1), r.complete ? 1.0 : 0.0};
     for (const Quantity& q : quantities) row.push_back(q.value);
     if (table.rows.empty())
-      for (const Quantity& q : quantities) table.columns.push_back(column_name(q.name, q.unit));
+      for (const Quantity& q : quantities) table.columns.push_back({q.name, q.unit, q.about});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 Table balls_at_stop(const Replicate& replicate) {
-  Table table{
-      {"ball", "kind", "radius_m", "x_m", "y_m", "z_m", "velocity_x_m_per_s", "velocity_y_m_per_s",
-       "velocity_z_m_per_s", "spin_x_rad_per_s", "spin_y_rad_per_s", "spin_z_rad_per_s"},
-      {}};
+  Table table{{{"ball", "1", "its number, from 1"},
+               {"kind", "1", "its set in the case, from 1"},
+               {"radius", "m", "radius of the ball"},
+               {"x", "m", "its centre, from the jar's, in axes of the laboratory"},
+               {"y", "m", "likewise"},
+               {"z", "m", "likewise"},
+               {"velocity_x", "m/s", "relative to the jar's centre"},
+               {"velocity_y", "m/s", "likewise"},
+               {"velocity_z", "m/s", "likewise"},
+               {"spin_x", "rad/s", "angular velocity in axes of the laboratory"},
+               {"spin_y", "rad/s", "likewise"},
+               {"spin_z", "rad/s", "likewise"}},
+              {}};
   double number = 0;
   for (const scene::Ball& b : replicate.at_stop)
     table.rows.push_back({++number, b.kind + 1.0, b.radius, b.position.x, b.position.y,

@@ -19,7 +19,12 @@ constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
 
 /// A measured motion travels with the result: its samples, as a case can read them again.
 std::string samples(const kinematics::Tabulated& motion) {
-  Table table{.columns = {"time_s", "x_m", "y_m", "z_m", "angle_rad"}, .rows = {}};
+  Table table{{{"time", "s", "of the sample"},
+               {"x", "m", "the jar's centre in the laboratory"},
+               {"y", "m", "likewise"},
+               {"z", "m", "likewise"},
+               {"angle", "rad", "by which the jar has turned"}},
+              {}};
   for (const kinematics::Sample& s : motion.samples())
     table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
   return csv(table);
@@ -45,10 +50,10 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   put("spectrum.csv", csv(spectrum(outcome)));
   const std::vector<PairSummary> pairs = by_pair(outcome);
   if (!pairs.empty()) {
-    put("collisions_by_pair.csv", collisions_by_pair_csv(pairs));
-    put("spectra_by_pair.csv", spectra_by_pair_csv(outcome));
+    put("collisions_by_pair.csv", csv(collisions_by_pair(pairs)));
+    put("spectra_by_pair.csv", csv(spectra_by_pair(outcome)));
   }
-  if (const std::string sizes = sizes_csv(outcome.what); !sizes.empty()) put("sizes.csv", sizes);
+  if (const Table many = sizes(outcome.what); !many.rows.empty()) put("sizes.csv", csv(many));
   put("speeds.csv", csv(speeds(outcome)));
   put("angles.csv", csv(angles(outcome)));
   put("timeseries.csv", csv(time_series(outcome)));

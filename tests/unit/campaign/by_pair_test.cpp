@@ -118,15 +118,15 @@ TEST(ByPairOfARun, print_report_and_summary_tell_it) {
 
 TEST(ByPairOfARun, tables_name_sets_and_units) {
   const results::Outcome outcome = run(mixed("event"));
-  const std::string rates = results::collisions_by_pair_csv(results::by_pair(outcome));
+  const std::string rates = results::csv(results::collisions_by_pair(results::by_pair(outcome)));
   EXPECT_TRUE(rates.starts_with("one,other,collision_rate_per_s,collision_rate_ci95_per_s,"))
       << rates;
   EXPECT_NE(rates.find("\nballs.2,powder,"), std::string::npos) << rates;
-  const std::string spectra = results::spectra_by_pair_csv(outcome);
+  const std::string spectra = results::csv(results::spectra_by_pair(outcome));
   EXPECT_TRUE(spectra.starts_with(
       "one,other,energy_low_J,energy_high_J,rate_normal_per_s,power_normal_W\nballs.1,balls.1,"))
       << spectra;
-  const std::string sizes = results::sizes_csv(outcome.what);
+  const std::string sizes = results::csv(results::sizes(outcome.what));
   EXPECT_TRUE(
       sizes.starts_with("set,diameter_m,count,mass_share\nballs.1,0.008,5,1\nballs.2,0.002,10,"))
       << sizes;
