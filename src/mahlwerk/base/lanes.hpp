@@ -10,6 +10,15 @@
 // One text for one number or for eight side by side: functions templated on the number type V,
 // `double` or `Lanes`, with masks and choices instead of branches. IEEE operations only, so that
 // every lane has the bits of the plain number, whatever the width of the machine's registers.
+
+// In front of a function: compiled for the registers of several machines, the right one is taken as
+// it runs. Not under the thread sanitizer, which such functions crash, and only with GCC.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+#define MAHLWERK_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#else
+#define MAHLWERK_CLONES
+#endif
+
 namespace mahlwerk {
 
 constexpr int lanes = 8;

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/results/making.hpp"
+#include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::campaign {
@@ -29,13 +32,6 @@ event::Rules rules(const cases::Contact& c) {
       .lasting = lasting,
       .lasting_speed = c.lasting_speed,
       .contact_time = c.contact_time};
-}
-
-/// Who is of which set; a single ball has one kind of pair, which needs no table.
-observe::BallKinds kinds(const cases::Case& what) {
-  std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
-  if (of_ball.size() < 2) return {};
-  return {std::move(of_ball), static_cast<int>(what.balls.size())};
 }
 
 /// The change of everything between two looks, as one row of the time series.
@@ -86,6 +82,17 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int th
   return event::one_ball(mill, balls.front(), treatment);
 }
 
+namespace {
+
+/// A wait for certainty begins with stretches of this many periods of the mill, or seconds.
+double first_window(const cases::Case& what) {
+  if (!what.run.until) return what.run.time / Replica::stretches;
+  const double period = std::visit([](const auto& m) { return m.period(); }, what.mill.motion);
+  return std::min(std::isfinite(period) ? period : 0.05, what.run.time / Replica::stretches);
+}
+
+}  // namespace
+
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
                  std::unique_ptr<results::FrameFile> frames, int threads)
     : what_(&what),
@@ -93,16 +100,33 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
       keeper_(std::move(keeper)),
       frames_(std::move(frames)),
       frame_times_(what),
-      result_(what.observe.threshold, kinds(what)),
+      result_(results::empty_replicate(what)),
+      window_(first_window(what)),
       engine_(engine(what, index, threads)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
+  const scene::Chamber mill = cases::chamber(what);
+  result_.charge = observe::Charge(mill);
+  if (index == 0)
+    result_.replay =
+        observe::Replay(mill, engine_->balls().size(), what.run.settle, what.run.time);
   last_ = result_.account = result_.at_settled = engine_->account();
   if (what.run.engine == "soft")  // its work is known beforehand: below 0.1 s for 1000 balls
     portion_ = std::min(portion_, 1e3 * soft_settings(what).rules.time_step);
 }
 
 double Replica::end_of(int stretch) const {
-  return what_->run.settle + what_->run.time * stretch / stretches;
+  const bool last = !what_->run.until && stretch == stretches;
+  return what_->run.settle + (last ? what_->run.time : window_ * stretch);
+}
+
+/// All stretches are done, or there is certainty, or no more time for it.
+bool Replica::over() const {
+  if (!what_->run.until) return stretch_ > stretches;
+  return enough_ || end_of(stretch_) > (what_->run.settle + what_->run.time) * (1 + 1e-12);
+}
+
+bool Replica::done() const {
+  return over() || !result_.stopped.empty();
 }
 
 /// To `time`, or to where physics stops it.
@@ -118,38 +142,82 @@ void Replica::advance(double time) {
   result_.account = engine_->account();
 }
 
-/// Those that are due at the time reached.
-void Replica::add_frames() {
-  if (!frames_ || !result_.stopped.empty()) return;
-  for (; frame_times_.next() <= result_.account.time; frame_times_.go_on())
-    frames_->add(result_.account.time, engine_->balls());
+/// Times at which the charge is looked at, spread so that they meet a periodic motion in all its
+/// phases.
+double Replica::next_look() const {
+  if (stretch_ == 0 || looked_ == looks_) return geometry::never;
+  constexpr double golden = 0.6180339887498949;
+  const double jitter = std::fmod(golden * static_cast<double>(looked_ever_ + 1), 1.0);
+  return end_of(stretch_ - 1) + window_ * (looked_ + jitter) / looks_;
+}
+
+/// So many looks in the next stretch that they cost little beside its work.
+void Replica::plan_looks(const scene::Account& before, const scene::Account& now) {
+  constexpr std::int64_t steps = 128, collisions = 40, most = 20;
+  const auto balls = std::ssize(engine_->balls());
+  const std::int64_t work = what_->run.engine == "soft"
+                                ? (now.time_steps - before.time_steps) / steps
+                                : (now.collisions - before.collisions) / (collisions * balls);
+  looks_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));
+  looked_ = 0;
+}
+
+/// What is due at the time reached: frames, the film of the report, looks at the charge.
+void Replica::look() {
+  if (!result_.stopped.empty()) return;
+  const double time = result_.account.time;
+  const bool frame = frames_ && frame_times_.next() <= time, film = result_.replay.next() <= time,
+             charge = next_look() <= time;
+  if (!frame && !film && !charge) return;
+  const std::vector<scene::Ball> balls = engine_->balls();
+  for (; frames_ && frame_times_.next() <= time; frame_times_.go_on()) frames_->add(time, balls);
+  while (result_.replay.next() <= time) result_.replay.add(time, balls);
+  for (; next_look() <= time; ++looked_, ++looked_ever_)
+    result_.charge.look(time, balls, window_ / looks_);
 }
 
 void Replica::go_on() {
   using Clock = std::chrono::steady_clock;
   const double end = end_of(stretch_);
-  const double stop = frames_ ? std::min(end, frame_times_.next()) : end;
+  const double stop = std::min({end, frames_ ? frame_times_.next() : end, result_.replay.next(),
+                                next_look()});
   const Clock::time_point began = Clock::now();
   advance(std::min(stop, result_.account.time + portion_));
-  add_frames();
+  look();
   const double worked = std::chrono::duration<double>(Clock::now() - began).count();
   portion_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
-  portion_ = std::min(std::max(portion_, 1e-15), end_of(stretches));
-  if (result_.account.time < end && result_.stopped.empty()) return;
+  portion_ = std::min(std::max(portion_, 1e-15), what_->run.settle + what_->run.time);
+  if (result_.account.time >= end || !result_.stopped.empty()) end_stretch();
+}
+
+void Replica::end_stretch() {
   if (stretch_ == 0)
     result_.at_settled = result_.account;
   else
     result_.windows.push_back(window(result_.account.time - what_->run.settle, last_,
                                      result_.account, all_, above_, result_.tally));
+  plan_looks(last_, result_.account);
   last_ = result_.account;
   all_ = result_.tally.all;
   above_ = result_.tally.above;
   ++stretch_;
+  if (!what_->run.until || !result_.stopped.empty()) return;
+  if (std::ssize(result_.windows) == stretches) {
+    result_.windows = results::joined_in_twos(result_.windows);
+    window_ *= 2;
+    stretch_ = stretches / 2 + 1;
+  }
+  constexpr int fewest = 50, between = 10;
+  if (std::ssize(result_.windows) < fewest || stretch_ % between != 1) return;
+  const observe::Estimate known =
+      observe::over_time(results::series(result_.windows, what_->run.until->quantity));
+  enough_ = known.ci95 <= what_->run.until->within * std::abs(known.mean);
 }
 
 results::Replicate Replica::result() const {
   results::Replicate given = result_;
-  given.complete = stretch_ > stretches && given.stopped.empty();
+  given.complete = over() && given.stopped.empty();
+  given.sure = !what_->run.until || enough_;
   if (given.complete) return given;
   if (stretch_ == 0)
     given.at_settled = given.account;
@@ -162,8 +230,10 @@ results::Replicate Replica::result() const {
 void Replica::carry(Archive& archive) {
   results::Replicate& r = result_;
   r.tally.carry(archive);
+  r.charge.carry(archive);
+  r.replay.carry(archive);
   archive(r.windows)(r.account)(r.at_settled)(r.stopped)(r.at_stop)(r.cpu_seconds);
-  archive(stretch_)(last_)(all_)(above_);
+  archive(stretch_)(last_)(all_)(above_)(window_)(enough_)(looks_)(looked_)(looked_ever_);
   engine_->carry(archive);
 }
 

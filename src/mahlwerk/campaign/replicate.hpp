@@ -18,7 +18,7 @@ class Replica {
   Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
           std::unique_ptr<results::FrameFile> frames = nullptr, int threads = 1);
 
-  bool done() const { return stretch_ > stretches || !result_.stopped.empty(); }
+  bool done() const;
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
   void go_on();
   const scene::Account& account() const { return result_.account; }
@@ -28,13 +28,19 @@ class Replica {
   /// Writes the state to `archive`, or takes it from there (scene::Engine::carry).
   void carry(Archive& archive);
 
-  static constexpr int stretches = 200;  ///< rows of the time series, however long the run is
+  /// Rows of the time series, however long the run is; a run that waits for certainty has half as
+  /// many, or more.
+  static constexpr int stretches = 200;
 
  private:
   class Ears;
   double end_of(int stretch) const;  // [s]
+  bool over() const;
   void advance(double time);
-  void add_frames();
+  void look();
+  void end_stretch();
+  void plan_looks(const scene::Account& before, const scene::Account& now);
+  double next_look() const;  // [s]
 
   const cases::Case* what_;
   int index_;
@@ -42,6 +48,11 @@ class Replica {
   std::unique_ptr<results::FrameFile> frames_;
   results::FrameTimes frame_times_;
   results::Replicate result_;
+  double window_;  // [s] length of a stretch
+  bool enough_ = false;  // it is as sure as was asked for
+  int looks_ = 4;      // at the charge in this stretch
+  int looked_ = 0;     // of them
+  std::int64_t looked_ever_ = 0;
   std::unique_ptr<scene::Engine> engine_;
   int stretch_ = 0;            // 0: settling
   scene::Account last_;        // when the stretch began

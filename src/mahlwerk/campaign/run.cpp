@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/engine_choice.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/results/making.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -88,7 +89,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
     wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
     outcomes.push_back({.what = what,
-                        .replicates = {count, results::Replicate(what.observe.threshold)},
+                        .replicates = {count, results::empty_replicate(what)},
                         .notes = {}});
   }
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

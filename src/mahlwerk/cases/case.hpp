@@ -116,9 +116,17 @@ enum class StartFrame {
   jar  ///< axes that ride with the jar's centre and do not turn
 };
 
+/// Instead of a time: go on until a quantity is known well enough.
+struct Until {
+  double within = 0;     ///< half-width of its 95 % confidence interval over time, of its mean
+  std::string quantity;  ///< "dissipated_power"
+  bool operator==(const Until&) const = default;
+};
+
 struct Run {
   std::string engine = "event";  ///< "event", "soft" or "auto"
-  double time = 0;               ///< [s] counted
+  double time = 0;               ///< [s] counted; with `until`: at most
+  std::optional<Until> until = std::nullopt;  ///< ends each replicate sooner
   double settle = 0;             ///< [s] before that, not counted
   std::int64_t replicates = 1;
   double start_speed = 0;  ///< [m/s] starting speeds are uniform in 0 ... this

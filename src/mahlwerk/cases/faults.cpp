@@ -113,6 +113,10 @@ void check_balls(ValueCheck& check, const std::vector<BallSet>& balls) {
 void check_run(ValueCheck& check, const Run& run) {
   check.word("run.engine", run.engine, engines());
   check.fields("run.", run, run_fields());
+  if (run.until) {
+    check.number("run.time", run.until->within, until_range, "");
+    check.word("run.until", run.until->quantity, until_words());
+  }
   if (run.time_step) check.number("run.time_step", *run.time_step, positive, "s");
   check.number("run.time_step_fraction", run.time_step_fraction, step_share.range, "");
   check.whole("run.replicates", run.replicates, most_replicates);

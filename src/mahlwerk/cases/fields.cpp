@@ -44,6 +44,13 @@ const std::vector<std::string>& damping_words() {
   return words;
 }
 
+const std::vector<std::string>& until_words() {
+  static const std::vector<std::string> words{
+      "dissipated_power", "drawn_power", "collision_rate", "collision_rate_above_threshold",
+      "energy_normal_mean"};
+  return words;
+}
+
 const std::vector<std::string>& start_frames() {
   static const std::vector<std::string> words{"laboratory", "jar"};
   return words;

@@ -107,6 +107,13 @@ constexpr auto run_fields() {
                  "starting spins are uniform between 0 and this", 0.1, "paper A"}};
 }
 
+/// Of [run] time = "until 2 %".
+constexpr Range until_range{.least = 0, .most = 1, .without_least = true};
+constexpr Field<Run> longest{"longest", "s", &Run::time, positive,
+                             "the counted time at which a run ends that is not sure by then", 100.0,
+                             "a limit that few runs need"};
+const std::vector<std::string>& until_words();  ///< quantities that a run can wait for
+
 constexpr Range step_shares{.least = 0, .most = 1, .without_least = true};
 /// Of the soft engine's step, which [run] gives as a time or as a share of the Rayleigh time.
 constexpr Field<Run> step_share{"time_step_fraction",

@@ -58,11 +58,37 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findi
   return contact;
 }
 
+namespace {
+
+constexpr std::string_view until_word = "until";
+
+/// time = "60 s", or "until 2 %".
+void read_time(Section& in, Run& run) {
+  const Node* at = in.find("time");
+  const bool waits =
+      at != nullptr && at->kind == Node::Kind::text && at->text.starts_with(until_word);
+  for (const auto& field : run_fields())
+    if (!waits || field.value != &Run::time) run.*field.value = in.value(Wanted(field));
+  if (!waits) return;
+  Node share = *at;
+  share.text.erase(0, until_word.size());
+  share.text.erase(0, share.text.find_first_not_of(' '));
+  const Wanted wanted("time", "", until_range,
+                      "the half-width of the confidence interval over the mean: \"until 2 %\"");
+  run.until = Until{.within = in.quantity(share, wanted),
+                    .quantity = in.choice({"until", until_words(), until_words().front(),
+                                           "what the mill's user pays for"})};
+  in.note("time", in_quotes(at->text), at);
+  run.time = in.value(Wanted(longest));
+}
+
+}  // namespace
+
 Run read_run(const Node* table, Findings& findings) {
   Run run;
   Section in(table, "run", findings);
   run.engine = in.choice({"engine", engines(), "auto", "chosen by what the case needs"});
-  for (const auto& field : run_fields()) run.*field.value = in.value(Wanted(field));
+  read_time(in, run);
   run.start_frame = in.choice({"start_frame", start_frames(), "laboratory", "paper A"}) == "jar"
                         ? StartFrame::jar
                         : StartFrame::laboratory;

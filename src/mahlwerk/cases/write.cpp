@@ -184,7 +184,15 @@ void write_contact(Writer& out, const Contact& contact) {
 void write_run(Writer& out, const Run& run) {
   out.section("[run]", "run.");
   out.word("engine", run.engine);
-  out.fields(run, run_fields());
+  if (run.until) {
+    out.word("time", fmt::format("until {}", show(run.until->within, "")));
+    out.word("until", run.until->quantity);
+  }
+  for (const auto& field : run_fields())
+    if (run.until && field.value == &Run::time)
+      out.number(longest.key, run.time, longest.unit);
+    else
+      out.number(field.key, run.*field.value, field.unit);
   out.word("start_frame", start_frames()[static_cast<std::size_t>(run.start_frame)]);
   if (run.time_step)
     out.number("time_step", *run.time_step, "s");

@@ -2,56 +2,99 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/observe/by_pair.hpp"
 
+#include <numbers>
 #include <utility>
 
 namespace mahlwerk::observe {
 
-ByPair::ByPair(BallKinds kinds) : kinds_(std::move(kinds)) {
-  const int n = kinds_.kinds();
-  const auto row = static_cast<std::size_t>(n) + 1;
-  number_.resize(static_cast<std::size_t>(n) * row);
-  std::int32_t next = 0;
-  for (std::size_t one = 0; one + 1 < row; ++one)
-    for (std::size_t other = one; other < row; ++other, ++next) {
-      number_[one * row + other] = next;
-      if (other + 1 < row) number_[other * row + one] = next;
-    }
-  tallies_.resize(static_cast<std::size_t>(next));
+PairSums PairTally::all() const {
+  return {spectra.energy_normal.total(), spectra.energy_normal.sum(),
+          spectra.energy_contact_point.sum(), spectra.lost_normal.sum(),
+          spectra.lost_tangential.sum()};
 }
 
-void ByPair::add(const scene::Collision& c, bool above, int bin) {
-  if (tallies_.empty()) return;
-  const std::int32_t row = kinds_.kinds() + 1;
-  const std::int32_t other = c.other < 0 ? kinds_.kinds() : kinds_.of(c.other);
-  const std::int32_t pair = number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
-  PairTally& tally = tallies_[static_cast<std::size_t>(pair)];
-  const PairSums one{1, c.energy_normal(), c.energy_contact_point(), c.lost_normal,
-                     c.lost_tangential};
-  tally.all.add(one);
-  tally.energy_normal.add(one.energy_normal, bin);
-  if (above) tally.above.add(one);
+void PairTally::add(const Columns& c, std::size_t i, bool is_above, const PairFactors& factors) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const auto degree = static_cast<std::size_t>(
+      std::min(static_cast<int>(c.angle[i] * degrees), angle_bins - 1));
+  Spectra& s = spectra;
+  s.energy_normal.add(c.energy_normal[i], c.bin_normal[i]);
+  s.energy_contact_point.add(c.energy_contact_point[i], c.bin_contact_point[i]);
+  s.energy_centre.add(c.energy_centre[i], c.bin_centre[i]);
+  s.energy_lost.add(c.lost[i], c.bin_lost[i]);
+  s.lost_normal.add(c.lost_normal[i], c.bin_lost_normal[i]);
+  s.lost_tangential.add(c.lost_tangential[i], c.bin_lost_tangential[i]);
+  s.approach.add(c.approach[i], c.bin_approach[i]);
+  s.normal_tangential.add(c.bin_normal[i], c.bin_tangential[i]);
+  ++s.angle_all[degree];
+  slid += factors.slid_per_loss * c.lost_tangential[i];
+  erosion += c.erosion[i];
+  if (!factors.flash_per_loss.empty())
+    s.flash.add(factors.flash_per_loss[static_cast<std::size_t>(c.bin_normal[i])] * c.lost[i]);
+  if (c.duration[i] > 0) s.duration.add(c.duration[i]);
+  if (!is_above) return;
+  above.add({1, c.energy_normal[i], c.energy_contact_point[i], c.lost_normal[i],
+             c.lost_tangential[i]});
+  ++s.angle_above[degree];
+}
+
+void PairTally::merge(const PairTally& other) {
+  above.add(other.above);
+  spectra.merge(other.spectra);
+  slid += other.slid;
+  erosion += other.erosion;
+}
+
+void PairTally::carry(Archive& archive) {
+  archive(above)(slid)(erosion);
+  spectra.carry(archive);
+}
+
+ByPair::ByPair(BallKinds kinds) : kinds_(std::move(kinds)) {
+  const auto n = static_cast<std::size_t>(kinds_.kinds());
+  const std::size_t row = n + static_cast<std::size_t>(kinds_.faces());
+  number_.resize(n * row);
+  std::int32_t next = 0;
+  for (std::size_t one = 0; one < n; ++one)
+    for (std::size_t other = one; other < row; ++other, ++next) {
+      number_[one * row + other] = next;
+      if (other < n) number_[other * row + one] = next;
+    }
+  tallies_.resize(static_cast<std::size_t>(next));
+  factors_.resize(tallies_.size());
+}
+
+PairTally& ByPair::at(int pair) {
+  std::vector<PairTally>& one = tallies_[static_cast<std::size_t>(pair)];
+  if (one.empty()) one.resize(1);
+  return one.front();
+}
+
+const PairTally& ByPair::operator[](int pair) const {
+  static const PairTally none;
+  const std::vector<PairTally>& one = tallies_[static_cast<std::size_t>(pair)];
+  return one.empty() ? none : one.front();
 }
 
 void ByPair::merge(const ByPair& other) {
-  for (std::size_t i = 0; i < tallies_.size(); ++i) {
-    tallies_[i].all.add(other.tallies_[i].all);
-    tallies_[i].above.add(other.tallies_[i].above);
-    tallies_[i].energy_normal.merge(other.tallies_[i].energy_normal);
-  }
+  for (int pair = 0; pair < pairs(); ++pair)
+    if (!other.tallies_[static_cast<std::size_t>(pair)].empty()) at(pair).merge(other[pair]);
 }
 
 void ByPair::carry(Archive& archive) {
-  for (PairTally& tally : tallies_) {
-    archive(tally.all)(tally.above);
-    tally.energy_normal.carry(archive);
+  for (int pair = 0; pair < pairs(); ++pair) {
+    bool there = !tallies_[static_cast<std::size_t>(pair)].empty();
+    archive(there);
+    if (there) at(pair).carry(archive);
   }
 }
 
 ByPair::Kinds ByPair::kinds_of(int pair) const {
   int left = pair;
   for (int one = 0; one < kinds(); ++one) {
-    const int many = kinds() - one + 1;  // with itself, those after it, and the jar
-    if (left < many) return {one, left == many - 1 ? jar : one + left};
+    const int sets = kinds() - one, many = sets + faces();
+    if (left < sets) return {one, one + left};
+    if (left < many) return {one, ~(left - sets)};
     left -= many;
   }
   return {};

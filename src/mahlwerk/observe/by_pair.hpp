@@ -2,28 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "mahlwerk/observe/histogram.hpp"
+#include "mahlwerk/observe/columns.hpp"
+#include "mahlwerk/observe/spectra.hpp"
 #include "mahlwerk/scene/collision.hpp"
 
 namespace mahlwerk::observe {
 
-/// Which kind each ball is of; shared by all who count.
+/// Which kind each ball is of, and how many faces of the jar are told apart; shared by all who
+/// count.
 class BallKinds {
  public:
-  BallKinds() = default;  ///< nobody asks
-  BallKinds(std::vector<std::int32_t> of_ball, int kinds)
+  BallKinds() : BallKinds({}, 1, 1) {}  ///< all of one kind, in a jar of one face
+  /// `of_ball`: empty if all are of kind 0. Faces from `faces` - 1 on count as one.
+  BallKinds(std::vector<std::int32_t> of_ball, int kinds, int faces)
       : of_ball_(std::make_shared<const std::vector<std::int32_t>>(std::move(of_ball))),
-        kinds_(kinds) {}
+        kinds_(kinds),
+        faces_(std::max(faces, 1)) {}
   int kinds() const { return kinds_; }
-  std::int32_t of(std::int32_t ball) const { return (*of_ball_)[static_cast<std::size_t>(ball)]; }
+  int faces() const { return faces_; }
+  std::int32_t of(std::int32_t ball) const {
+    return of_ball_->empty() ? 0 : (*of_ball_)[static_cast<std::size_t>(ball)];
+  }
 
  private:
   std::shared_ptr<const std::vector<std::int32_t>> of_ball_;
-  int kinds_ = 0;
+  int kinds_ = 1, faces_ = 1;
 };
 
 /// Sums over the collisions of one kind of pair.
@@ -41,38 +49,67 @@ struct PairSums {
   }
 };
 
-/// What one kind of pair's collisions add up to.
-struct PairTally {
-  PairSums all, above;         // above: u_n >= threshold
-  LogHistogram energy_normal;  // [J]
+/// What turns a pair's losses into wear and heat.
+struct PairFactors {
+  double slid_per_loss = 0;  ///< [1] force times way slid over tangential loss (wea.2)
+  /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.2); empty:
+  /// flashes are not counted.
+  std::vector<double> flash_per_loss;
 };
 
-/// A tally for each two kinds of balls, and for each kind with the jar, in fixed memory. Empty, and
-/// silent, without kinds.
+/// What one kind of pair's collisions add up to.
+struct PairTally {
+  PairSums above;  ///< u_n >= threshold
+  Spectra spectra;
+  double slid = 0;     ///< [N m] integral of normal force times way slid
+  double erosion = 0;  ///< [J] sum of m u^2 f(alpha)
+
+  PairSums all() const;
+  void add(const Columns& c, std::size_t i, bool above, const PairFactors& factors);
+  void merge(const PairTally& other);
+  void carry(Archive& archive);
+};
+
+/// A tally for each two kinds of balls, and for each kind with each face of the jar, in fixed memory:
+/// made when the first such collision comes.
 class ByPair {
  public:
-  ByPair() = default;
-  explicit ByPair(BallKinds kinds);
+  explicit ByPair(BallKinds kinds = {});
 
-  /// `bin` of its normal energy in a LogHistogram.
-  void add(const scene::Collision& c, bool above, int bin);
+  int pair_of(const scene::Collision& c) const {
+    const std::int32_t row = kinds_.kinds() + kinds_.faces();
+    const std::int32_t other = c.other < 0
+                                   ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1)
+                                   : kinds_.of(c.other);
+    return number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
+  }
+  /// Where a collision of that kind of pair is counted.
+  PairTally& at(int pair);
+  const PairFactors& factors(int pair) const { return factors_[static_cast<std::size_t>(pair)]; }
+  void know(int pair, PairFactors factors) {
+    factors_[static_cast<std::size_t>(pair)] = std::move(factors);
+  }
   void merge(const ByPair& other);  ///< of the same kinds
   void carry(Archive& archive);
 
   int kinds() const { return kinds_.kinds(); }
+  int faces() const { return kinds_.faces(); }
   int pairs() const { return static_cast<int>(tallies_.size()); }
-  /// Kinds of a pair: the first, and the other, which is not below it, or `jar`.
+  /// Kinds of a pair: the first, and the other, which is not below it, or ~face of the jar.
   struct Kinds {
     int one = 0, other = 0;
+    bool with_jar() const { return other < 0; }
+    int face() const { return ~other; }
   };
-  static constexpr int jar = -1;
   Kinds kinds_of(int pair) const;
-  const PairTally& operator[](int pair) const { return tallies_[static_cast<std::size_t>(pair)]; }
+  /// One without collisions is that of a fresh tally.
+  const PairTally& operator[](int pair) const;
 
  private:
   BallKinds kinds_;
-  std::vector<PairTally> tallies_;    // each pair once
-  std::vector<std::int32_t> number_;  // of a pair: a row for each kind, the jar at its end
+  std::vector<std::vector<PairTally>> tallies_;  // each pair once: one, or none yet
+  std::vector<PairFactors> factors_;
+  std::vector<std::int32_t> number_;  // of a pair: a row for each kind, faces at its end
 };
 
 }  // namespace mahlwerk::observe

@@ -18,6 +18,26 @@ double LogHistogram::lower(int bin) {
   return std::ldexp(edges[quarter], bin / per_octave + lowest_octave);
 }
 
+double LogHistogram::unit(std::int64_t bin) {
+  return std::ldexp(1.0, static_cast<int>(bin) / per_octave + lowest_octave - mantissa_bits);
+}
+
+LogHistogram::Whole LogHistogram::rough(double value, std::int64_t at) {
+  constexpr double most = 0x1p100;
+  const double units = value / unit(at);
+  return static_cast<Whole>(std::isnan(units) ? 0 : std::clamp(units, -most, most));
+}
+
+double LogHistogram::sum(int bin) const {
+  return static_cast<double>(bins_[static_cast<std::size_t>(bin)].sum) * unit(bin);
+}
+
+double LogHistogram::sum() const {
+  double all = 0;
+  for (int bin = 0; bin < bins; ++bin) all += sum(bin);
+  return all;
+}
+
 std::int64_t LogHistogram::total() const {
   std::int64_t all = 0;
   for (const Bin& bin : bins_) all += bin.count;

@@ -13,12 +13,20 @@
 
 namespace mahlwerk::observe {
 
-/// Counts in logarithmic bins, four per octave, edges 2^(k/4): fixed memory, exact merging.
+/// Counts and sums in logarithmic bins, four per octave, edges 2^(k/4), in fixed memory. A bin adds
+/// its values up as whole numbers of the last place they have, so that sums, too, do not depend on
+/// the order: merging is exact.
 class LogHistogram {
  public:
   static constexpr int per_octave = 4;
   static constexpr int lowest_octave = -80, highest_octave = 40;
   static constexpr int bins = (highest_octave - lowest_octave) * per_octave;
+
+  /// 2^(k/4), k = 0 ... 3.
+  static constexpr std::array<double, per_octave> edges{1, 1.189207115002721, std::numbers::sqrt2,
+                                                        1.681792830507429};
+  /// What lies beyond these is counted as these are.
+  static constexpr double least = 0x1p-80, most = 0x1.fffffffffffffp39;
 
   LogHistogram() : bins_(bins) {}
 
@@ -26,10 +34,10 @@ class LogHistogram {
   /// rounding made a little less than 0.
   void add(double value) { add(value, bin_of(value)); }
   /// The same where its bin is known.
-  void add(double value, int at) {
+  void add(double value, std::int64_t at) {
     Bin& bin = bins_[static_cast<std::size_t>(at)];
     ++bin.count;
-    bin.sum += value;
+    bin.sum += at > 0 && at < bins - 1 ? Whole{mantissa_of(value) | implicit_bit} : rough(value, at);
   }
   void merge(const LogHistogram& other);
   void carry(Archive& archive) { archive(bins_); }
@@ -49,21 +57,24 @@ class LogHistogram {
 
   static double lower(int bin);  ///< edge, in the unit of the values; upper(bin) == lower(bin + 1)
   std::int64_t count(int bin) const { return bins_[static_cast<std::size_t>(bin)].count; }
-  double sum(int bin) const { return bins_[static_cast<std::size_t>(bin)].sum; }  ///< of the values
-  std::int64_t total() const;
+  double sum(int bin) const;   ///< of the values
+  std::int64_t total() const;  ///< of the counts
+  double sum() const;          ///< of all values
   /// First and one past the last bin that is not empty; {0, 0} if all are.
   std::array<int, 2> filled() const;
 
  private:
+  __extension__ using Whole = __int128;
   struct Bin {
     std::int64_t count = 0;
-    double sum = 0;
+    Whole sum = 0;  // in units of the last place of the bin's octave
   };
+  /// Of the ends, where octaves are mixed: within half a unit, and no more than can be held.
+  static Whole rough(double value, std::int64_t at);
+  static double unit(std::int64_t bin);
   static constexpr int mantissa_bits = 52, exponent_bias = 1023;
-  static constexpr std::int64_t mantissa_mask = (std::int64_t{1} << mantissa_bits) - 1;
-  /// 2^(k/4), k = 0 ... 3.
-  static constexpr std::array<double, per_octave> edges{1, 1.189207115002721, std::numbers::sqrt2,
-                                                        1.681792830507429};
+  static constexpr std::int64_t implicit_bit = std::int64_t{1} << mantissa_bits;
+  static constexpr std::int64_t mantissa_mask = implicit_bit - 1;
   static constexpr std::int64_t mantissa_of(double value) {
     return std::bit_cast<std::int64_t>(value) & mantissa_mask;
   }

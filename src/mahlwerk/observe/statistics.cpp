@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/observe/statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -43,6 +44,34 @@ double by_expansion(int n) {
   return z + r * (g1 + r * (g2 + r * (g3 + r * g4)));
 }
 
+double mean_of(const std::vector<double>& values) {
+  double mean = values.empty() ? 0 : values.front();  // so that equal values have no width
+  for (const double v : values) mean += (v - values.front()) / static_cast<double>(values.size());
+  return mean;
+}
+
+double squares_about(const std::vector<double>& values, double mean) {
+  double sum = 0;
+  for (const double v : values) sum += (v - mean) * (v - mean);
+  return sum;
+}
+
+/// Correlation of neighbours, its bias of -1/n taken off.
+double of_neighbours(const std::vector<double>& values) {
+  const double mean = mean_of(values), squares = squares_about(values, mean);
+  double sum = 0;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    sum += (values[i] - mean) * (values[i - 1] - mean);
+  return squares > 0 ? sum / squares + 1 / static_cast<double>(values.size()) : 0;
+}
+
+std::vector<double> in_batches(const std::vector<double>& values, std::size_t of) {
+  std::vector<double> batches(values.size() / of);
+  for (std::size_t i = 0; i < batches.size() * of; ++i)
+    batches[i / of] += values[i] / static_cast<double>(of);
+  return batches;
+}
+
 }  // namespace
 
 double student95(int freedom) {
@@ -51,14 +80,44 @@ double student95(int freedom) {
 }
 
 Estimate estimate(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double mean = values.empty() ? 0 : values.front();  // so that equal values have no width
-  for (const double v : values) mean += (v - values.front()) / n;
+  const double mean = mean_of(values);
   if (values.size() < 2) return {mean, std::numeric_limits<double>::quiet_NaN()};
-  double squares = 0;
-  for (const double v : values) squares += (v - mean) * (v - mean);
-  const double error = std::sqrt(squares / (n - 1) / n);
+  const auto n = static_cast<double>(values.size());
+  const double error = std::sqrt(squares_about(values, mean) / (n - 1) / n);
   return {mean, student95(static_cast<int>(values.size()) - 1) * error};  // (sta.1)
+}
+
+Estimate over_time(const std::vector<double>& values) {
+  constexpr std::size_t fewest = 10;
+  if (values.size() < fewest) return {mean_of(values), std::numeric_limits<double>::quiet_NaN()};
+  std::vector<double> batches = values;
+  double known = of_neighbours(batches);
+  while (known * std::sqrt(static_cast<double>(batches.size())) >= 1 &&
+         batches.size() / 2 >= fewest) {  // (sta.3)
+    batches = in_batches(batches, 2);
+    known = of_neighbours(batches);
+  }
+  const double left = std::clamp(known, 0.0, 0.9);
+  const double wider = std::sqrt((1 + left) / (1 - left));  // (sta.4)
+  return {mean_of(values), wider * estimate(batches).ci95};
+}
+
+std::size_t unsettled(const std::vector<double>& values) {
+  constexpr std::size_t five = 5;
+  const std::vector<double> batches = in_batches(values, five);
+  std::size_t best = 0;
+  double surest = std::numeric_limits<double>::infinity();
+  for (std::size_t first = 0; first <= batches.size() / 2; ++first) {
+    const std::vector<double> rest(batches.begin() + static_cast<std::ptrdiff_t>(first),
+                                   batches.end());
+    const auto n = static_cast<double>(rest.size());
+    const double unsure = squares_about(rest, mean_of(rest)) / (n * n);  // (sta.5)
+    if (unsure < surest) {
+      surest = unsure;
+      best = first;
+    }
+  }
+  return five * best;
 }
 
 }  // namespace mahlwerk::observe

@@ -3,46 +3,24 @@
 #include "mahlwerk/observe/tally.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace mahlwerk::observe {
 namespace {
 
-/// atan of 0 <= x <= 1 within 2e-8 rad (Abramowitz & Stegun 4.4.49): half the time of std::atan2,
-/// and the same to the bit on every machine, which the C library's is not.
-double arc_tangent(double x) {
-  const double s = x * x;
-  double p = 0.0028662257;
-  p = p * s - 0.0161657367;
-  p = p * s + 0.0429096138;
-  p = p * s - 0.0752896400;
-  p = p * s + 0.1065626393;
-  p = p * s - 0.1420889944;
-  p = p * s + 0.1999355085;
-  p = p * s - 0.3333314528;
-  return x * (p * s + 1);
+/// One after the other, whatever the pieces they come in.
+void add(Sums& sums, const Columns& c, std::size_t i, bool counts) {
+  const double one = counts ? 1 : 0;
+  sums.count += counts ? 1 : 0;
+  sums.energy_normal += one * c.energy_normal[i];
+  sums.energy_contact_point += one * c.energy_contact_point[i];
+  sums.energy_centre += one * c.energy_centre[i];
+  sums.lost += one * c.lost[i];
+  sums.approach += one * c.approach[i];
+  sums.slip += one * c.slip[i];
+  sums.angle += one * c.angle[i];
 }
 
 }  // namespace
-
-double impact_angle(double approach, double slip) {
-  const bool steep = slip <= approach;
-  const double small = steep ? slip : approach, large = steep ? approach : slip;
-  const double angle = large > 0 ? arc_tangent(small / large) : 0;
-  return steep ? angle : 0.5 * std::numbers::pi - angle;
-}
-
-void Sums::add(const scene::Collision& c, double angle_of_c) {
-  ++count;
-  between_balls += c.other >= 0 ? 1 : 0;
-  energy_normal += c.energy_normal();
-  energy_contact_point += c.energy_contact_point();
-  energy_centre += c.energy_centre();
-  lost += c.lost();
-  approach += c.approach;
-  slip += c.slip;
-  angle += angle_of_c;
-}
 
 void Sums::merge(const Sums& o) {
   count += o.count;
@@ -57,31 +35,53 @@ void Sums::merge(const Sums& o) {
 }
 
 void Tally::collisions(std::span<const scene::Collision> finished) {
-  constexpr double degrees = 180 / std::numbers::pi;
-  for (const scene::Collision& c : finished) {
-    const double angle_of_c = impact_angle(c.approach, c.slip);
-    const int degree = std::min(static_cast<int>(angle_of_c * degrees), angle_bins - 1);
-    all.add(c, angle_of_c);
-    ++angle_all[static_cast<std::size_t>(degree)];
-    const int bin = LogHistogram::bin_of(c.energy_normal());
-    energy_normal.add(c.energy_normal(), bin);
-    energy_contact_point.add(c.energy_contact_point());
-    energy_centre.add(c.energy_centre());
-    energy_lost.add(c.lost());
-    approach.add(c.approach);
-    by_pair.add(c, !(c.approach < threshold_), bin);
-    if (c.approach < threshold_) continue;
-    above.add(c, angle_of_c);
-    ++angle_above[static_cast<std::size_t>(degree)];
+  Columns columns;
+  while (!finished.empty()) {
+    const auto some = finished.first(std::min(finished.size(), Columns::most));
+    finished = finished.subspan(some.size());
+    columns.take(some, wall_map.grid());
+    for (std::size_t i = 0; i < some.size(); ++i) observe::add(all, columns, i, true);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      observe::add(above, columns, i, !(columns.approach[i] < threshold_));
+    for (std::size_t i = 0; i < some.size(); ++i) add(some[i], columns, i);
   }
 }
 
+void Tally::add(const scene::Collision& c, const Columns& columns, std::size_t i) {
+  const bool counts = !(c.approach < threshold_);
+  const int pair = by_pair.pair_of(c);
+  const PairFactors& factors = by_pair.factors(pair);
+  by_pair.at(pair).add(columns, i, counts, factors);
+  if (c.other >= 0) {
+    ++all.between_balls;
+    above.between_balls += counts ? 1 : 0;
+    return;
+  }
+  WallSums& cell = wall_map.at(columns.cell[i]);
+  ++cell.count;
+  cell.energy_normal += columns.energy_normal[i];
+  cell.lost += columns.lost[i];
+  cell.slid += factors.slid_per_loss * columns.lost_tangential[i];
+  cell.erosion += columns.erosion[i];
+}
+
+void Tally::merge(const Tally& other) {
+  all.merge(other.all);
+  above.merge(other.above);
+  by_pair.merge(other.by_pair);
+  wall_map.merge(other.wall_map);
+}
+
 void Tally::carry(Archive& archive) {
-  archive(all)(above)(angle_all)(angle_above);
-  for (LogHistogram* one :
-       {&energy_normal, &energy_contact_point, &energy_centre, &energy_lost, &approach})
-    one->carry(archive);
+  archive(all)(above);
   by_pair.carry(archive);
+  wall_map.carry(archive);
+}
+
+Spectra Tally::whole() const {
+  Spectra sum;
+  for (int pair = 0; pair < by_pair.pairs(); ++pair) sum.merge(by_pair[pair].spectra);
+  return sum;
 }
 
 }  // namespace mahlwerk::observe

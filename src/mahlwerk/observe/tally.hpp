@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 
 #include "mahlwerk/observe/by_pair.hpp"
-#include "mahlwerk/observe/histogram.hpp"
+#include "mahlwerk/observe/wall_map.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
 namespace mahlwerk::observe {
-
-/// Impact angle [rad] of `approach` u_n > 0 and `slip` |u_t|: 0 head-on, pi/2 grazing; within 2e-8
-/// rad.
-double impact_angle(double approach, double slip);
 
 /// Sums over collisions; divide by `count` for means.
 struct Sums {
@@ -24,30 +19,28 @@ struct Sums {
   double approach = 0, slip = 0;                                                    // [m/s]
   double angle = 0;                                                                 // [rad]
 
-  void add(const scene::Collision& c, double angle_of_c);
   void merge(const Sums& o);
 };
 
 /// What one replicate's collisions add up to, in fixed memory.
 class Tally : public scene::Observer {
  public:
-  static constexpr int angle_bins = 90;  // of one degree, 0 head-on, 90 grazing
-
-  /// With the kinds of balls it counts by pair of kinds, too.
-  explicit Tally(double threshold, BallKinds kinds = {})
-      : by_pair(std::move(kinds)), threshold_(threshold) {}
+  explicit Tally(double threshold, BallKinds kinds = {}, const WallGrid& wall = {})
+      : by_pair(std::move(kinds)), wall_map(wall), threshold_(threshold) {}
   void collisions(std::span<const scene::Collision> finished) override;
 
+  void merge(const Tally& other);  ///< of the same kinds, grid and threshold
   void carry(Archive& archive);
 
   double threshold() const { return threshold_; }  // [m/s] on u_n
-  Sums all, above;                                 // above: u_n >= threshold
-  LogHistogram energy_normal, energy_contact_point, energy_centre, energy_lost;  // [J]
-  LogHistogram approach;                                                         // [m/s]
-  std::array<std::int64_t, angle_bins> angle_all{}, angle_above{};
+  Spectra whole() const;                           ///< of all kinds of pairs together
+
+  Sums all, above;  // above: u_n >= threshold
   ByPair by_pair;
+  WallMap wall_map;
 
  private:
+  void add(const scene::Collision& c, const Columns& columns, std::size_t i);
   double threshold_;
 };
 

@@ -12,6 +12,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/warnings.hpp"
 
@@ -19,7 +20,6 @@ namespace mahlwerk::report {
 namespace {
 
 using observe::LogHistogram;
-using observe::Tally;
 using results::Outcome;
 using results::Quantity;
 using results::Replicate;
@@ -49,27 +49,38 @@ std::vector<Compared> quantities(const Outcome& event, const Outcome& soft) {
 }
 
 using Chosen = std::vector<const Replicate*>;
-using Histogram = LogHistogram Tally::*;
+using results::Histogram;
 
-/// Collisions per second in the bins `first` to `last` - 1.
-observe::Estimate rate(const Chosen& chosen, Histogram part, int first, int last) {
-  std::vector<double> each;
-  for (const Replicate* r : chosen) {
-    std::int64_t count = 0;
-    for (int bin = first; bin < last; ++bin) count += (r->tally.*part).count(bin);
-    each.push_back(static_cast<double>(count) / r->time());
+/// The whole spectra of each replicate.
+struct Counted {
+  explicit Counted(const Chosen& chosen) {
+    for (const Replicate* r : chosen) {
+      spectra.push_back(r->tally.whole());
+      times.push_back(r->time());
+    }
   }
-  return each.empty() ? observe::Estimate{nothing, nothing} : observe::estimate(each);
-}
+  /// Collisions per second in the bins `first` to `last` - 1.
+  observe::Estimate rate(Histogram part, int first, int last) const {
+    std::vector<double> each;
+    for (std::size_t i = 0; i < spectra.size(); ++i) {
+      std::int64_t count = 0;
+      for (int bin = first; bin < last; ++bin) count += (spectra[i].*part).count(bin);
+      each.push_back(static_cast<double>(count) / times[i]);
+    }
+    return each.empty() ? observe::Estimate{nothing, nothing} : observe::estimate(each);
+  }
+  std::vector<observe::Spectra> spectra;
+  std::vector<double> times;
+};
 
 /// What both engines filled, from the top bin down to a thousandth of the speed.
 class Spectra {
  public:
   Spectra(const Outcome& event, const Outcome& soft, Histogram part)
       : event_(results::averaged(event)), soft_(results::averaged(soft)), part_(part) {
-    for (const Chosen* chosen : {&event_, &soft_})
-      for (const Replicate* r : *chosen) {
-        const auto [low, high] = (r->tally.*part).filled();
+    for (const Counted* counted : {&event_, &soft_})
+      for (const observe::Spectra& one : counted->spectra) {
+        const auto [low, high] = (one.*part).filled();
         if (low == high) continue;
         first_ = std::min(first_, low);
         last_ = std::max(last_, high);
@@ -87,13 +98,13 @@ class Spectra {
       const int from = rest ? 0 : bin, to = std::min(bin + wide, LogHistogram::bins);
       list.push_back({rest ? 0 : LogHistogram::lower(bin),
                       LogHistogram::lower(bin + wide),
-                      {rate(event_, part_, from, to), rate(soft_, part_, from, to)}});
+                      {event_.rate(part_, from, to), soft_.rate(part_, from, to)}});
     }
     return list;
   }
 
  private:
-  Chosen event_, soft_;
+  Counted event_, soft_;
   Histogram part_;
   int first_ = LogHistogram::bins, last_ = 0;
 };
@@ -147,7 +158,7 @@ bool Beside::apart() const {
 Comparison compare(const Outcome& event, const Outcome& soft) {
   constexpr int octaves = 10;  // of speed: the top thousandfold
   constexpr int octave = LogHistogram::per_octave;
-  const Spectra speeds(event, soft, &Tally::approach), energies(event, soft, &Tally::energy_normal);
+  const Spectra speeds(event, soft, &observe::Spectra::approach), energies(event, soft, &observe::Spectra::energy_normal);
   return {.title = event.what.title,
           .threshold = event.what.observe.threshold,
           .event = side(event),

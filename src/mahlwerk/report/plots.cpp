@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::report {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/observe/charge.hpp"
+#include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/observe/tally.hpp"
 #include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
@@ -30,13 +32,17 @@ struct Window {
 
 /// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
 struct Replicate {
-  explicit Replicate(double threshold, observe::BallKinds kinds = {})
-      : tally(threshold, std::move(kinds)) {}
+  explicit Replicate(double threshold, observe::BallKinds kinds = {},
+                     const observe::WallGrid& wall = {})
+      : tally(threshold, std::move(kinds), wall) {}
   observe::Tally tally;
+  observe::Charge charge;  ///< how it lies in the jar
+  observe::Replay replay;  ///< of the first replicate
   std::vector<Window> windows;
   scene::Account account;            ///< at the end
   scene::Account at_settled;         ///< when counting began
   bool complete = true;              ///< false if stopped early
+  bool sure = true;                  ///< false if a run that waits for certainty did not get it
   std::string stopped;               ///< why, if physics stopped it
   std::vector<scene::Ball> at_stop;  ///< the balls when physics stopped it, in the jar frame
   double cpu_seconds = 0;

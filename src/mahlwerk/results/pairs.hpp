@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,14 @@ std::vector<PairSummary> by_pair(const Outcome& outcome);
 
 /// collisions_by_pair.csv: a row per kind of pair.
 Table collisions_by_pair(const std::vector<PairSummary>& pairs);
-/// spectra_by_pair.csv: a row per kind of pair and bin of normal energy that holds collisions.
-Table spectra_by_pair(const Outcome& outcome);
+/// The first two columns of a table by kind of pair, and the cells of a row in them.
+std::vector<Column> pair_columns();
+std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names);
+/// Who the two are: ball sets, a face of the jar as in [[contact.pairs]] ("jar.side"), or "jar"
+/// where faces are not told apart.
+std::array<std::string, 2> pair_names(const cases::Case& what, const observe::ByPair& pairs,
+                                      int pair);
+
 /// sizes.csv: the sizes of balls of each set; no rows where each set has one size.
 Table sizes(const cases::Case& what);
 

@@ -8,9 +8,6 @@
 // The tables of a result, one function a file (docs/formats.md). Each is a mean over replicates.
 namespace mahlwerk::results {
 
-Table spectrum(const Outcome& outcome);     ///< spectrum.csv: rate and power per bin of energy
-Table speeds(const Outcome& outcome);       ///< speeds.csv: rate per bin of normal speed
-Table angles(const Outcome& outcome);       ///< angles.csv: rate per degree of impact angle
 Table time_series(const Outcome& outcome);  ///< timeseries.csv: one row per stretch of time
 Table replicates(const Outcome& outcome);   ///< replicates.csv: one row per replicate
 

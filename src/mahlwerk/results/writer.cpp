@@ -10,6 +10,7 @@
 #include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 
 namespace mahlwerk::results {

@@ -51,6 +51,7 @@ class Crowd final : public scene::Engine, private Comings {
   scene::Account reckoned() const;
   struct Stored {
     double normal = 0, tangential = 0;  // [J]
+    double taken = 0;                   // [J] by contacts that go on, since they began
   };
   Stored stored(const Chunk& chunk) const;
   Vec3 pulls() const;  // [m/s] half a step of what the body field changes by

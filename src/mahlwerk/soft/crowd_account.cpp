@@ -34,6 +34,7 @@ Crowd::Stored Crowd::stored(const Chunk& chunk) const {
       const Grip& g = list.grips[n];
       for (int l = 0; l < lanes; ++l) {
         if (!g.touches(l)) continue;
+        energy.taken += weight * (g.lost_normal[l] + g.lost_across[l]);
         const auto k = static_cast<std::size_t>(l);
         const auto i = static_cast<std::size_t>(g.i[k]);
         const Make& make =
@@ -97,6 +98,7 @@ scene::Account Crowd::reckoned() const {
     a.kinetic += sum.kinetic;
     a.potential += sum.potential;
     a.elastic += sum.stored.normal + sum.stored.tangential;
+    a.lost_open += sum.stored.taken - sum.stored.normal - sum.stored.tangential;
     a.lost_normal -= sum.stored.normal;  // of what contacts took so far, this can come back
     a.lost_tangential -= sum.stored.tangential;
   }

@@ -189,12 +189,14 @@ scene::Account SoftBalls::reckoned() const {
       a.lost_normal += p.deeds.normal[l];
       a.lost_tangential += p.deeds.tangential[l];
       a.lost_rolling += p.deeds.rolling[l];
+      a.lost_open += p.deeds.normal[l] + p.deeds.tangential[l] + p.deeds.rolling[l];
       a.slid += p.deeds.sliding[l];
       a.wall_work += p.deeds.wall[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.deeds.deepest[l] / p.radius_i[l]);
     }
   a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
   a.lost_tangential -= kept.tangential;
+  a.lost_open -= a.elastic;
   a.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
   return a;
 }

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/charge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "mahlwerk/kinematics/carrier.hpp"
+
+namespace mahlwerk::observe {
+namespace {
+
+constexpr double round = 2 * std::numbers::pi;
+constexpr double near = 0.01;  // of a ball's radius: it is at the wall
+
+int angle_slot(double x, double y) {
+  const double angle = std::atan2(y, x);
+  return static_cast<int>((angle < 0 ? angle + round : angle) / round * Charge::angles) %
+         Charge::angles;
+}
+
+}  // namespace
+
+Charge::Charge(const scene::Chamber& mill) : mass_at(angles), mill_(mill) {
+  const double half = std::visit([](const auto& s) { return s.reach(); }, mill.shape);
+  in_jar = in_carrier = PlaneField(half);
+  const Vec3 normal = std::visit([](const auto& m) { return kinematics::plane_normal(m); },
+                                 mill.motion);
+  const Vec3 z{0, 0, 1}, x{1, 0, 0};
+  const bool flat = std::abs(normal.z) > 0.9;  // the plane is seen from above, else upright
+  right_ = flat ? x : cross(z, normal) * (1 / norm(cross(z, normal)));
+  if (flat && normal.z < 0) right_ = -x;
+  up_ = cross(normal, right_);
+}
+
+void Charge::look(double time, const std::vector<scene::Ball>& balls, double weight) {
+  if (mass_at.empty()) return;
+  std::visit(
+      [&](const auto& motion) {
+        const kinematics::Carrier carrier = kinematics::carrier(motion, time);
+        const Rotation turn = motion.turn(time), own = turn * mill_.mount;
+        const Vec3 spin = motion.spin(time);
+        const auto add = [&](PlaneField& field, const scene::Ball& b, const Rotation& axes,
+                             const Vec3& turns) {
+          const Vec3 e = axes * right_, f = axes * up_;
+          const Vec3 v = b.velocity - cross(turns, b.position);
+          field.add(dot(b.position, e), dot(b.position, f), dot(v, e), dot(v, f), squared(v),
+                    b.mass(), weight);
+        };
+        for (const scene::Ball& b : balls) {
+          add(in_jar, b, turn, spin);
+          add(in_carrier, b, carrier.turn, carrier.spin);
+          const double x = dot(b.position, carrier.turn * right_);
+          const double y = dot(b.position, carrier.turn * up_);
+          mass_at[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
+          of_all += weight * b.mass();
+          at_the_wall(b, own, spin, weight);
+        }
+      },
+      mill_.motion);
+  in_jar.pass(weight);
+  in_carrier.pass(weight);
+}
+
+/// A mesh of many faces would take too long to ask.
+void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
+                         double weight) {
+  std::visit(
+      [&]<class S>(const S& shape) {
+        if constexpr (!std::is_same_v<S, geometry::Mesh> &&
+                      !std::is_same_v<S, geometry::Attritor>) {
+          for (int face = 0; face < shape.faces; ++face) {
+            const geometry::Gap gap = shape.gap(face, own.back(ball.position));
+            if (!(gap.distance - ball.radius < near * ball.radius)) continue;
+            const Vec3 n = own * gap.inward, arm = -ball.radius * n;
+            const Vec3 slip = ball.velocity + cross(ball.spin, arm) - cross(spin, ball.position + arm);
+            at_wall += weight * ball.mass();
+            wall_slip += weight * ball.mass() * norm(across(slip, n));
+            return;
+          }
+        }
+      },
+      mill_.shape);
+}
+
+void Charge::merge(const Charge& other) {
+  if (mass_at.empty()) {
+    *this = other;
+    return;
+  }
+  if (other.mass_at.empty()) return;
+  in_jar.merge(other.in_jar);
+  in_carrier.merge(other.in_carrier);
+  for (std::size_t i = 0; i < mass_at.size(); ++i) mass_at[i] += other.mass_at[i];
+  at_wall += other.at_wall;
+  wall_slip += other.wall_slip;
+  of_all += other.of_all;
+}
+
+void Charge::carry(Archive& archive) {
+  in_jar.carry(archive);
+  in_carrier.carry(archive);
+  archive(mass_at)(at_wall)(wall_slip)(of_all);
+}
+
+}  // namespace mahlwerk::observe

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+namespace mahlwerk::observe {
+namespace {
+
+constexpr std::size_t most_frames = 360, fewest_frames = 16;
+
+/// What a film should last to show the motion [s].
+double worth_showing(const kinematics::AnyMotion& motion) {
+  constexpr double periods = 3, otherwise = 0.5;
+  return std::visit(
+      [&](const auto& m) {
+        const double spin = m.bounds().spin;
+        const double turn = spin > 0 ? 2 * std::numbers::pi / spin : otherwise;
+        return std::isfinite(m.period()) ? periods * m.period() : std::min(turn, 10.0);
+      },
+      motion);
+}
+
+std::int16_t rounded(double value, double unit) {
+  constexpr double most = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(std::lround(std::clamp(value / unit, -most, most)));
+}
+
+}  // namespace
+
+Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most)
+    : begin_(begin), every_(1 + (balls - 1) / most_balls) {
+  shown_ = (balls + every_ - 1) / every_;
+  frames_ = std::clamp(most_places / shown_, fewest_frames, most_frames);
+  const double length = std::min(worth_showing(mill.motion), most);
+  every_seconds_ = length / static_cast<double>(frames_ - 1);
+  place_unit_ = std::visit([](const auto& s) { return s.reach(); }, mill.shape) / 32767;
+}
+
+double Replay::next() const {
+  if (times_.size() == frames_) return std::numeric_limits<double>::infinity();
+  return begin_ + every_seconds_ * static_cast<double>(times_.size());
+}
+
+void Replay::add(double time, const std::vector<scene::Ball>& balls) {
+  times_.push_back(time);
+  for (std::size_t i = 0; i < balls.size(); i += every_) {
+    const Vec3& p = balls[i].position;
+    places_.push_back(
+        {rounded(p.x, place_unit_), rounded(p.y, place_unit_), rounded(p.z, place_unit_)});
+    speeds_.push_back(static_cast<float>(norm(balls[i].velocity)));
+  }
+}
+
+void Replay::carry(Archive& archive) {
+  archive(times_)(places_)(speeds_);
+}
+
+}  // namespace mahlwerk::observe

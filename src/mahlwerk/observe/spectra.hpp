@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mahlwerk/base/archive.hpp"
+#include "mahlwerk/observe/histogram.hpp"
+
+namespace mahlwerk::observe {
+
+/// Counts over two energies, E_n = m u_n^2/2 and E_t = m u_t^2/2, a bin an octave.
+class JointHistogram {
+ public:
+  static constexpr int lowest_octave = -56, octaves = 64;  ///< 1.4e-17 J to 256 J
+  static constexpr int bins = octaves;
+
+  JointHistogram() : counts_(static_cast<std::size_t>(bins) * bins) {}
+  /// Bins as LogHistogram::bin_of() tells them; what lies beyond the ends goes into the outermost.
+  void add(std::int64_t normal, std::int64_t tangential) { ++counts_[place(octave(normal), octave(tangential))]; }
+  void merge(const JointHistogram& other);
+  void carry(Archive& archive) { archive(counts_); }
+  std::int64_t count(int normal, int tangential) const { return counts_[place(normal, tangential)]; }
+  static double lower(int bin);  ///< [J] edge; that of the first is 0
+
+ private:
+  static std::int64_t octave(std::int64_t bin) {
+    constexpr std::int64_t down = LogHistogram::lowest_octave - lowest_octave;
+    return std::clamp<std::int64_t>(bin / LogHistogram::per_octave + down, 0, bins - 1);
+  }
+  static std::size_t place(std::int64_t normal, std::int64_t tangential) {
+    return static_cast<std::size_t>(normal) * bins + static_cast<std::size_t>(tangential);
+  }
+  std::vector<std::int64_t> counts_;
+};
+
+constexpr int angle_bins = 90;  ///< of one degree, 0 head-on, 90 grazing
+using Angles = std::array<std::int64_t, angle_bins>;
+
+/// How the collisions of one kind of pair are distributed, in fixed memory: 0.16 MB.
+struct Spectra {
+  LogHistogram energy_normal, energy_contact_point, energy_centre;  ///< [J] (evt.9) to (evt.11)
+  LogHistogram energy_lost, lost_normal, lost_tangential;           ///< [J]
+  LogHistogram approach;                                            ///< [m/s]
+  LogHistogram duration;                                            ///< [s]
+  LogHistogram flash;                                               ///< [K] rise of the temperature
+  JointHistogram normal_tangential;
+  Angles angle_all{}, angle_above{};
+
+  void merge(const Spectra& other);
+  void carry(Archive& archive);
+};
+
+}  // namespace mahlwerk::observe

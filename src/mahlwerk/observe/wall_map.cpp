@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/wall_map.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace mahlwerk::observe {
+namespace {
+
+constexpr double round = 2 * std::numbers::pi;
+
+}  // namespace
+
+WallGrid::Part WallGrid::part(int cell) {
+  if (cell < side_cells) return Part::side;
+  return cell < side_cells + disc_cells ? Part::bottom : Part::top;
+}
+
+WallGrid::Bounds WallGrid::bounds(int cell) const {
+  const auto between = [](int at, int many, double from, double to) {
+    const double step = (to - from) / many;
+    return std::array{from + at * step, from + (at + 1) * step};
+  };
+  if (part(cell) == Part::side)
+    return {between(cell % around, around, 0, round), between(cell / around, along, bottom, top)};
+  const int in_disc = (cell - side_cells) % disc_cells;
+  const auto squares = between(in_disc / sectors, rings, 0, radius * radius);
+  return {between(in_disc % sectors, sectors, 0, round),
+          {std::sqrt(squares[0]), std::sqrt(squares[1])}};
+}
+
+void WallMap::merge(const WallMap& other) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    cells_[i].count += other.cells_[i].count;
+    cells_[i].energy_normal += other.cells_[i].energy_normal;
+    cells_[i].lost += other.cells_[i].lost;
+    cells_[i].slid += other.cells_[i].slid;
+    cells_[i].erosion += other.cells_[i].erosion;
+  }
+}
+
+}  // namespace mahlwerk::observe
