@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What a case says of wear and heat: hardness, conductivity, [wear], [heat].
+#include "mahlwerk/cases/wear_heat.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "mahlwerk/cases/read.hpp"
+#include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
 using namespace sample;
+using tests::states;
 
 /// The one fault as "line code"; what there is if it is another number.
 std::string fault(const std::string& text) {
@@ -145,6 +151,63 @@ TEST(ReadHeat, a_periodic_box_has_no_wall_to_warm) {
   EXPECT_EQ(faults_of("gravity = \"0 m/s2\"\n" + still).size(), 0u);
   EXPECT_NE(fault_of("gravity = \"0 m/s2\"\n" + still + "[heat]\n").find("|periodic-box"),
             std::string::npos);
+}
+
+TEST(WearHeat, balls_and_jar_of_a_case_as_lumps) {
+  const Case c = read_sample(planetary + "[heat]\nball_exchange = \"40 W/m2/K\"\n");
+  constexpr double area = 0.01, pi = std::numbers::pi;
+  const powder::HeatNodes n = heat_nodes(c, area);
+  const double ball = 7700 * pi / 6 * 15e-3 * 15e-3 * 15e-3;
+  states("balls [J/K]", n.balls_capacity, 5 * ball * 460, 1e-12, "five of 15 mm, 460 J/(kg K)");
+  states("jar [J/K]", n.jar_capacity, area * 5e-3 * 7700 * 460, 1e-12, "5 mm of 7700 kg/m3");
+  states("between them [W/K]", n.exchange, 40 * 5 * pi * 15e-3 * 15e-3, 1e-15,
+         "by the balls' surface");
+  states("to the air [W/K]", n.cooling, 15 * area, 1e-15, "by the jar's wall");
+  const powder::MillCycles mill = mill_cycles(c, 8);
+  states("into the balls [W]", mill.heating().balls, 4, 1e-15, "half of 8 W");
+  states("in all [W]", mill.heating().balls + mill.heating().jar, 8, 1e-15, "8 W");
+}
+
+TEST(WearHeat, sizes_that_differ_count_each_with_its_surface) {
+  const std::string sizes =
+      "distribution = \"uniform\"\nsmallest = \"5 mm\"\nlargest = \"15 mm\"\n";
+  const Case c = read_sample(with(with(with(vial, "diameter = \"8", sizes), "count", "count = 40"),
+                                  "diameter = \"12", "diameter = \"60 mm\"") +
+                                 "[heat]\n",
+                             {{"jar.volume", "900 ml"}});
+  double area = 0, mass = 0;
+  for (const SizeClass& size : c.balls[0].sizes()) {
+    const double d = size.diameter, n = static_cast<double>(size.count);
+    area += n * std::numbers::pi * d * d;
+    mass += n * std::numbers::pi / 6 * d * d * d * 7850;
+  }
+  EXPECT_GT(c.balls[0].sizes().size(), 3u);
+  states("surface [m2]", balls_surface(c), area, 1e-15, "sum over the classes");
+  states("capacity [J/K]", heat_nodes(c, 1).balls_capacity, 460 * mass, 1e-10, "sum over them");
+}
+
+TEST(WearHeat, grains_are_no_balls) {
+  const std::string grains = "size = \"1 mm\"\nas = \"grains\"";
+  const std::string heat = "[heat]\n";
+  EXPECT_EQ(balls_surface(read_sample(with(planetary, "size", grains) + heat)),
+            balls_surface(read_sample(planetary + heat)));
+}
+
+TEST(WearHeat, who_meets_in_a_flash) {
+  const Case c = read_sample(with(planetary, "restitution", "softening = 0.01"));
+  const powder::FlashPair two = flash_pair(c, 0, 0), wall = flash_pair_with_jar(c, 0);
+  states("radius of two balls over one's", two.radius / 7.5e-3, 0.5, 1e-15, "1/R* = 1/R + 1/R");
+  states("at the wall", wall.radius / 7.5e-3, 1, 1e-15, "flat");
+  states("mass of two balls over that at the wall", two.mass / wall.mass, 0.5, 1e-15, "1/m* = 2/m");
+  states("modulus [Pa]", two.modulus, 100e9 / (1 - 0.265 * 0.265), 1e-4, "not softened");
+  states("effusivity", wall.other_effusivity, std::sqrt(30.0 * 7700 * 460), 1e-11, "hea.10");
+}
+
+TEST(WearHeat, bounces_without_a_limit_slide_like_lasting_contacts) {
+  const Case c = read_sample(vial);
+  EXPECT_EQ(sliding_friction(c, c.contact.rule), 0.3);
+  const Case coulomb = read_sample(planetary);
+  EXPECT_EQ(sliding_friction(coulomb, coulomb.contact.rule), 0.5);
 }
 
 }  // namespace
