@@ -103,6 +103,9 @@ std::string_view kind_of(std::string_view unit) {
       {"J/m3", "an energy density"},
       {"s/m", "a time over a length"},
       {"K", "a temperature"},
+      {"W/m/K", "a thermal conductivity"},
+      {"J/kg/K", "a specific heat capacity"},
+      {"W/m2/K", "a heat transfer coefficient"},
       {"", "a number without a unit"}};
   for (const auto& [u, kind] : kinds)
     if (u == unit) return kind;
@@ -144,11 +147,25 @@ double parse_in(std::string_view text, std::string_view unit) {
 }
 
 std::string example_of(std::string_view unit) {
-  constexpr std::pair<std::string_view, std::string_view> examples[] = {
-      {"m", "12 mm"},          {"kg", "10 g"},        {"s", "60 s"},        {"Hz", "10 Hz"},
-      {"rad/s", "400 rpm"},    {"rad", "30 deg"},     {"m/s", "0.1 m/s"},   {"m/s2", "9.81 m/s2"},
-      {"kg/m3", "7850 kg/m3"}, {"m3", "5 ml"},        {"Pa", "200 GPa"},    {"K", "20 degC"},
-      {"N/m", "1e7 N/m"},      {"J/m2", "0.05 J/m2"}, {"J/m3", "1e5 J/m3"}, {"", "0.5"}};
+  constexpr std::pair<std::string_view, std::string_view> examples[] = {{"m", "12 mm"},
+                                                                        {"kg", "10 g"},
+                                                                        {"s", "60 s"},
+                                                                        {"Hz", "10 Hz"},
+                                                                        {"rad/s", "400 rpm"},
+                                                                        {"rad", "30 deg"},
+                                                                        {"m/s", "0.1 m/s"},
+                                                                        {"m/s2", "9.81 m/s2"},
+                                                                        {"kg/m3", "7850 kg/m3"},
+                                                                        {"m3", "5 ml"},
+                                                                        {"Pa", "200 GPa"},
+                                                                        {"K", "20 degC"},
+                                                                        {"N/m", "1e7 N/m"},
+                                                                        {"J/m2", "0.05 J/m2"},
+                                                                        {"J/m3", "1e5 J/m3"},
+                                                                        {"W/m/K", "15 W/m/K"},
+                                                                        {"J/kg/K", "500 J/kg/K"},
+                                                                        {"W/m2/K", "15 W/m2/K"},
+                                                                        {"", "0.5"}};
   for (const auto& [u, example] : examples)
     if (u == unit) return std::string(example);
   return fmt::format("1 {}", unit);

@@ -20,7 +20,7 @@ std::vector<SizeClass> BallSet::sizes() const {
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&
-         gravity == o.gravity && sweep == o.sweep;
+         wear == o.wear && heat == o.heat && gravity == o.gravity && sweep == o.sweep;
 }
 
 }  // namespace mahlwerk::cases

@@ -30,6 +30,19 @@ struct Mill {
 /// Steel, which stands in for what a case does not say.
 constexpr contact::Elastic steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
 
+/// What wear and heat ask of a material.
+struct Substance {
+  double hardness = 0;       ///< [1] Vickers number HV > 0
+  double conductivity = 0;   ///< [W/(m K)] of heat > 0
+  double heat_capacity = 0;  ///< [J/(kg K)] > 0
+  bool operator==(const Substance&) const = default;
+};
+
+/// 1.4034, the steel of many balls and jars, which stands in for what a case does not say.
+constexpr Substance hardened_steel{.hardness = 600, .conductivity = 30, .heat_capacity = 460};
+constexpr double hardened_steel_density = 7730;  ///< [kg/m3]
+constexpr double usual_wall = 5e-3;              ///< [m] of a small jar
+
 /// Where a jar's mesh came from.
 struct MeshFile {
   std::string file;      ///< as written; relative to the case file
@@ -44,6 +57,9 @@ struct Jar {
   geometry::AnyShape shape;
   contact::Elastic elastic = steel;
   MeshFile mesh = {};  ///< of a mesh
+  Substance substance = hardened_steel;
+  double density = hardened_steel_density;  ///< [kg/m3] of its wall
+  double wall = usual_wall;                 ///< [m] thickness of it
   bool operator==(const Jar&) const = default;
 };
 
@@ -54,6 +70,7 @@ struct BallSet {
   double density = 0;      ///< [kg/m3]
   std::string material;    ///< name in the catalogue, or empty
   contact::Elastic elastic = steel;
+  Substance substance = hardened_steel;
   /// [m] where they start, in the jar's own axes about its centre: one for each ball, or none at
   /// all for random places.
   std::vector<Vec3> positions = {};
@@ -146,6 +163,29 @@ struct Observe {
   bool operator==(const Observe&) const = default;
 };
 
+/// How wear is reckoned; absent from a case that asks for none.
+struct Wear {
+  enum class Model {
+    archard,  ///< by force and way slid (wea.1)
+    finnie    ///< by energy and angle of each impact (wea.4)
+  };
+  Model model = Model::archard;
+  double coefficient = 1e-4;  ///< [1] Archard's K, or Finnie's k
+  bool operator==(const Wear&) const = default;
+};
+
+/// Where heat goes, and how long the mill mills; absent from a case that asks for no temperatures.
+struct Heat {
+  double ambient = 293.15;      ///< [K] of the air, and of all at the start
+  double milling = 3600;        ///< [s] of one cycle
+  double pause = 0;             ///< [s] after it
+  std::int64_t cycles = 1;      ///< of milling and pause
+  double cooling = 15;          ///< [W/(m2 K)] from the jar's wall to the air
+  double ball_exchange = 50;    ///< [W/(m2 K)] from the balls' surface to the jar
+  double share_in_balls = 0.5;  ///< [1] of the lost power that heats the balls first
+  bool operator==(const Heat&) const = default;
+};
+
 /// Where one value of a resolved case came from.
 struct Origin {
   std::string key;       ///< "mill.amplitude", "balls.1.density"
@@ -165,6 +205,8 @@ struct Case {
   Contact contact;
   Run run;
   Observe observe;
+  std::optional<Wear> wear;
+  std::optional<Heat> heat;
   double gravity = 9.81;  ///< [m/s2], downwards
   /// Dotted key -> the values it takes, as text; the full product is run.
   std::map<std::string, std::vector<std::string>> sweep;

@@ -100,6 +100,7 @@ void check_balls(ValueCheck& check, const std::vector<BallSet>& balls) {
     check.fields(set, balls[i], ball_fields());
     check_sizes(check, set, balls[i]);
     check.fields(set, balls[i].elastic, elastic_fields());
+    check.fields(set, balls[i].substance, substance_fields());
     check.whole(set + "count", balls[i].count, most_balls);
     const std::vector<Vec3>& places = balls[i].positions;
     if (!places.empty() && std::cmp_not_equal(places.size(), balls[i].count))
@@ -122,6 +123,12 @@ void check_run(ValueCheck& check, const Run& run) {
   check.whole("run.replicates", run.replicates, most_replicates);
 }
 
+void check_heat(ValueCheck& check, const Heat& heat) {
+  check.fields("heat.", heat, heat_fields());
+  check.fields("heat.", heat, std::array{milling_time, pause_time});
+  check.whole("heat.cycles", heat.cycles, most_cycles);
+}
+
 std::vector<Fault> bad_values(const Case& c) {
   ValueCheck check(c);
   check.fields("", c, case_fields());
@@ -131,6 +138,8 @@ std::vector<Fault> bad_values(const Case& c) {
                 "mill.jar_axis must be vertical (0, 0, 1) or horizontal (1, 0, 0)");
   std::visit([&](const auto& s) { check.fields("jar.", s, s.fields()); }, c.jar.shape);
   check.fields("jar.", c.jar.elastic, elastic_fields());
+  check.fields("jar.", c.jar.substance, substance_fields());
+  check.fields("jar.", c.jar, std::array{wall_density, wall_thickness});
   check_balls(check, c.balls);
   if (c.powder) {
     check.number("powder.mass", c.powder->mass, positive, "kg");
@@ -142,6 +151,8 @@ std::vector<Fault> bad_values(const Case& c) {
   check_contact(check, c.contact);
   check_run(check, c.run);
   check.fields("observe.", c.observe, observe_fields());
+  if (c.wear) check.fields("wear.", *c.wear, std::array{wear_coefficient});
+  if (c.heat) check_heat(check, *c.heat);
   if (c.observe.frames) check.number("observe.frames", *c.observe.frames, positive, "s");
   return std::move(check.found);
 }
@@ -211,6 +222,8 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
   if (c.gravity != 0)
     fault("gravity", "in a periodic box balls would fall for ever",
           "write gravity = \"0 m/s2\", or take a jar with walls");
+  if (c.heat)
+    fault("heat.milling", "a periodic box has no wall that heat could pass", "remove [heat]");
   const double widest = largest_ball(c.balls);
   const double period = 2 * std::get<geometry::PeriodicBox>(c.jar.shape).inradius();
   if (period <= 2 * widest && widest < period)

@@ -61,6 +61,11 @@ const std::vector<std::string>& engines() {
   return words;
 }
 
+const std::vector<std::string>& wear_models() {
+  static const std::vector<std::string> words{"archard", "finnie"};
+  return words;
+}
+
 const std::vector<std::string>& powder_words() {
   static const std::vector<std::string> words{"mass", "grains"};
   return words;

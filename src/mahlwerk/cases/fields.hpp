@@ -37,6 +37,34 @@ constexpr auto elastic_fields() {
                              "steel, handbook; uncalibrated"}};
 }
 
+/// Of a ball or a jar, for wear and heat.
+constexpr auto substance_fields() {
+  using S = Substance;
+  constexpr std::string_view source = "hardened steel (1.4034), handbook; uncalibrated";
+  return std::array{Field<S>{"hardness", "", &S::hardness, positive, "Vickers hardness number",
+                             hardened_steel.hardness, source},
+                    Field<S>{"conductivity", "W/m/K", &S::conductivity, positive,
+                             "thermal conductivity", hardened_steel.conductivity, source},
+                    Field<S>{"heat_capacity", "J/kg/K", &S::heat_capacity, positive,
+                             "specific heat capacity", hardened_steel.heat_capacity, source}};
+}
+
+/// Of a jar's wall.
+constexpr Field<Jar> wall_density{"density",
+                                  "kg/m3",
+                                  &Jar::density,
+                                  positive,
+                                  "density of the jar's wall",
+                                  hardened_steel_density,
+                                  "hardened steel (1.4034), handbook; uncalibrated"};
+constexpr Field<Jar> wall_thickness{"wall",
+                                    "m",
+                                    &Jar::wall,
+                                    positive,
+                                    "thickness of the jar's wall",
+                                    usual_wall,
+                                    "a small steel jar's; uncalibrated, 3-15 mm"};
+
 constexpr auto ball_fields() {
   return std::array{
       Field<BallSet>{"diameter", "m", &BallSet::diameter, positive, "diameter of a ball"},
@@ -130,12 +158,50 @@ constexpr auto observe_fields() {
                                    0.1, "project convention; rates are given with and without it"}};
 }
 
+constexpr Field<Wear> wear_coefficient{"coefficient",
+                                       "",
+                                       &Wear::coefficient,
+                                       positive,
+                                       "volume worn over force times way over hardness",
+                                       Wear().coefficient,
+                                       "uncalibrated, 1e-6 to 1e-2"};
+
+/// The numbers of [heat] besides its times.
+constexpr auto heat_fields() {
+  return std::array{
+      Field<Heat>{"ambient", "K", &Heat::ambient, positive,
+                  "temperature of the air, and of everything at the start", Heat().ambient,
+                  "a room"},
+      Field<Heat>{"cooling", "W/m2/K", &Heat::cooling, positive,
+                  "heat from the jar's wall to the air, by area and kelvin", Heat().cooling,
+                  "natural to mild forced convection of air, textbooks: 5-50; uncalibrated"},
+      Field<Heat>{"ball_exchange", "W/m2/K", &Heat::ball_exchange, positive,
+                  "heat from the balls to the jar, by area of the balls and kelvin",
+                  Heat().ball_exchange,
+                  "gas between balls in motion and the wall, 10-200 (hea.6); uncalibrated"},
+      Field<Heat>{"share_in_balls", "", &Heat::share_in_balls, restitution_range,
+                  "share of the lost power that heats the balls, the rest the jar",
+                  Heat().share_in_balls, "contacts of bodies alike; uncalibrated"}};
+}
+/// Times of [heat]; without any of them and without cycles the mill mills for an hour.
+constexpr Field<Heat> milling_time{"milling",
+                                   "s",
+                                   &Heat::milling,
+                                   positive,
+                                   "how long the mill mills in each cycle",
+                                   Heat().milling,
+                                   "an hour without a pause"};
+constexpr Field<Heat> pause_time{
+    "pause", "s", &Heat::pause, not_negative, "rest after each milling", Heat().pause, "none"};
+constexpr std::int64_t most_cycles = 10'000;
+
 /// More frames than these are taken for a mistake.
 constexpr double most_frames = 1e6;                    ///< of one replicate
 constexpr double largest_frames_file = 10e9;           ///< [bytes] of one replicate, about
 constexpr double frame_bytes = 450, ball_bytes = 120;  ///< of a frame and of each ball in it, about
 
 const std::vector<std::string>& engines();
+const std::vector<std::string>& wear_models();    ///< in the order of Wear::Model
 const std::vector<std::string>& powder_words();   ///< "mass", "grains"
 const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
 const std::vector<std::string>& rolling_words();  ///< in the order of contact::Rolling

@@ -77,6 +77,14 @@ bool matters(std::string_view dotted, std::string_view engine) {
   return std::ranges::find(of_other, key) == of_other.end();
 }
 
+/// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
+bool asked_for(std::string_view dotted, const Case& c) {
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
+  if (key == "hardness") return c.wear.has_value();
+  if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
+  return dotted != "jar.density" || c.wear || c.heat;
+}
+
 class CaseReader {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
@@ -90,8 +98,11 @@ class CaseReader {
     fill_from_sweep(places);
     read_top();
     read_sections();
-    for (Origin& origin : findings_.origins)
-      origin.assumed = origin.assumed && matters(origin.key, c_.run.engine);
+    for (Origin& origin : findings_.origins) {
+      const bool asked = asked_for(origin.key, c_);
+      origin.assumed = origin.assumed && asked && matters(origin.key, c_.run.engine);
+      origin.unverified = origin.unverified && asked;
+    }
     c_.origins = std::move(findings_.origins);
     auto more = findings_.faults.empty() ? faults(c_) : misfits(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));
@@ -144,7 +155,7 @@ class CaseReader {
   void read_top() {
     Section in(&root_, "", findings_);
     for (const std::string_view name :
-         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "sweep"})
+         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "sweep"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -192,6 +203,8 @@ class CaseReader {
     c_.contact = read_contact(section("contact", false), c_.balls, findings_);
     if (const Node* run = section("run", true)) c_.run = read_run(run, findings_);
     c_.observe = read_observe(section("observe", false), findings_);
+    if (const Node* wear = section("wear", false)) c_.wear = read_wear(wear, findings_);
+    if (const Node* heat = section("heat", false)) c_.heat = read_heat(heat, findings_);
   }
 
   /// By line, so that a user mends the file from top to bottom; what is not in the file last.

@@ -111,6 +111,7 @@ BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Ca
                                  set.material));
   set.density = given.value_or(unread);
   set.elastic = read_elastic(in, set.material, catalogue);
+  set.substance = read_substance(in, set.material, catalogue);
   set.count = read_count(in, set, jar);
   if (!equal && sound && set.count > 0 && set.positions.empty()) {
     set.classes = read_classes(in, set.distribution, set.count);

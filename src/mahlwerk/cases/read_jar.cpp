@@ -127,7 +127,7 @@ Jar read_jar(const Node* table, const std::string& folder, const Catalogue& cata
     read_mesh(in, jar, folder);
   else
     std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
-  jar.elastic = read_elastic(in, jar.material, catalogue);
+  read_wall(in, jar, catalogue);
   in.close();
   return jar;
 }

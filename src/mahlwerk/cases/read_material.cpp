@@ -31,6 +31,34 @@ std::optional<double> of_entry(Section& in, const Wanted& wanted, const Catalogu
   return value;
 }
 
+/// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
+std::optional<CatalogueEntry> known_material(Section& in, const std::string& material,
+                                             const Catalogue& catalogue) {
+  const std::vector<std::string> known = catalogue.names("materials");
+  if (material.empty() || !std::ranges::binary_search(known, material)) return std::nullopt;
+  return look_up(catalogue, "materials", *in.find("material"), in.findings());
+}
+
+/// From where it is said, from the material, or the default.
+double of_material(Section& in, const Wanted& wanted, const std::string& material,
+                   const std::optional<CatalogueEntry>& entry) {
+  if (!by_material(in, wanted.key)) return in.value(wanted);
+  if (const auto found = entry ? of_entry(in, wanted, *entry) : std::nullopt) return *found;
+  in.note_default(wanted.key, show(*wanted.standard, wanted.unit),
+                  fmt::format("{}; the catalogue gives none for {}", wanted.source, material));
+  return *wanted.standard;
+}
+
+template <class Owner, class Fields>
+Owner all_of_material(Section& in, const Fields& fields, const std::string& material,
+                      const Catalogue& catalogue) {
+  const auto entry = known_material(in, material, catalogue);
+  Owner owner;
+  for (const auto& field : fields)
+    owner.*field.value = of_material(in, Wanted(field), material, entry);
+  return owner;
+}
+
 }  // namespace
 
 std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material,
@@ -44,25 +72,19 @@ std::optional<double> read_density(Section& in, const Wanted& wanted, std::strin
 
 contact::Elastic read_elastic(Section& in, const std::string& material,
                               const Catalogue& catalogue) {
-  std::optional<CatalogueEntry> entry;  // a material the catalogue lacks may be a mere name
-  const std::vector<std::string> known = catalogue.names("materials");
-  if (!material.empty() && std::ranges::binary_search(known, material))
-    entry = look_up(catalogue, "materials", *in.find("material"), in.findings());
-  contact::Elastic elastic;
-  for (const auto& field : elastic_fields()) {
-    const Wanted wanted(field);
-    double& value = elastic.*field.value;
-    if (!by_material(in, field.key)) {
-      value = in.value(wanted);
-      continue;
-    }
-    const auto found = entry ? of_entry(in, wanted, *entry) : std::nullopt;
-    value = found.value_or(*field.standard);
-    if (!found)
-      in.note_default(field.key, show(value, field.unit),
-                      fmt::format("{}; the catalogue gives none for {}", field.source, material));
-  }
-  return elastic;
+  return all_of_material<contact::Elastic>(in, elastic_fields(), material, catalogue);
+}
+
+Substance read_substance(Section& in, const std::string& material, const Catalogue& catalogue) {
+  return all_of_material<Substance>(in, substance_fields(), material, catalogue);
+}
+
+void read_wall(Section& in, Jar& jar, const Catalogue& catalogue) {
+  jar.elastic = read_elastic(in, jar.material, catalogue);
+  jar.substance = read_substance(in, jar.material, catalogue);
+  jar.density = of_material(in, Wanted(wall_density), jar.material,
+                            known_material(in, jar.material, catalogue));
+  jar.wall = in.value(Wanted(wall_thickness));
 }
 
 }  // namespace mahlwerk::cases

@@ -32,6 +32,10 @@ std::optional<double> read_density(Section& in, const Wanted& wanted, std::strin
                                    const Catalogue& catalogue);
 /// Moduli, each from where it is said, from the catalogue's material, or steel's.
 contact::Elastic read_elastic(Section& in, const std::string& material, const Catalogue& catalogue);
+/// Hardness and what heat asks for, likewise.
+Substance read_substance(Section& in, const std::string& material, const Catalogue& catalogue);
+/// The jar's wall: what it is made of, its density and thickness, likewise.
+void read_wall(Section& in, Jar& jar, const Catalogue& catalogue);
 
 Jar unread_jar();  ///< stands for one that could not be read
 /// `folder` is where files are looked for.
@@ -65,6 +69,8 @@ std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
                                  Findings& findings);
 Run read_run(const Node* table, Findings& findings);
 Observe read_observe(const Node* table, Findings& findings);
+Wear read_wear(const Node* table, Findings& findings);
+Heat read_heat(const Node* table, Findings& findings);
 
 /// A measured motion, its rows checked one by one. Faults cite the file's lines.
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,

@@ -116,6 +116,7 @@ BallSet read_grains(Section& in, Powder& powder, const Catalogue& catalogue) {
               .density = powder.density.value_or(unread),
               .material = powder.material,
               .elastic = read_elastic(in, powder.material, catalogue),
+              .substance = read_substance(in, powder.material, catalogue),
               .grains = true};
   if (!powder.density && in.find("filling") == nullptr) no_density(in, powder, "as = \"grains\"");
   if (powder.size && *powder.grain_size < *powder.size)
@@ -140,7 +141,8 @@ void read_powder(const Node* table, Case& c, const Catalogue& catalogue, Finding
   if (grains) {
     c.balls.push_back(read_grains(in, powder, catalogue));
   } else {
-    for (const std::string_view key : {"grain_size", "youngs_modulus", "poisson_ratio"})
+    for (const std::string_view key : {"grain_size", "youngs_modulus", "poisson_ratio", "hardness",
+                                       "conductivity", "heat_capacity"})
       if (const Node* at = in.find(key); at != nullptr)
         in.fault(*at, fmt::format("{} has no meaning unless the powder takes part as grains", key),
                  "remove it, or write as = \"grains\"", "too-much");

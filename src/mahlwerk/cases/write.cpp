@@ -83,6 +83,8 @@ void write_jar(Writer& out, const Jar& jar) {
   std::visit([&](const auto& s) { out.fields(s, s.fields()); }, jar.shape);
   out.name("material", jar.material);
   out.fields(jar.elastic, elastic_fields());
+  out.fields(jar.substance, substance_fields());
+  out.fields(jar, std::array{wall_density, wall_thickness});
 }
 
 void write_distribution(Writer& out, const Distribution& d) {
@@ -117,6 +119,7 @@ void write_balls(Writer& out, const std::vector<BallSet>& balls) {
     out.number("density", balls[i].density, "kg/m3");
     out.name("material", balls[i].material);
     out.fields(balls[i].elastic, elastic_fields());
+    out.fields(balls[i].substance, substance_fields());
   }
 }
 
@@ -130,6 +133,7 @@ void write_powder(Writer& out, const Powder& powder, const std::vector<BallSet>&
   out.word("as", "grains");
   out.number("grain_size", *powder.grain_size, "m");
   out.fields(balls.back().elastic, elastic_fields());
+  out.fields(balls.back().substance, substance_fields());
 }
 
 void write_rule(Writer& out, const contact::BounceRule& rule) {
@@ -202,6 +206,19 @@ void write_run(Writer& out, const Run& run) {
   out.line("replicates", std::to_string(run.replicates));
 }
 
+void write_wear(Writer& out, const Wear& wear) {
+  out.section("[wear]", "wear.");
+  out.word("model", wear_models()[static_cast<std::size_t>(wear.model)]);
+  out.number(wear_coefficient.key, wear.coefficient, wear_coefficient.unit);
+}
+
+void write_heat(Writer& out, const Heat& heat) {
+  out.section("[heat]", "heat.");
+  out.fields(heat, std::array{milling_time, pause_time});
+  out.line("cycles", std::to_string(heat.cycles));
+  out.fields(heat, heat_fields());
+}
+
 void write_sweep(Writer& out, const std::map<std::string, std::vector<std::string>>& sweep) {
   if (sweep.empty()) return;
   out.section("[sweep]", "sweep.");
@@ -230,6 +247,8 @@ std::string write(const Case& c) {
   out.fields(c.observe, observe_fields());
   out.line("collisions", c.observe.collisions ? "true" : "false");
   if (c.observe.frames) out.number("frames", *c.observe.frames, "s");
+  if (c.wear) write_wear(out, *c.wear);
+  if (c.heat) write_heat(out, *c.heat);
   write_sweep(out, c.sweep);
   return out.text();
 }

@@ -99,6 +99,12 @@ TEST(Units, temperatures) {
   EXPECT_EQ(parse_in("20 \u00b0C", "K"), 293.15);
   EXPECT_EQ(parse_in("300 K", "K"), 300);
   EXPECT_EQ(parse_quantity("0 degC").value, 273.15);
+  EXPECT_EQ(parse_in("15 W/m/K", "W/m/K"), 15);
+  EXPECT_EQ(parse_in("0.15 W/cm/K", "W/m/K"), 15);
+  EXPECT_EQ(parse_in("0.5 J/g/K", "J/kg/K"), 500);
+  EXPECT_EQ(parse_in("15 W/m2/K", "W/m2/K"), 15);
+  EXPECT_EQ(fault_of("15 W/m/K", "W/m2/K"),
+            "\"15 W/m/K\" is not a heat transfer coefficient; write for instance \"15 W/m2/K\"");
   EXPECT_TRUE(contains(fault_of("3 J/degC", "J/K"), "degC"));
 }
 
@@ -197,8 +203,9 @@ void expect_round_trip(double value, std::string_view unit) {
 TEST(Units, show_reads_back_to_the_last_bit) {
   Random random(7, 1);
   for (const std::string_view unit :
-       {"m", "kg",   "s",     "Hz", "rad/s", "rad", "m/s", "m3",  "N",    "Pa",   "J",
-        "W", "J/kg", "kg/m3", "K",  "m/s2",  "%",   "",    "N/m", "J/m2", "J/m3", "s/m"}) {
+       {"m",   "kg",   "s",    "Hz",   "rad/s", "rad",    "m/s",   "m3", "N",
+        "Pa",  "J",    "W",    "J/kg", "kg/m3", "K",      "m/s2",  "%",  "",
+        "N/m", "J/m2", "J/m3", "s/m",  "W/m/K", "J/kg/K", "W/m2/K"}) {
     for (int i = 0; i < 2000; ++i) {
       const double any = std::pow(10, random.uniform(-12, 12)) * (random.uniform() < 0.2 ? -1 : 1);
       expect_round_trip(any, unit);

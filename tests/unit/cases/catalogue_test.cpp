@@ -104,6 +104,20 @@ TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
   });
 }
 
+/// Between polymers and metals heat capacity by volume differs little: what is far off is a slip.
+TEST(Catalogue, every_material_conducts_and_stores_heat_as_solids_do) {
+  for_each_entry([&](const CatalogueEntry& entry) {
+    if (entry.room != "materials") return;
+    const auto number = [&](const char* key, const char* unit) {
+      return parse_in(entry.values.at(key).text, unit);
+    };
+    const double conductivity = number("conductivity", "W/m/K");
+    EXPECT_TRUE(conductivity > 0.05 && conductivity < 500) << conductivity;
+    const double by_volume = number("density", "kg/m3") * number("heat_capacity", "J/kg/K");
+    EXPECT_TRUE(by_volume > 1.5e6 && by_volume < 4.5e6) << by_volume << " J/(m3 K)";
+  });
+}
+
 TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified) {
   for_each_entry([&](const CatalogueEntry& entry) {
     for (const auto& [key, value] : entry.values) {

@@ -301,6 +301,16 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.run.time_step_fraction = 2; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.elastic.youngs_modulus = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].elastic.poisson_ratio = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.balls[0].substance.hardness = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.jar.substance.conductivity = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.jar.density = 0; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.jar.wall = NAN; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.wear = Wear{.coefficient = 0}; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.heat = Heat(); }), Codes{});
+  EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.ambient = -1}; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.pause = -1}; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.cycles = 0}; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.share_in_balls = 1.1}; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.softening = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.cohesion = -1; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.law_choice.stiffness = -1; }), out);

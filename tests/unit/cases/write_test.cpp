@@ -108,8 +108,12 @@ class AnyCase {
     const double room = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
     for (int n = flip() ? 1 : 2; n > 0; --n)
       c.balls.push_back({flip() ? 1 : 2, room * random_.uniform(0.01, 0.4),
-                         random_.uniform(900, 16000), flip() ? "steel" : "", elastic()});
+                         random_.uniform(900, 16000), flip() ? "steel" : "", elastic(),
+                         substance()});
     c.jar.elastic = elastic();
+    c.jar.substance = substance();
+    c.jar.density = size();
+    c.jar.wall = size();
     if (flip()) draw_places(c);
     if (flip()) draw_powder(c.powder.emplace());
     draw_contact(c.contact);
@@ -121,6 +125,10 @@ class AnyCase {
     else
       c.run.time_step_fraction = random_.uniform();
     c.observe = {size(), flip()};
+    if (flip()) c.wear = {flip() ? Wear::Model::archard : Wear::Model::finnie, size()};
+    if (flip())
+      c.heat = {size(), size(), flip() ? 0 : size(), whole(1000),
+                size(), size(), random_.uniform()};
     if (c.contact.rule.restitution.points().empty() && flip())
       c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
     if (flip()) c.sweep["title"] = {"12 mm", "a \"b\"", "true"};
@@ -172,6 +180,7 @@ class AnyCase {
     return {draw_restitution(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
   }
   contact::Elastic elastic() { return {size(), random_.uniform(-0.99, 0.5)}; }
+  Substance substance() { return {size(), size(), size()}; }
   /// Places of the last set; those that do not fit make faults, and no round trip.
   void draw_places(Case& c) {
     BallSet& set = c.balls.back();

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+// How hot two bodies get where they collide.
+namespace mahlwerk::powder {
+
+/// Two bodies that collide. All above 0.
+struct FlashPair {
+  double radius = 0;            ///< [m] effective, R*
+  double mass = 0;              ///< [kg] effective, m*
+  double modulus = 0;           ///< [Pa] effective, E*
+  double effusivity = 0;        ///< [J/(m2 K s^0.5)] of one
+  double other_effusivity = 0;  ///< [J/(m2 K s^0.5)] of the other
+};
+
+/// [J/(m2 K s^0.5)] From conductivity [W/(m K)], density [kg/m3], heat capacity [J/(kg K)]
+/// (hea.10).
+inline double effusivity(double conductivity, double density, double heat_capacity) {
+  return std::sqrt(conductivity * density * heat_capacity);
+}
+
+/// [K/J] Rise of the temperature where two bodies touch, over what the collision loses (hea.7).
+/// `energy_normal` [J] is 1/2 m* u_n^2. 0 where that is 0: nothing was pressed, no spot is known.
+inline double flash_factor(double energy_normal, const FlashPair& p) {
+  if (!(energy_normal > 0)) return 0;
+  constexpr double hertz_time = 2.943275184324706;  // 2 sqrt(pi) Gamma(7/5)/Gamma(9/10) (dem.9)
+  const double depth =                              // (hea.8)
+      std::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
+  const double area = std::numbers::pi * p.radius * depth;
+  const double time = hertz_time * depth * std::sqrt(0.5 * p.mass / energy_normal);  // (hea.9)
+  return 2 / (area * std::sqrt(std::numbers::pi * time) * (p.effusivity + p.other_effusivity));
+}
+
+}  // namespace mahlwerk::powder
