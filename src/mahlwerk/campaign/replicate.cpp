@@ -87,7 +87,7 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int th
 }
 
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
-                 std::unique_ptr<results::FrameFile> frames, int threads)
+                 std::unique_ptr<results::FrameFiles> frames, int threads)
     : what_(&what),
       index_(index),
       keeper_(std::move(keeper)),
@@ -122,7 +122,7 @@ void Replica::advance(double time) {
 void Replica::add_frames() {
   if (!frames_ || !result_.stopped.empty()) return;
   for (; frame_times_.next() <= result_.account.time; frame_times_.go_on())
-    frames_->add(result_.account.time, engine_->balls());
+    frames_->add(result_.account.time, engine_->balls(), engine_->forces());
 }
 
 void Replica::go_on() {

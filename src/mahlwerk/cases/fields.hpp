@@ -124,9 +124,8 @@ constexpr auto observe_fields() {
 }
 
 /// More frames than these are taken for a mistake.
-constexpr double most_frames = 1e6;                    ///< of one replicate
-constexpr double largest_frames_file = 10e9;           ///< [bytes] of one replicate, about
-constexpr double frame_bytes = 450, ball_bytes = 120;  ///< of a frame and of each ball in it, about
+constexpr double most_frames = 1e6;      ///< of one replicate
+constexpr double largest_frames = 10e9;  ///< [bytes] of one replicate, about
 
 const std::vector<std::string>& engines();
 const std::vector<std::string>& powder_words();   ///< "mass", "grains"
@@ -136,6 +135,8 @@ const std::vector<std::string>& rolling_words();  ///< in the order of contact::
 const std::vector<std::string>& damping_words();
 /// "laboratory", "jar", in the order of StartFrame.
 const std::vector<std::string>& start_frames();
+/// "both", "xyz", "vtk", in the order of FramesFormat.
+const std::vector<std::string>& frames_formats();
 /// "roll", "tc", "none", in the order of Lasting.
 const std::vector<std::string>& lasting_words();
 

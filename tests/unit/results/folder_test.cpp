@@ -113,9 +113,13 @@ TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
   write_text_of(place / "compare.html", "<html>");
   write_text_of(place / "soft" / "summary.json", our_summary);
   write_text_of(place / "soft" / "frames-12.xyz", "0\n\n");
+  write_text_of(place / "soft" / "frames-12.pvd", "<?xml");
+  write_text_of(place / "soft" / "frames-12" / "balls-00000.vtp", "<?xml");
+  write_text_of(place / "soft" / "frames-12" / "jar-100000.vtp", "<?xml");
   write_text_of(place / "soft" / "stopped-1.csv", "ball\n");
   EXPECT_EQ(refusal(place, true), "");
-  for (const char* name : {"frames-.xyz", "frames-best.xyz", "stopped-1.csv.txt"}) {
+  for (const char* name : {"frames-.xyz", "frames-best.xyz", "stopped-1.csv.txt",
+                           "frames-12/mine.vtp", "frames-best/jar-00000.vtp"}) {
     write_text_of(place / "soft" / name, "mine");
     EXPECT_NE(refusal(place, true).find(name), std::string::npos) << name;
     fs::remove(place / "soft" / name);
