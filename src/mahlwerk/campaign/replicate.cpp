@@ -111,8 +111,8 @@ void Replica::advance(double time) {
   try {
     engine_->advance(time, ears);
   } catch (const RunError& e) {
-    result_.stopped =
-        fmt::format("{}. The balls as they were then: {}", e.what(), results::stopped_name(index_));
+    result_.stopped = fmt::format("{}. The balls as they were then: {}.csv", e.what(),
+                                  results::stopped_name(index_));
     result_.at_stop = engine_->balls();
   }
   result_.account = engine_->account();

@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a result or a campaign may hold: --force removes these and nothing else.
-constexpr std::array<std::string_view, 18> our_files{"summary.json",
+constexpr std::array<std::string_view, 19> our_files{"summary.json",
+                                                     "result.h5",
                                                      "case.resolved.toml",
                                                      "spectrum.csv",
                                                      "collisions_by_pair.csv",

@@ -11,6 +11,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/result_file.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
@@ -204,6 +205,17 @@ TEST_F(FolderTest, CollisionsThatDoNotFitAreAnError) {
     file.close();
   };
   EXPECT_THROW(fill(), InputError);
+}
+
+TEST_F(FolderTest, AResultFileThatDoesNotFitIsAnError) {
+  Table noise{{{"a", "1", "does not pack well"}}, {}};
+  for (int i = 0; i < 10000; ++i) noise.rows.push_back({std::sin(1e6 * i)});
+  const auto write = [&] {
+    write_result_file(scratch() / "result.h5", {{"noise", "", noise}}, {}, {}, "", "");
+  };
+  EXPECT_NO_THROW(write());
+  const SmallDisk disk(16384);
+  EXPECT_THROW(write(), InputError);
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST(Stopped, EveryBallIsARow) {
             "1,2,0.004,0.001,-0.002,0.003,1,2,3,10,-20,30.5\n"
             "2,2,0.004,,-0.002,0.003,1,2,3,10,-20,30.5\n");
   EXPECT_EQ(table.columns.size(), table.rows[0].size());
-  EXPECT_EQ(stopped_name(4), "stopped-5.csv");
+  EXPECT_EQ(stopped_name(4), "stopped-5");
 }
 
 }  // namespace
