@@ -14,7 +14,7 @@ void Streams::add(const cases::Case& point, const results::Folder& folder,
                                                                cases::write(point), version());
   if (point.observe.frames)
     made.frames = [point, &folder, below](int replicate) {
-      return std::make_unique<results::FrameFile>(
+      return std::make_unique<results::FrameFiles>(
           folder.file(below + results::frames_name(replicate)), point);
     };
   points_.push_back(std::move(made));
@@ -26,7 +26,8 @@ void Streams::join(campaign::Options& options) const {
     if (!p.collisions) return nullptr;
     return std::make_unique<results::CollisionLog>(*p.collisions, replicate);
   };
-  options.frames = [this](std::size_t point, int replicate) -> std::unique_ptr<results::FrameFile> {
+  options.frames = [this](std::size_t point,
+                          int replicate) -> std::unique_ptr<results::FrameFiles> {
     const Point& p = points_[point];
     return p.frames ? p.frames(replicate) : nullptr;
   };

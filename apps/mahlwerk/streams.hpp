@@ -31,8 +31,8 @@ class Streams {
  private:
   struct Point {
     std::unique_ptr<results::CollisionFile> collisions;  // or null
-    /// Makes the file of frames of a replicate; empty: none is kept.
-    std::function<std::unique_ptr<results::FrameFile>(int replicate)> frames;
+    /// Makes the files of frames of a replicate; empty: none is kept.
+    std::function<std::unique_ptr<results::FrameFiles>(int replicate)> frames;
   };
   std::vector<Point> points_;
 };

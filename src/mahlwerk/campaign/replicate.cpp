@@ -94,7 +94,7 @@ double first_window(const cases::Case& what) {
 }  // namespace
 
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
-                 std::unique_ptr<results::FrameFile> frames, int threads)
+                 std::unique_ptr<results::FrameFiles> frames, int threads)
     : what_(&what),
       index_(index),
       keeper_(std::move(keeper)),
@@ -135,8 +135,8 @@ void Replica::advance(double time) {
   try {
     engine_->advance(time, ears);
   } catch (const RunError& e) {
-    result_.stopped =
-        fmt::format("{}. The balls as they were then: {}", e.what(), results::stopped_name(index_));
+    result_.stopped = fmt::format("{}. The balls as they were then: {}.csv", e.what(),
+                                  results::stopped_name(index_));
     result_.at_stop = engine_->balls();
   }
   result_.account = engine_->account();
@@ -170,7 +170,7 @@ void Replica::look() {
              charge = next_look() <= time;
   if (!frame && !film && !charge) return;
   const std::vector<scene::Ball> balls = engine_->balls();
-  for (; frames_ && frame_times_.next() <= time; frame_times_.go_on()) frames_->add(time, balls);
+  for (; frames_ && frame_times_.next() <= time; frame_times_.go_on()) frames_->add(time, balls, engine_->forces());
   while (result_.replay.next() <= time) result_.replay.add(time, balls);
   for (; next_look() <= time; ++looked_, ++looked_ever_)
     result_.charge.look(time, balls, window_ / looks_);

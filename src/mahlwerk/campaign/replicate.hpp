@@ -16,7 +16,7 @@ class Replica {
  public:
   /// `keeper` gets every counted record, `frames` the frames that the case asks for.
   Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
-          std::unique_ptr<results::FrameFile> frames = nullptr, int threads = 1);
+          std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1);
 
   bool done() const;
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
@@ -45,7 +45,7 @@ class Replica {
   const cases::Case* what_;
   int index_;
   std::unique_ptr<scene::Observer> keeper_;
-  std::unique_ptr<results::FrameFile> frames_;
+  std::unique_ptr<results::FrameFiles> frames_;
   results::FrameTimes frame_times_;
   results::Replicate result_;
   double window_;  // [s] length of a stretch

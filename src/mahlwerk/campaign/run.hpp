@@ -26,8 +26,9 @@ struct Progress {
 /// Makes the observer that keeps every record of one replicate of one point; empty: none is kept.
 using Records = std::function<std::unique_ptr<scene::Observer>(std::size_t point, int replicate)>;
 
-/// Makes the file that gets the frames of one replicate of one point; empty: there are none.
-using Frames = std::function<std::unique_ptr<results::FrameFile>(std::size_t point, int replicate)>;
+/// Makes the files that get the frames of one replicate of one point; empty: there are none.
+using Frames =
+    std::function<std::unique_ptr<results::FrameFiles>(std::size_t point, int replicate)>;
 
 struct Options {
   int threads = 0;                                ///< 0: as many as the machine has

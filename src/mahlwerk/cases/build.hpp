@@ -32,6 +32,13 @@ std::vector<std::string> size_notes(const Case& c);
 /// Who bounces off whom by which rule: a kind for each ball set, the faces of the jar.
 contact::BounceTable bounce_table(const Case& c);
 
+/// Whether the jar looks the same at all times: it does not turn, or about the axis it is symmetric
+/// to, and nothing in it turns by itself.
+bool looks_still(const Case& c);
+
+/// About how much room one frame of [observe] frames takes on disk [bytes].
+double frame_bytes(const Case& c);
+
 /// What the soft engine's laws need of every two that may touch: moduli, softened, and the values
 /// of [contact] and its pairs. A restitution that depends on the speed counts by its value().
 contact::PairTable pair_table(const Case& c);

@@ -155,11 +155,15 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
+/// What frames are written for: OVITO and ParaView, or one of them.
+enum class FramesFormat { both, xyz, vtk };
+
 struct Observe {
   double threshold = 0;     ///< [m/s] on u_n
   bool collisions = false;  ///< keep every record in collisions.h5
   /// [s] between two frames of the balls that are kept for replay; none: no frames
   std::optional<double> frames = std::nullopt;
+  FramesFormat frames_format = FramesFormat::both;
   bool operator==(const Observe&) const = default;
 };
 

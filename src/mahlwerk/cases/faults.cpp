@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
@@ -265,15 +266,14 @@ void too_many_sets(const Case& c, std::vector<Fault>& found) {
 void too_many_frames(const Case& c, std::vector<Fault>& found) {
   if (!c.observe.frames || !(*c.observe.frames > 0)) return;
   const double count = c.run.time / *c.observe.frames;
-  const double each = frame_bytes + ball_bytes * static_cast<double>(balls_count(c.balls));
-  const double size = count * each;
-  if (!(count > most_frames) && !(size > largest_frames_file)) return;
-  const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames_file);
+  const double each = frame_bytes(c), size = count * each;
+  if (!(count > most_frames) && !(size > largest_frames)) return;
+  const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames);
   found.push_back({place_of(c, "observe.frames"),
                    fmt::format("a frame every {} makes {:.2g} frames and about {:.2g} GB for each "
                                "replicate, more than {:.0g} frames or {:.0f} GB",
                                show_rounded(*c.observe.frames, "s"), count, size / 1e9, most_frames,
-                               largest_frames_file / 1e9),
+                               largest_frames / 1e9),
                    fmt::format("write frames = \"{}\" or more, or leave it out",
                                show_rounded(1.05 * enough, "s")),
                    "too-many-frames"});

@@ -56,6 +56,11 @@ const std::vector<std::string>& start_frames() {
   return words;
 }
 
+const std::vector<std::string>& frames_formats() {
+  static const std::vector<std::string> words{"both", "xyz", "vtk"};
+  return words;
+}
+
 const std::vector<std::string>& engines() {
   static const std::vector<std::string> words{"event", "soft", "auto"};
   return words;

@@ -196,9 +196,8 @@ constexpr Field<Heat> pause_time{
 constexpr std::int64_t most_cycles = 10'000;
 
 /// More frames than these are taken for a mistake.
-constexpr double most_frames = 1e6;                    ///< of one replicate
-constexpr double largest_frames_file = 10e9;           ///< [bytes] of one replicate, about
-constexpr double frame_bytes = 450, ball_bytes = 120;  ///< of a frame and of each ball in it, about
+constexpr double most_frames = 1e6;      ///< of one replicate
+constexpr double largest_frames = 10e9;  ///< [bytes] of one replicate, about
 
 const std::vector<std::string>& engines();
 const std::vector<std::string>& wear_models();    ///< in the order of Wear::Model
@@ -209,6 +208,8 @@ const std::vector<std::string>& rolling_words();  ///< in the order of contact::
 const std::vector<std::string>& damping_words();
 /// "laboratory", "jar", in the order of StartFrame.
 const std::vector<std::string>& start_frames();
+/// "both", "xyz", "vtk", in the order of FramesFormat.
+const std::vector<std::string>& frames_formats();
 /// "roll", "tc", "none", in the order of Lasting.
 const std::vector<std::string>& lasting_words();
 

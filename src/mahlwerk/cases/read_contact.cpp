@@ -110,6 +110,11 @@ Observe read_observe(const Node* table, Findings& findings) {
   for (const auto& field : observe_fields()) observe.*field.value = in.value(Wanted(field));
   observe.collisions = in.flag("collisions", false, "no record of every collision is kept");
   observe.frames = in.maybe({"frames", "s", positive, "time between two frames for replay"});
+  const std::string format =
+      in.choice({"frames_format", frames_formats(), "both", "for OVITO and for ParaView"});
+  observe.frames_format = format == "xyz"   ? FramesFormat::xyz
+                          : format == "vtk" ? FramesFormat::vtk
+                                            : FramesFormat::both;
   in.close();
   return observe;
 }

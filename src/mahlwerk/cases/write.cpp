@@ -247,6 +247,7 @@ std::string write(const Case& c) {
   out.fields(c.observe, observe_fields());
   out.line("collisions", c.observe.collisions ? "true" : "false");
   if (c.observe.frames) out.number("frames", *c.observe.frames, "s");
+  out.word("frames_format", frames_formats()[static_cast<std::size_t>(c.observe.frames_format)]);
   if (c.wear) write_wear(out, *c.wear);
   if (c.heat) write_heat(out, *c.heat);
   write_sweep(out, c.sweep);

@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every file that a result or a campaign may hold: --force removes these and nothing else.
-constexpr std::array<std::string_view, 18> our_files{"summary.json",
+constexpr std::array<std::string_view, 19> our_files{"summary.json",
+                                                     "result.h5",
                                                      "case.resolved.toml",
                                                      "spectrum.csv",
                                                      "collisions_by_pair.csv",
@@ -42,20 +43,29 @@ constexpr std::array<std::string_view, 18> our_files{"summary.json",
                                                      "jar.stl",
                                                      "motion.csv"};
 
-/// Those there is one of for a replicate: what stands before and behind its number.
-constexpr std::array<std::array<std::string_view, 2>, 2> our_numbered{
-    {{"frames-", ".xyz"}, {"stopped-", ".csv"}}};
+/// A name with a number in it, by what stands before and behind that.
+bool is_numbered(std::string_view name, std::string_view before, std::string_view behind) {
+  if (name.size() <= before.size() + behind.size()) return false;
+  const std::string_view number =
+      name.substr(before.size(), name.size() - before.size() - behind.size());
+  return name.starts_with(before) && name.ends_with(behind) &&
+         number.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
+/// Of some files there is one for a replicate.
 bool is_our_name(std::string_view name) {
-  if (std::find(our_files.begin(), our_files.end(), name) != our_files.end()) return true;
-  return std::any_of(our_numbered.begin(), our_numbered.end(), [&](const auto& around) {
-    const auto& [before, behind] = around;
-    if (name.size() <= before.size() + behind.size()) return false;
-    const std::string_view number =
-        name.substr(before.size(), name.size() - before.size() - behind.size());
-    return name.starts_with(before) && name.ends_with(behind) &&
-           number.find_first_not_of("0123456789") == std::string_view::npos;
-  });
+  return std::find(our_files.begin(), our_files.end(), name) != our_files.end() ||
+         is_numbered(name, "frames-", ".xyz") || is_numbered(name, "frames-", ".pvd") ||
+         is_numbered(name, "stopped-", ".csv");
+}
+
+/// What a folder inside a result may hold besides: pictures, or frames.
+bool is_our_inner_name(std::string_view folder, const fs::directory_entry& entry) {
+  if (!entry.is_regular_file() || entry.is_symlink()) return false;
+  const std::string name = entry.path().filename().string();
+  if (folder == "figures") return entry.path().extension() == ".svg";
+  return is_numbered(folder, "frames-", "") &&
+         (is_numbered(name, "balls-", ".vtp") || is_numbered(name, "jar-", ".vtp"));
 }
 
 InputError cannot_write(const fs::path& place, const std::string& why) {
@@ -84,16 +94,13 @@ bool is_result(const fs::path& folder) {
 /// Names inside a folder that no result of ours has.
 std::vector<std::string> foreign(const fs::path& folder);
 
-/// The same of a folder inside a result: a point of a campaign, or its pictures.
+/// The same of a folder inside a result: a point of a campaign, its pictures, or frames.
 std::vector<std::string> foreign_inside(const fs::directory_entry& inner) {
   if (is_result(inner.path())) return foreign(inner.path());
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(inner)) {
-    const bool picture = inner.path().filename() == "figures" &&
-                         entry.path().extension() == ".svg" && entry.is_regular_file() &&
-                         !entry.is_symlink();
-    if (!picture) names.push_back(entry.path().filename().string());
-  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(inner))
+    if (!is_our_inner_name(inner.path().filename().string(), entry))
+      names.push_back(entry.path().filename().string());
   return names;
 }
 

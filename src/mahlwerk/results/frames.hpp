@@ -2,41 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdio>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
-#include "mahlwerk/scene/balls.hpp"
+#include "mahlwerk/results/vtk_frames.hpp"
+#include "mahlwerk/results/xyz_frames.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
 namespace mahlwerk::results {
 
-/// frames-1.xyz: where the balls of one replicate are, frame after frame, in extended XYZ, which
-/// OVITO and other viewers read (docs/formats.md). Every frame is in the file once it is added, so
-/// that a run that is killed leaves what it had.
-class FrameFile {
+/// Where the balls of one replicate are, frame after frame, in the files that the case asks for
+/// (docs/formats.md). Every frame is on disk once it is added, so that a run that is killed leaves
+/// what it had.
+class FrameFiles {
  public:
-  /// Throws InputError, as `add` does, if the file cannot be written.
-  FrameFile(std::filesystem::path file, const cases::Case& what);
+  /// `stem` is the files' name without its ending: frames-1. Throws InputError, as `add` does, if
+  /// they cannot be written.
+  FrameFiles(const std::filesystem::path& stem, const cases::Case& what);
 
-  /// The balls in the jar frame at `time` [s] since the start of the run.
-  void add(double time, const std::vector<scene::Ball>& balls);
+  /// The balls in the jar frame at `time` [s] since the start of the run, and the forces on them,
+  /// if they are known (scene::Engine::forces).
+  void add(double time, const std::vector<scene::Ball>& balls,
+           const std::vector<Vec3>& forces = {});
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
   scene::Chamber chamber_;
-  std::string cell_;  // keys of the box drawn around the jar
+  std::optional<XyzFrames> xyz_;
+  std::optional<VtkFrames> vtk_;
 };
 
-/// "frames-1.xyz" for `replicate` 0.
+/// "frames-1" for `replicate` 0.
 std::string frames_name(int replicate);
 
 /// Times [s] since the start of the run at which frames are due; none unless the case asks for

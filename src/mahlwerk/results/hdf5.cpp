@@ -7,13 +7,12 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <exception>
 #include <map>
-#include <mutex>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/hdf5_handle.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -22,30 +21,6 @@ using scene::Collision;
 constexpr hsize_t chunk = 4096;       // records; 0.5 MB
 constexpr unsigned deflation = 4;     // of 9: most of the gain at little time
 constexpr std::size_t piece = 16384;  // records handed over at once
-
-/// The library is not safe to call from two threads, whichever file they write.
-std::mutex library;
-
-/// An identifier of the library and the function that gives it back.
-class Handle {
- public:
-  Handle() = default;
-  Handle(hid_t id, herr_t (*give_back)(hid_t)) : id_(id), close_(give_back) {}
-  Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, -1)), close_(o.close_) {}
-  Handle& operator=(Handle&& o) noexcept {
-    std::swap(id_, o.id_);
-    std::swap(close_, o.close_);
-    return *this;
-  }
-  ~Handle() { close(); }
-  operator hid_t() const { return id_; }
-  bool valid() const { return id_ >= 0; }
-  bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
-
- private:
-  hid_t id_ = -1;
-  herr_t (*close_)(hid_t) = nullptr;
-};
 
 /// One number of a record: its name in the file, its unit, and where it lies in a Collision.
 struct Part {
@@ -74,24 +49,10 @@ const Part parts[] = {
     {"lost_tangential", "J", offsetof(Collision, lost_tangential)},
 };
 
-/// The library's own trace would go to the terminal, and its clean-up at exit tries again and again
-/// to write what a full disk did not take.
-void quieten() {
-  static const bool once = [] {
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return true;
-  }();
-  static_cast<void>(once);
-}
-
 InputError failure(const std::filesystem::path& file, const char* doing) {
-  const std::string why = errno != 0 ? fmt::format(" ({})", std::strerror(errno)) : "";
-  return InputError(
-      Fault{file.string(), fmt::format("cannot {}{}", doing, why),
-            "free some space or mend the permissions, choose another folder with --out, or "
-            "leave out observe.collisions",
-            "cannot-write"});
+  return hdf5_failure(file, doing,
+                      "free some space or mend the permissions, choose another folder with --out, "
+                      "or leave out observe.collisions");
 }
 
 /// The record as it lies in memory.
@@ -100,18 +61,6 @@ Handle record_type() {
   for (const Part& p : parts)
     H5Tinsert(type, p.name, p.offset, p.whole ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE);
   return type;
-}
-
-bool write_text(hid_t object, const std::string& name, std::string_view text) {
-  const std::string copy(text);
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
-  const char* pointer = copy.c_str();
-  return attribute.valid() && H5Awrite(attribute, type, static_cast<const void*>(&pointer)) >= 0;
 }
 
 std::string group_name(int replicate) {
@@ -147,7 +96,7 @@ Handle& CollisionFile::Inside::set(int replicate) {
                  H5Dclose);
   if (!found.valid()) throw failure(path, "make a data set in the file");
   for (const Part& p : parts) {
-    if (!write_text(found, std::string("unit_") + p.name, p.unit))
+    if (!write_attribute(found, std::string("unit_") + p.name, p.unit))
       throw failure(path, "write the units into the file");
   }
   return found;
@@ -156,26 +105,25 @@ Handle& CollisionFile::Inside::set(int replicate) {
 CollisionFile::CollisionFile(const std::filesystem::path& file, std::string_view case_text,
                              std::string_view version)
     : inside_(std::make_unique<Inside>()) {
-  const std::lock_guard lock(library);
-  quieten();
+  const auto lock = hdf5_library();
   errno = 0;
   inside_->path = file;
   inside_->in_memory = record_type();
   inside_->file =
       Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
   if (!inside_->file.valid()) throw failure(file, "create the file");
-  if (!write_text(inside_->file, "mahlwerk", version) ||
-      !write_text(inside_->file, "case", case_text))
+  if (!write_attribute(inside_->file, "mahlwerk", version) ||
+      !write_attribute(inside_->file, "case", case_text))
     throw failure(file, "write the case into the file");
 }
 
 CollisionFile::~CollisionFile() {
-  const std::lock_guard lock(library);
+  const auto lock = hdf5_library();
   inside_.reset();
 }
 
 void CollisionFile::append(int replicate, std::span<const Collision> records) {
-  const std::lock_guard lock(library);
+  const auto lock = hdf5_library();
   errno = 0;
   Handle& set = inside_->set(replicate);
   hsize_t before = 0;
@@ -194,7 +142,7 @@ void CollisionFile::append(int replicate, std::span<const Collision> records) {
 }
 
 void CollisionFile::close() {
-  const std::lock_guard lock(library);
+  const auto lock = hdf5_library();
   if (!inside_->file.valid()) return;
   errno = 0;
   bool good = H5Fflush(inside_->file, H5F_SCOPE_GLOBAL) >= 0;
@@ -213,7 +161,7 @@ CollisionLog::~CollisionLog() {
   try {
     flush();
   } catch (...) {
-    const std::lock_guard lock(library);
+    const auto lock = hdf5_library();
     if (!file_.inside_->trouble) file_.inside_->trouble = std::current_exception();
   }
 }
@@ -229,8 +177,7 @@ void CollisionLog::flush() {
 }
 
 std::vector<Collision> read_collisions(const std::filesystem::path& file, int replicate) {
-  const std::lock_guard lock(library);
-  quieten();
+  const auto lock = hdf5_library();
   const auto missing = [&](const std::string& what) {
     return InputError(Fault{file.string(), what, "check the name of the file", "cannot-read"});
   };

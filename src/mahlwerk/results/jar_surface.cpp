@@ -11,7 +11,6 @@ namespace mahlwerk::results {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index around = 96, around_arms = 24;  // facets of a round wall
 constexpr double pi = std::numbers::pi;
 
 Index count(const JarMesh& mesh) {
@@ -33,7 +32,7 @@ void add_quarter(Profile& profile, const Place& middle, double radius, double fr
 }
 
 /// A profile from the lower end of the axis to its upper end, turned about it.
-void add_revolved(JarMesh& mesh, const Profile& profile, Index facets = around) {
+void add_revolved(JarMesh& mesh, const Profile& profile, Index facets) {
   const double tiny = 1e-12 * (profile.back().z - profile.front().z);  // rounding
   Profile rings;
   for (const Place& p : profile)
@@ -66,18 +65,18 @@ Profile profile_of(double diameter, double height) {
 }
 
 /// Half spheres below and above; without a height, a sphere.
-Profile capsule_profile(double diameter, double height, Index facets = around) {
+Profile capsule_profile(double diameter, double height, Index facets) {
   Profile profile;
   add_quarter(profile, {0, -0.5 * height}, 0.5 * diameter, -0.5 * pi, facets);
   add_quarter(profile, {0, 0.5 * height}, 0.5 * diameter, 0, facets);
   return profile;
 }
 
-Profile rounded_profile(const geometry::RoundedCylinder& jar) {
+Profile rounded_profile(const geometry::RoundedCylinder& jar, Index facets) {
   const double h = 0.5 * jar.height, core = 0.5 * jar.diameter - jar.fillet;
   Profile profile{{0, -h}};
-  add_quarter(profile, {core, jar.fillet - h}, jar.fillet, -0.5 * pi, around);
-  add_quarter(profile, {core, h - jar.fillet}, jar.fillet, 0, around);
+  add_quarter(profile, {core, jar.fillet - h}, jar.fillet, -0.5 * pi, facets);
+  add_quarter(profile, {core, h - jar.fillet}, jar.fillet, 0, facets);
   profile.push_back({0, h});
   return profile;
 }
@@ -114,7 +113,7 @@ Place bar_foot(const geometry::LifterCylinder& jar, const Place& top) {
 }
 
 /// The drum's section: for each bar the two edges of its top, then the shell as far as the next.
-void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar) {
+void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
   const double slope = std::cos(jar.lifter_face_angle) / std::sin(jar.lifter_face_angle);
   const Place top{0.5 * jar.lifter_width - slope * jar.lifter_height,
                   0.5 * jar.diameter - jar.lifter_height};
@@ -122,7 +121,7 @@ void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar) {
   const auto bars = static_cast<Index>(jar.lifters);
   const double half = std::atan2(foot.rho, foot.z), pitch = 2 * pi / jar.lifters;
   const double shell = pitch - 2 * half;
-  const auto pieces = static_cast<Index>(std::ceil(shell / (2 * pi) * around));
+  const auto pieces = static_cast<Index>(std::ceil(shell / (2 * pi) * facets));
   const Index each = pieces + 3, all = bars * each, middle = pieces / 2;
   std::vector<Vec3> section;
   Cap cap;
@@ -148,15 +147,15 @@ void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar) {
 }
 
 /// A shaft through the lid, and arms: capsules that lie across it.
-void add_rotor(JarMesh& mesh, const geometry::Attritor& jar) {
+void add_rotor(JarMesh& mesh, const geometry::Attritor& jar, Index facets) {
   const double bottom = -0.5 * jar.height, length = jar.height - jar.shaft_clearance;
-  add_revolved(mesh, profile_of(jar.shaft_diameter, length));
+  add_revolved(mesh, profile_of(jar.shaft_diameter, length), facets);
   for (Vec3& p : mesh.vertices) p.z += 0.5 * jar.shaft_clearance;
   for (int arm = 0; arm < static_cast<int>(jar.arms); ++arm) {
     const Index first = count(mesh);
     add_revolved(mesh,
-                 capsule_profile(jar.arm_diameter, jar.arm_span - jar.arm_diameter, around_arms),
-                 around_arms);
+                 capsule_profile(jar.arm_diameter, jar.arm_span - jar.arm_diameter, facets / 4),
+                 facets / 4);
     const double z = bottom + jar.arm_clearance + arm * jar.arm_spacing;
     for (Index i = first; i < count(mesh); ++i) {
       const Vec3 p = mesh.vertices[i];  // its axis, z, along x or y by going round the three axes
@@ -165,31 +164,31 @@ void add_rotor(JarMesh& mesh, const geometry::Attritor& jar) {
   }
 }
 
-void add(JarMesh& mesh, const geometry::Capsule& jar) {
-  add_revolved(mesh, capsule_profile(jar.diameter, jar.height));
+void add(JarMesh& mesh, const geometry::Capsule& jar, Index facets) {
+  add_revolved(mesh, capsule_profile(jar.diameter, jar.height, facets), facets);
 }
-void add(JarMesh& mesh, const geometry::Sphere& jar) {
-  add_revolved(mesh, capsule_profile(jar.diameter, 0));
+void add(JarMesh& mesh, const geometry::Sphere& jar, Index facets) {
+  add_revolved(mesh, capsule_profile(jar.diameter, 0, facets), facets);
 }
-void add(JarMesh& mesh, const geometry::Cylinder& jar) {
-  add_revolved(mesh, profile_of(jar.diameter, jar.height));
+void add(JarMesh& mesh, const geometry::Cylinder& jar, Index facets) {
+  add_revolved(mesh, profile_of(jar.diameter, jar.height), facets);
 }
-void add(JarMesh& mesh, const geometry::RoundedCylinder& jar) {
-  add_revolved(mesh, rounded_profile(jar));
+void add(JarMesh& mesh, const geometry::RoundedCylinder& jar, Index facets) {
+  add_revolved(mesh, rounded_profile(jar, facets), facets);
 }
-void add(JarMesh& mesh, const geometry::Box& jar) {
+void add(JarMesh& mesh, const geometry::Box& jar, Index) {
   add_box(mesh, jar.width, jar.depth, jar.height);
 }
-void add(JarMesh& mesh, const geometry::PeriodicBox& jar) {
+void add(JarMesh& mesh, const geometry::PeriodicBox& jar, Index) {
   add_box(mesh, jar.width, jar.depth, jar.height);
 }
-void add(JarMesh& mesh, const geometry::LifterCylinder& jar) {
-  add_lifters(mesh, jar);
+void add(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
+  add_lifters(mesh, jar, facets);
 }
-void add(JarMesh& mesh, const geometry::Attritor& jar) {
-  add_revolved(mesh, profile_of(jar.diameter, jar.height));
+void add(JarMesh& mesh, const geometry::Attritor& jar, Index facets) {
+  add_revolved(mesh, profile_of(jar.diameter, jar.height), facets);
 }
-void add(JarMesh& mesh, const geometry::Mesh& jar) {
+void add(JarMesh& mesh, const geometry::Mesh& jar, Index) {
   mesh.vertices = jar.surface().points;
   for (const auto& [a, b, c] : jar.surface().triangles)
     mesh.triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
@@ -197,11 +196,11 @@ void add(JarMesh& mesh, const geometry::Mesh& jar) {
 
 }  // namespace
 
-std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape) {
+std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, Index facets) {
   std::vector<JarMesh> made{{.name = "jar", .vertices = {}, .triangles = {}}};
-  std::visit([&](const auto& s) { add(made.front(), s); }, shape);
+  std::visit([&](const auto& s) { add(made.front(), s, facets); }, shape);
   if (const auto* stirred = std::get_if<geometry::Attritor>(&shape))
-    add_rotor(made.emplace_back(JarMesh{"rotor", {}, {}, true}), *stirred);
+    add_rotor(made.emplace_back(JarMesh{"rotor", {}, {}, true}), *stirred, facets);
   return made;
 }
 

@@ -22,10 +22,11 @@ struct JarMesh {
   bool rotor = false;  ///< turns by itself, about z: see rotor_turn
 };
 
-/// The jar, and its rotor where it has one, as it stands at first. Round walls are cut into 96
-/// facets all round, arms of a rotor into 24, which keeps surfaces below 20 000 triangles; one that
-/// was read from a file is as it was. A periodic box is drawn as a box.
-std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape);
+/// The jar, and its rotor where it has one, as it stands at first. Round walls are cut into so many
+/// facets all round, a multiple of 16, arms of a rotor into a quarter of that; with 96 surfaces
+/// stay below 20 000 triangles. One that was read from a file is as it was. A periodic box is drawn
+/// as a box.
+std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, std::uint32_t facets = 96);
 
 /// How the rotor has turned in the jar's own axes at `time` [s] since the start.
 Rotation rotor_turn(const geometry::AnyShape& shape, double time);

@@ -96,7 +96,7 @@ Table balls_at_stop(const Replicate& replicate) {
 }
 
 std::string stopped_name(int replicate) {
-  return "stopped-" + std::to_string(replicate + 1) + ".csv";
+  return "stopped-" + std::to_string(replicate + 1);
 }
 
 }  // namespace mahlwerk::results

@@ -11,8 +11,8 @@ namespace mahlwerk::results {
 Table time_series(const Outcome& outcome);  ///< timeseries.csv: one row per stretch of time
 Table replicates(const Outcome& outcome);   ///< replicates.csv: one row per replicate
 
-/// stopped-1.csv: the balls of one replicate when physics stopped it.
+/// stopped-1: the balls of one replicate when physics stopped it.
 Table balls_at_stop(const Replicate& replicate);
-std::string stopped_name(int replicate);  ///< "stopped-1.csv" for `replicate` 0
+std::string stopped_name(int replicate);  ///< "stopped-1" for `replicate` 0
 
 }  // namespace mahlwerk::results

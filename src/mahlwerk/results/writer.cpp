@@ -3,13 +3,15 @@
 #include "mahlwerk/results/writer.hpp"
 
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/stl.hpp"
-#include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
+#include "mahlwerk/results/result_file.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 
@@ -19,7 +21,7 @@ namespace {
 constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
 
 /// A measured motion travels with the result: its samples, as a case can read them again.
-std::string samples(const kinematics::Tabulated& motion) {
+Table samples(const kinematics::Tabulated& motion) {
   Table table{{{"time", "s", "of the sample"},
                {"x", "m", "the jar's centre in the laboratory"},
                {"y", "m", "likewise"},
@@ -28,7 +30,31 @@ std::string samples(const kinematics::Tabulated& motion) {
               {}};
   for (const kinematics::Sample& s : motion.samples())
     table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
-  return csv(table);
+  return table;
+}
+
+/// Those of every result first; each is a CSV file, too.
+std::vector<NamedTable> tables(const Outcome& outcome) {
+  std::vector<NamedTable> all{
+      {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
+      {"speeds", "collisions per bin of normal speed", speeds(outcome)},
+      {"angles", "collisions per degree of impact angle", angles(outcome)},
+      {"timeseries", "the run in equal stretches of its counted time", time_series(outcome)},
+      {"replicates", "the quantities of each replicate", replicates(outcome)}};
+  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty()) {
+    all.push_back({"collisions_by_pair", "quantities by kind of pair", collisions_by_pair(pairs)});
+    all.push_back({"spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
+                   spectra_by_pair(outcome)});
+  }
+  if (Table many = sizes(outcome.what); !many.rows.empty())
+    all.push_back({"sizes", "the sizes of balls of each set", std::move(many)});
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&outcome.what.mill.motion))
+    all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
+    if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
+      all.push_back({stopped_name(static_cast<int>(i)),
+                     "the balls of a replicate where physics stopped it", balls_at_stop(r)});
+  return all;
 }
 
 }  // namespace
@@ -38,31 +64,21 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   const auto put = [&](std::string_view name, const std::string& text) {
     folder.write(std::string(below) + std::string(name), text);
   };
+  const std::vector<NamedTable> all = tables(outcome);
+  for (const NamedTable& t : all) put(t.name + ".csv", csv(t.table));
   cases::Case resolved = outcome.what;
-  if (const auto* measured = std::get_if<kinematics::Tabulated>(&resolved.mill.motion)) {
-    put(motion_file, samples(*measured));
+  if (std::holds_alternative<kinematics::Tabulated>(resolved.mill.motion))
     resolved.mill.motion_file = motion_file;
-  }
   if (const auto* mesh = std::get_if<geometry::Mesh>(&resolved.jar.shape)) {
     put(jar_file, cases::stl_text(mesh->surface()));  // in m, as it was moved
     resolved.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
   }
-  put("case.resolved.toml", cases::write(resolved));
-  put("spectrum.csv", csv(spectrum(outcome)));
-  const std::vector<PairSummary> pairs = by_pair(outcome);
-  if (!pairs.empty()) {
-    put("collisions_by_pair.csv", csv(collisions_by_pair(pairs)));
-    put("spectra_by_pair.csv", csv(spectra_by_pair(outcome)));
-  }
-  if (const Table many = sizes(outcome.what); !many.rows.empty()) put("sizes.csv", csv(many));
-  put("speeds.csv", csv(speeds(outcome)));
-  put("angles.csv", csv(angles(outcome)));
-  put("timeseries.csv", csv(time_series(outcome)));
-  put("replicates.csv", csv(replicates(outcome)));
-  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
-    if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
-      put(stopped_name(static_cast<int>(i)), csv(balls_at_stop(r)));
-  put("summary.json", summary_json(outcome, summarise(outcome), version));
+  const std::string case_text = cases::write(resolved);
+  put("case.resolved.toml", case_text);
+  const std::vector<Quantity> quantities = summarise(outcome);
+  write_result_file(folder.file(std::string(below) + "result.h5"), all, {}, quantities, case_text,
+                    version);
+  put("summary.json", summary_json(outcome, quantities, version));
 }
 
 }  // namespace mahlwerk::results

@@ -9,8 +9,8 @@
 
 namespace mahlwerk::results {
 
-/// Writes summary.json, case.resolved.toml and the tables of a result (docs/formats.md) into
-/// `folder`, under `below` if that is given ("" or "point-03/").
+/// Writes summary.json, result.h5, case.resolved.toml and the tables of a result (docs/formats.md)
+/// into `folder`, under `below` if that is given ("" or "point-03/").
 void write(const Folder& folder, const Outcome& outcome, std::string_view version,
            std::string_view below = "");
 

@@ -27,6 +27,10 @@ class Engine {
   /// The balls at the time reached, in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
 
+  /// [N] of contacts on each ball at the time reached, by ball number, in axes of the laboratory;
+  /// empty where contacts are instantaneous.
+  virtual std::vector<Vec3> forces() const { return {}; }
+
   /// Writes the state reached to `archive`, or takes it from there; an engine made from the same
   /// case then goes on as if nothing had happened, to the bit.
   virtual void carry(Archive& archive) = 0;

@@ -29,6 +29,7 @@ class Crowd final : public scene::Engine, private Comings {
   void advance(double time, scene::Observer& observer) override;
   scene::Account account() const override;
   std::vector<scene::Ball> balls() const override;
+  std::vector<Vec3> forces() const override;
   void carry(Archive& archive) override;
 
  private:

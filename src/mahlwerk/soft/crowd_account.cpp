@@ -120,6 +120,21 @@ std::vector<scene::Ball> Crowd::balls() const {
   return all;
 }
 
+/// From what the rows know: the velocity seen a step later is that half a step later, half a kick
+/// of the contacts, and half a step of the body field then (dem.26).
+std::vector<Vec3> Crowd::forces() const {
+  std::vector<Vec3> all(id_.size());
+  const double half_step = 0.5 * rules_.time_step;
+  const Vec3 pull = half_step * beats(step_ + 1, step_ + 1).front().pull;
+  for (std::size_t k = 0; k < id_.size(); ++k) {
+    const Twin& half = half_[k];
+    const Row& seen = next_[k];
+    const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
+    all[static_cast<std::size_t>(id_[k])] = breeds_.species(species_[k]).mass / half_step * gained;
+  }
+  return all;
+}
+
 void Crowd::carry(Archive& archive) {
   const std::size_t balls = now_.size();
   archive(step_)(looked_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);

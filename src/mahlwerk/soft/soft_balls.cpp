@@ -235,6 +235,13 @@ std::vector<scene::Ball> SoftBalls::balls() const {
   return all;
 }
 
+/// Those of the last step; in a hop there are none.
+std::vector<Vec3> SoftBalls::forces() const {
+  std::vector<Vec3> all(made_of_.size());
+  for (std::size_t b = 0; b < all.size(); ++b) all[b] = swarm_.force.one(b);
+  return all;
+}
+
 void SoftBalls::carry(Archive& archive) {
   Swarm& w = swarm_;
   archive(w.step)(w.feet_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);

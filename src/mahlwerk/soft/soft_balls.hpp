@@ -22,6 +22,7 @@ class SoftBalls final : public scene::Engine, private Seldom {
   void advance(double time, scene::Observer& observer) override;
   scene::Account account() const override;
   std::vector<scene::Ball> balls() const override;
+  std::vector<Vec3> forces() const override;
   void carry(Archive& archive) override;
 
  private:

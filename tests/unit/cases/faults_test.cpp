@@ -225,6 +225,8 @@ TEST(CaseFaults, frames_that_nobody_can_want) {
   EXPECT_TRUE(faults_of(every("63 us")).empty());
   EXPECT_TRUE(only(every("0 s"), "case.toml:24", "above 0", "out-of-range"));
   EXPECT_TRUE(only(every("5 m"), "case.toml:24", "", "bad-quantity"));
+  EXPECT_TRUE(only(every("1 ms") + "frames_format = \"vtkhdf\"\n", "case.toml:25",
+                   "\"both\", \"xyz\" or \"vtk\"", "unknown-word"));
 }
 
 TEST(CaseFaults, parts_that_do_not_go_together) {

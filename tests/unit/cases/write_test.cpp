@@ -39,6 +39,7 @@ TEST(WriteCase, what_was_read_is_read_back_without_the_catalogue) {
   expect_round_trip(read_sample(planetary));
   expect_round_trip(read_sample(drum));
   expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\n"));
+  expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\nframes_format = \"vtk\"\n"));
   expect_round_trip(read_sample(vial, {{"seed", "18446744073709551615"}}));
   expect_round_trip(read_sample(vial, {{"title", R"(a "quoted" \ title)"}}));
   Case c = read_sample(vial);

@@ -11,6 +11,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/result_file.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
@@ -113,9 +114,13 @@ TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
   write_text_of(place / "compare.html", "<html>");
   write_text_of(place / "soft" / "summary.json", our_summary);
   write_text_of(place / "soft" / "frames-12.xyz", "0\n\n");
+  write_text_of(place / "soft" / "frames-12.pvd", "<?xml");
+  write_text_of(place / "soft" / "frames-12" / "balls-00000.vtp", "<?xml");
+  write_text_of(place / "soft" / "frames-12" / "jar-100000.vtp", "<?xml");
   write_text_of(place / "soft" / "stopped-1.csv", "ball\n");
   EXPECT_EQ(refusal(place, true), "");
-  for (const char* name : {"frames-.xyz", "frames-best.xyz", "stopped-1.csv.txt"}) {
+  for (const char* name : {"frames-.xyz", "frames-best.xyz", "stopped-1.csv.txt",
+                           "frames-12/mine.vtp", "frames-best/jar-00000.vtp"}) {
     write_text_of(place / "soft" / name, "mine");
     EXPECT_NE(refusal(place, true).find(name), std::string::npos) << name;
     fs::remove(place / "soft" / name);
@@ -200,6 +205,17 @@ TEST_F(FolderTest, CollisionsThatDoNotFitAreAnError) {
     file.close();
   };
   EXPECT_THROW(fill(), InputError);
+}
+
+TEST_F(FolderTest, AResultFileThatDoesNotFitIsAnError) {
+  Table noise{{{"a", "1", "does not pack well"}}, {}};
+  for (int i = 0; i < 10000; ++i) noise.rows.push_back({std::sin(1e6 * i)});
+  const auto write = [&] {
+    write_result_file(scratch() / "result.h5", {{"noise", "", noise}}, {}, {}, "", "");
+  };
+  EXPECT_NO_THROW(write());
+  const SmallDisk disk(16384);
+  EXPECT_THROW(write(), InputError);
 }
 
 }  // namespace

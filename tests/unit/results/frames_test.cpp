@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/results/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
@@ -49,8 +48,8 @@ TEST(FrameTimes, BeginWhenCountingDoesAndEndWithIt) {
 }
 
 TEST_F(FramesTest, SayWhereTheBallsAndTheJarAre) {
-  const fs::path file = scratch() / frames_name(0);
-  FrameFile frames(file, fake_outcome().what);  // shakes at 10 Hz, 25 mm
+  FrameFiles frames(scratch() / frames_name(0), fake_outcome().what);  // shakes at 10 Hz, 25 mm
+  const fs::path file = scratch() / "frames-1.xyz";
   frames.add(0.025, {ball(0.001), ball(0.5)});
   EXPECT_EQ(read(file),
             "2\nLattice=\"0.048 0 0 0 0.048 0 0 0 0.048\" Origin=\"-0.024 -0.024 -0.024\" "
@@ -59,23 +58,114 @@ TEST_F(FramesTest, SayWhereTheBallsAndTheJarAre) {
             "jar\" jar_centre=\"0 0 0.025\" jar_x=\"1 0 0\" jar_y=\"0 1 0\" jar_z=\"0 0 1\"\n"
             "1 2 0.001 -0.002 0.003 0.004 1 2 3 10 -20 30.5\n"
             "2 2 0.5 -0.002 0.003 0.004 1 2 3 10 -20 30.5\n");
-  frames.add(0.05, {ball(0.002)});  // there at once
-  EXPECT_NE(read(file).find("Time=0.05"), std::string::npos);
+  frames.add(0.05, {ball(0.002)}, {{0.5, -1, 2}});  // there at once
+  EXPECT_NE(read(file).find(":angular_velocity:R:3:forces:R:3 Time=0.05"), std::string::npos);
+  EXPECT_TRUE(read(file).ends_with(" 10 -20 30.5 0.5 -1 2\n"));
+}
+
+TEST_F(FramesTest, ForParaViewAreAListAndAFileForEachFrame) {
+  FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
+  const auto list = [&] { return read(scratch() / "frames-1.pvd"); };
+  const std::string begin =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<Collection>\n";
+  const std::string end = "</Collection>\n</VTKFile>\n";
+  EXPECT_EQ(list(), begin + end);
+  frames.add(0.025, {ball(0.001), ball(0.5)});
+  const std::string first =
+      "<DataSet timestep=\"0.025\" part=\"0\" name=\"balls\" file=\"frames-1/balls-00000.vtp\"/>\n"
+      "<DataSet timestep=\"0.025\" part=\"1\" name=\"jar\" file=\"frames-1/jar-00000.vtp\"/>\n";
+  EXPECT_EQ(list(), begin + first + end);
+  frames.add(0.05, {ball(0.002)});
+  EXPECT_NE(list().find("timestep=\"0.05\" part=\"0\" name=\"balls\" "
+                        "file=\"frames-1/balls-00001.vtp\""),
+            std::string::npos);
+  EXPECT_TRUE(list().ends_with(end));
+  const std::string balls = read(scratch() / "frames-1" / "balls-00000.vtp");
+  EXPECT_NE(balls.find("Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">0.025<"),
+            std::string::npos);
+  EXPECT_NE(balls.find("NumberOfPoints=\"2\" NumberOfVerts=\"2\""), std::string::npos);
+  // 8 as UInt64, 0.004 twice as Float32 (0x3b83126f), by the table of RFC 4648.
+  EXPECT_NE(balls.find("Name=\"radius\" NumberOfComponents=\"1\" "
+                       "format=\"binary\">CAAAAAAAAABvEoM7bxKDOw==<"),
+            std::string::npos)
+      << balls;
+  // A vial that does not turn is drawn once.
+  EXPECT_TRUE(fs::exists(scratch() / "frames-1" / "jar-00000.vtp"));
+  EXPECT_FALSE(fs::exists(scratch() / "frames-1" / "jar-00001.vtp"));
+}
+
+TEST_F(FramesTest, AreWrittenAsTheCaseAsks) {
+  cases::Case what = fake_outcome().what;
+  what.observe.frames_format = cases::FramesFormat::xyz;
+  FrameFiles(scratch() / "a", what).add(0, {ball(0)});
+  what.observe.frames_format = cases::FramesFormat::vtk;
+  FrameFiles(scratch() / "b", what).add(0, {ball(0)});
+  EXPECT_TRUE(fs::exists(scratch() / "a.xyz"));
+  EXPECT_FALSE(fs::exists(scratch() / "a.pvd"));
+  EXPECT_FALSE(fs::exists(scratch() / "b.xyz"));
+  EXPECT_TRUE(fs::exists(scratch() / "b.pvd"));
+}
+
+/// The balls and the jar that fill `folder`, over the room that is reckoned with.
+double room(const fs::path& folder, const cases::Case& what, bool forces) {
+  fs::create_directory(folder);
+  std::vector<scene::Ball> balls(static_cast<std::size_t>(what.balls[0].count), ball(-1.0 / 3000));
+  for (scene::Ball& b : balls) b.velocity = b.spin = {-1.0 / 3, 1.0 / 7, -1.0 / 70};
+  FrameFiles files(folder / "frames-1", what);
+  const std::vector<Vec3> pushes(forces ? balls.size() : 0, {1.0 / 3, -1.0 / 7, 1.0 / 70});
+  constexpr int frames = 10;
+  for (int i = 0; i < frames; ++i) files.add(1.0 / 3, balls, pushes);
+  double size = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) size += static_cast<double>(entry.file_size());
+  return size / frames / cases::frame_bytes(what);
 }
 
 TEST_F(FramesTest, TakeAboutTheRoomThatIsReckonedWith) {
-  FrameFile frames(scratch() / "one.xyz", fake_outcome().what);
-  std::vector<scene::Ball> balls(100, ball(-1.0 / 3000));
-  for (scene::Ball& b : balls) b.velocity = b.spin = {-1.0 / 3, 1.0 / 7, -1.0 / 70};
-  frames.add(1.0 / 3, balls);
-  const auto size = static_cast<double>(fs::file_size(scratch() / "one.xyz"));
-  EXPECT_NEAR(size, cases::frame_bytes + 100 * cases::ball_bytes, 0.2 * size);
+  cases::Case what = fake_outcome().what;
+  what.balls[0].count = 100;
+  what.run.engine = "event";
+  what.observe.frames_format = cases::FramesFormat::xyz;
+  EXPECT_NEAR(room(scratch() / "xyz", what, false), 1, 0.2);
+  what.jar.shape = geometry::Box{0.02, 0.02, 0.02};
+  what.observe.frames_format = cases::FramesFormat::vtk;
+  EXPECT_NEAR(room(scratch() / "vtk", what, false), 1, 0.2);
+  what.observe.frames_format = cases::FramesFormat::both;
+  what.run.engine = "soft";
+  EXPECT_NEAR(room(scratch() / "both", what, true), 1, 0.2);
+  what.mill.motion = kinematics::Tumbling{5};  // about an axis across: drawn anew every time
+  what.mill.jar_axis = {0, 0, 1};
+  what.observe.frames_format = cases::FramesFormat::vtk;
+  int number = 0;
+  geometry::LifterCylinder lifters;
+  lifters.diameter = 0.2, lifters.height = 0.1, lifters.lifters = 30, lifters.lifter_height = 0.01;
+  lifters.lifter_width = 0.01, lifters.lifter_face_angle = 1.5;
+  geometry::Attritor stirrer;
+  stirrer.diameter = 0.1, stirrer.height = 0.12, stirrer.shaft_diameter = 0.02;
+  stirrer.shaft_clearance = 0.01, stirrer.arms = 4, stirrer.arm_diameter = 0.008;
+  stirrer.arm_span = 0.08, stirrer.arm_clearance = 0.02, stirrer.arm_spacing = 0.02;
+  for (const geometry::AnyShape& shape :
+       {geometry::AnyShape(geometry::Sphere{0.02}),
+        geometry::AnyShape(geometry::Capsule{0.02, 0.02}),
+        geometry::AnyShape(geometry::Box{0.02, 0.02, 0.02}), geometry::AnyShape(lifters),
+        geometry::AnyShape(stirrer)}) {
+    what.jar.shape = shape;
+    EXPECT_NEAR(room(scratch() / std::to_string(++number), what, true), 1, 0.25)
+        << geometry::name_of(shape);
+  }
 }
 
 TEST_F(FramesTest, SayWhenTheyCannotBeWritten) {
-  EXPECT_THROW(FrameFile(scratch() / "no" / "folder.xyz", fake_outcome().what), InputError);
-  FrameFile full("/dev/full", fake_outcome().what);
-  EXPECT_THROW(full.add(0, {ball(0)}), InputError);
+  EXPECT_THROW(FrameFiles(scratch() / "no" / "folder", fake_outcome().what), InputError);
+  const std::vector<scene::Ball> balls{ball(0)};
+  const std::vector<Vec3> none;
+  const Frame frame{0, balls, none, {}, {}};
+  XyzFrames full("/dev/full", geometry::Sphere{0.02});
+  EXPECT_THROW(full.add(frame), InputError);
+  VtkFrames gone(scratch() / "gone.pvd", geometry::Sphere{0.02}, true);
+  fs::remove(scratch() / "gone");
+  EXPECT_THROW(gone.add(frame), InputError);
 }
 
 TEST(Stopped, EveryBallIsARow) {
@@ -86,7 +176,7 @@ TEST(Stopped, EveryBallIsARow) {
             "1,2,0.004,0.001,-0.002,0.003,1,2,3,10,-20,30.5\n"
             "2,2,0.004,,-0.002,0.003,1,2,3,10,-20,30.5\n");
   EXPECT_EQ(table.columns.size(), table.rows[0].size());
-  EXPECT_EQ(stopped_name(4), "stopped-5.csv");
+  EXPECT_EQ(stopped_name(4), "stopped-5");
 }
 
 }  // namespace

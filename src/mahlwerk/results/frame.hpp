@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/scene/balls.hpp"
+
+namespace mahlwerk::results {
+
+/// The balls and the jar at one instant, in the jar frame: axes of the laboratory, origin at the
+/// jar's centre.
+struct Frame {
+  double time;  ///< [s] since the start of the run
+  const std::vector<scene::Ball>& balls;
+  const std::vector<Vec3>& forces;  ///< [N] of contacts on each ball; empty where not known
+  Vec3 centre;                      ///< [m] the jar's, in the laboratory
+  Rotation turn;                    ///< from the jar's own axes
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+
+/// That frames cannot be written to `file`, for the reason in errno.
+InputError cannot_write_frames(const std::filesystem::path& file);
+
+}  // namespace mahlwerk::results
