@@ -107,8 +107,7 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
   const scene::Chamber mill = cases::chamber(what);
   result_.charge = observe::Charge(mill);
   if (index == 0)
-    result_.replay =
-        observe::Replay(mill, engine_->balls().size(), what.run.settle, what.run.time);
+    result_.replay = observe::Replay(mill, engine_->balls().size(), what.run.settle, what.run.time);
   last_ = result_.account = result_.at_settled = engine_->account();
   if (what.run.engine == "soft")  // its work is known beforehand: below 0.1 s for 1000 balls
     portion_ = std::min(portion_, 1e3 * soft_settings(what).rules.time_step);
@@ -170,7 +169,8 @@ void Replica::look() {
              charge = next_look() <= time;
   if (!frame && !film && !charge) return;
   const std::vector<scene::Ball> balls = engine_->balls();
-  for (; frames_ && frame_times_.next() <= time; frame_times_.go_on()) frames_->add(time, balls, engine_->forces());
+  for (; frames_ && frame_times_.next() <= time; frame_times_.go_on())
+    frames_->add(time, balls, engine_->forces());
   while (result_.replay.next() <= time) result_.replay.add(time, balls);
   for (; next_look() <= time; ++looked_, ++looked_ever_)
     result_.charge.look(time, balls, window_ / looks_);
@@ -179,8 +179,8 @@ void Replica::look() {
 void Replica::go_on() {
   using Clock = std::chrono::steady_clock;
   const double end = end_of(stretch_);
-  const double stop = std::min({end, frames_ ? frame_times_.next() : end, result_.replay.next(),
-                                next_look()});
+  const double stop =
+      std::min({end, frames_ ? frame_times_.next() : end, result_.replay.next(), next_look()});
   const Clock::time_point began = Clock::now();
   advance(std::min(stop, result_.account.time + portion_));
   look();

@@ -48,10 +48,10 @@ class Replica {
   std::unique_ptr<results::FrameFiles> frames_;
   results::FrameTimes frame_times_;
   results::Replicate result_;
-  double window_;  // [s] length of a stretch
+  double window_;        // [s] length of a stretch
   bool enough_ = false;  // it is as sure as was asked for
-  int looks_ = 4;      // at the charge in this stretch
-  int looked_ = 0;     // of them
+  int looks_ = 4;        // at the charge in this stretch
+  int looked_ = 0;       // of them
   std::int64_t looked_ever_ = 0;
   std::unique_ptr<scene::Engine> engine_;
   int stretch_ = 0;            // 0: settling

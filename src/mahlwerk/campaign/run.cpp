@@ -88,9 +88,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
     const auto count = static_cast<std::size_t>(what.run.replicates);
     for (std::size_t i = 0; i < count; ++i) jobs.push_back({outcomes.size(), static_cast<int>(i)});
     wanted += (what.run.time + what.run.settle) * static_cast<double>(count);
-    outcomes.push_back({.what = what,
-                        .replicates = {count, results::empty_replicate(what)},
-                        .notes = {}});
+    outcomes.push_back(
+        {.what = what, .replicates = {count, results::empty_replicate(what)}, .notes = {}});
   }
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int threads = options.threads > 0 ? options.threads : cores;

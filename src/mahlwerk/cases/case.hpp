@@ -22,8 +22,9 @@ namespace mahlwerk::cases {
 struct Mill {
   std::string model;  ///< name in the catalogue; empty if the case gives its own numbers
   kinematics::AnyMotion motion;
-  Vec3 jar_axis{0, 0, 1};   ///< unit vector the mounted jar's own z axis points along
-  std::string motion_file;  ///< of a tabulated motion, as written; relative to the case file
+  std::int64_t jars_carried = 1;  ///< all alike; one of them is simulated
+  Vec3 jar_axis{0, 0, 1};         ///< unit vector the mounted jar's own z axis points along
+  std::string motion_file;        ///< of a tabulated motion, as written; relative to the case file
   bool operator==(const Mill&) const = default;
 };
 
@@ -141,10 +142,10 @@ struct Until {
 };
 
 struct Run {
-  std::string engine = "event";  ///< "event", "soft" or "auto"
-  double time = 0;               ///< [s] counted; with `until`: at most
+  std::string engine = "event";               ///< "event", "soft" or "auto"
+  double time = 0;                            ///< [s] counted; with `until`: at most
   std::optional<Until> until = std::nullopt;  ///< ends each replicate sooner
-  double settle = 0;             ///< [s] before that, not counted
+  double settle = 0;                          ///< [s] before that, not counted
   std::int64_t replicates = 1;
   double start_speed = 0;  ///< [m/s] starting speeds are uniform in 0 ... this
   double start_spin = 0;   ///< [rad/s] starting spins are uniform in 0 ... this

@@ -112,6 +112,11 @@ void check_balls(ValueCheck& check, const std::vector<BallSet>& balls) {
   }
 }
 
+void check_mill(ValueCheck& check, const Mill& mill) {
+  std::visit([&](const auto& m) { check.fields("mill.", m, m.fields()); }, mill.motion);
+  check.whole("mill.jars_carried", mill.jars_carried, most_jars);
+}
+
 void check_run(ValueCheck& check, const Run& run) {
   check.word("run.engine", run.engine, engines());
   check.fields("run.", run, run_fields());
@@ -133,7 +138,7 @@ void check_heat(ValueCheck& check, const Heat& heat) {
 std::vector<Fault> bad_values(const Case& c) {
   ValueCheck check(c);
   check.fields("", c, case_fields());
-  std::visit([&](const auto& m) { check.fields("mill.", m, m.fields()); }, c.mill.motion);
+  check_mill(check, c.mill);
   if (axis_word(c.mill.jar_axis).empty())
     check.fault("mill.jar_axis",
                 "mill.jar_axis must be vertical (0, 0, 1) or horizontal (1, 0, 0)");

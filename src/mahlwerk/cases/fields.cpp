@@ -45,9 +45,9 @@ const std::vector<std::string>& damping_words() {
 }
 
 const std::vector<std::string>& until_words() {
-  static const std::vector<std::string> words{
-      "dissipated_power", "drawn_power", "collision_rate", "collision_rate_above_threshold",
-      "energy_normal_mean"};
+  static const std::vector<std::string> words{"dissipated_power", "drawn_power", "collision_rate",
+                                              "collision_rate_above_threshold",
+                                              "energy_normal_mean"};
   return words;
 }
 

@@ -12,6 +12,7 @@
 // The numbers of a case that belong to no model: reader, writer and checks share these tables.
 namespace mahlwerk::cases {
 
+constexpr std::int64_t most_jars = 100;
 constexpr Range restitution_range{.least = 0, .most = 1};
 constexpr Range tangential_range{.least = -1, .most = 1};
 constexpr std::int64_t most_replicates = 10000;
@@ -137,8 +138,12 @@ constexpr auto run_fields() {
 
 /// Of [run] time = "until 2 %".
 constexpr Range until_range{.least = 0, .most = 1, .without_least = true};
-constexpr Field<Run> longest{"longest", "s", &Run::time, positive,
-                             "the counted time at which a run ends that is not sure by then", 100.0,
+constexpr Field<Run> longest{"longest",
+                             "s",
+                             &Run::time,
+                             positive,
+                             "the counted time at which a run ends that is not sure by then",
+                             100.0,
                              "a limit that few runs need"};
 const std::vector<std::string>& until_words();  ///< quantities that a run can wait for
 

@@ -142,6 +142,20 @@ Vec3 read_axis(Section& in, const Vec3& standard) {
 
 }  // namespace
 
+namespace {
+
+std::int64_t read_jars(Section& in) {
+  const Wanted wanted("jars_carried", "", {.least = 1, .most = most_jars},
+                      "how many jars, all alike, the mill carries");
+  const double jars = in.maybe(wanted).value_or(1);
+  if (const Node* at = in.find(wanted.key); at != nullptr && jars != std::round(jars))
+    in.fault(*at, "`jars_carried` must be a whole number", "write for instance jars_carried = 2",
+             "out-of-range");
+  return std::isnan(jars) ? 1 : std::llround(jars);
+}
+
+}  // namespace
+
 Mill read_mill(const Node* table, const Case& c, const std::string& folder,
                const Catalogue& catalogue, Findings& findings) {
   Mill mill;
@@ -156,6 +170,7 @@ Mill read_mill(const Node* table, const Case& c, const std::string& folder,
     read_measured(in, mill, folder);
   else
     std::visit([&](auto& motion) { read_motion(in, motion, c, model); }, mill.motion);
+  mill.jars_carried = read_jars(in);
   in.close();
   return mill;
 }

@@ -69,6 +69,7 @@ void write_mill(Writer& out, const Mill& mill) {
   if (std::holds_alternative<kinematics::Planetary>(mill.motion))
     out.word("ratio_convention", "relative");
   out.name("jar_axis", axis_word(mill.jar_axis));
+  if (mill.jars_carried != 1) out.line("jars_carried", std::to_string(mill.jars_carried));
 }
 
 void write_jar(Writer& out, const Jar& jar) {

@@ -15,8 +15,8 @@ PairSums PairTally::all() const {
 
 void PairTally::add(const Columns& c, std::size_t i, bool is_above, const PairFactors& factors) {
   constexpr double degrees = 180 / std::numbers::pi;
-  const auto degree = static_cast<std::size_t>(
-      std::min(static_cast<int>(c.angle[i] * degrees), angle_bins - 1));
+  const auto degree =
+      static_cast<std::size_t>(std::min(static_cast<int>(c.angle[i] * degrees), angle_bins - 1));
   Spectra& s = spectra;
   s.energy_normal.add(c.energy_normal[i], c.bin_normal[i]);
   s.energy_contact_point.add(c.energy_contact_point[i], c.bin_contact_point[i]);
@@ -29,12 +29,16 @@ void PairTally::add(const Columns& c, std::size_t i, bool is_above, const PairFa
   ++s.angle_all[degree];
   slid += factors.slid_per_loss * c.lost_tangential[i];
   erosion += c.erosion[i];
-  if (!factors.flash_per_loss.empty())
-    s.flash.add(factors.flash_per_loss[static_cast<std::size_t>(c.bin_normal[i])] * c.lost[i]);
+  if (!factors.flash_per_loss.empty()) {
+    const double rise =
+        factors.flash_per_loss[static_cast<std::size_t>(c.bin_normal[i])] * c.lost[i];
+    s.flash.add(rise);
+    flash += rise * c.lost[i];
+  }
   if (c.duration[i] > 0) s.duration.add(c.duration[i]);
   if (!is_above) return;
-  above.add({1, c.energy_normal[i], c.energy_contact_point[i], c.lost_normal[i],
-             c.lost_tangential[i]});
+  above.add(
+      {1, c.energy_normal[i], c.energy_contact_point[i], c.lost_normal[i], c.lost_tangential[i]});
   ++s.angle_above[degree];
 }
 
@@ -43,10 +47,11 @@ void PairTally::merge(const PairTally& other) {
   spectra.merge(other.spectra);
   slid += other.slid;
   erosion += other.erosion;
+  flash += other.flash;
 }
 
 void PairTally::carry(Archive& archive) {
-  archive(above)(slid)(erosion);
+  archive(above)(slid)(erosion)(flash);
   spectra.carry(archive);
 }
 

@@ -51,8 +51,8 @@ struct PairSums {
 
 /// What turns a pair's losses into wear and heat.
 struct PairFactors {
-  double slid_per_loss = 0;  ///< [1] force times way slid over tangential loss (wea.2)
-  /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.2); empty:
+  double slid_per_loss = 0;  ///< [1] force times way slid over tangential loss (wea.3)
+  /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.7); empty:
   /// flashes are not counted.
   std::vector<double> flash_per_loss;
 };
@@ -62,7 +62,8 @@ struct PairTally {
   PairSums above;  ///< u_n >= threshold
   Spectra spectra;
   double slid = 0;     ///< [N m] integral of normal force times way slid
-  double erosion = 0;  ///< [J] sum of m u^2 f(alpha)
+  double erosion = 0;  ///< [J] sum of m u^2 f(alpha) (wea.4)
+  double flash = 0;    ///< [K J] sum of the temperature's rise times the energy lost
 
   PairSums all() const;
   void add(const Columns& c, std::size_t i, bool above, const PairFactors& factors);
@@ -70,17 +71,16 @@ struct PairTally {
   void carry(Archive& archive);
 };
 
-/// A tally for each two kinds of balls, and for each kind with each face of the jar, in fixed memory:
-/// made when the first such collision comes.
+/// A tally for each two kinds of balls, and for each kind with each face of the jar, in fixed
+/// memory: made when the first such collision comes.
 class ByPair {
  public:
   explicit ByPair(BallKinds kinds = {});
 
   int pair_of(const scene::Collision& c) const {
     const std::int32_t row = kinds_.kinds() + kinds_.faces();
-    const std::int32_t other = c.other < 0
-                                   ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1)
-                                   : kinds_.of(c.other);
+    const std::int32_t other =
+        c.other < 0 ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1) : kinds_.of(c.other);
     return number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
   }
   /// Where a collision of that kind of pair is counted.

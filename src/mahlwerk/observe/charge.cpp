@@ -26,8 +26,8 @@ int angle_slot(double x, double y) {
 Charge::Charge(const scene::Chamber& mill) : mass_at(angles), mill_(mill) {
   const double half = std::visit([](const auto& s) { return s.reach(); }, mill.shape);
   in_jar = in_carrier = PlaneField(half);
-  const Vec3 normal = std::visit([](const auto& m) { return kinematics::plane_normal(m); },
-                                 mill.motion);
+  const Vec3 normal =
+      std::visit([](const auto& m) { return kinematics::plane_normal(m); }, mill.motion);
   const Vec3 z{0, 0, 1}, x{1, 0, 0};
   const bool flat = std::abs(normal.z) > 0.9;  // the plane is seen from above, else upright
   right_ = flat ? x : cross(z, normal) * (1 / norm(cross(z, normal)));
@@ -75,7 +75,8 @@ void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec
             const geometry::Gap gap = shape.gap(face, own.back(ball.position));
             if (!(gap.distance - ball.radius < near * ball.radius)) continue;
             const Vec3 n = own * gap.inward, arm = -ball.radius * n;
-            const Vec3 slip = ball.velocity + cross(ball.spin, arm) - cross(spin, ball.position + arm);
+            const Vec3 slip =
+                ball.velocity + cross(ball.spin, arm) - cross(spin, ball.position + arm);
             at_wall += weight * ball.mass();
             wall_slip += weight * ball.mass() * norm(across(slip, n));
             return;

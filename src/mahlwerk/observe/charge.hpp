@@ -29,7 +29,8 @@ class Charge {
 
   PlaneField in_jar;      ///< seen from the turning jar
   PlaneField in_carrier;  ///< seen from what carries it: the disc, or the laboratory's axes
-  /// [kg s] at each angle about the jar's axis in the plane, from `right` on, seen from the carrier.
+  /// [kg s] at each angle about the jar's axis in the plane, from `right` on, seen from the
+  /// carrier.
   std::vector<double> mass_at;
   double at_wall = 0;    ///< [kg s] of balls within a hundredth of their radius from the wall
   double wall_slip = 0;  ///< [kg m] of those, times the speed at which they slip

@@ -84,9 +84,9 @@ template <class T, class V>
                                              Lanes axial) {
   constexpr double level = std::numbers::sqrt2 / 2;
   const Lanes none{}, turn = share_of_turn(x, y);
-  const Lanes side = slot((z - g.bottom) * (1 / (g.top - g.bottom)), WallGrid::along) *
-                         WallGrid::around +
-                     slot(turn, WallGrid::around);
+  const Lanes side =
+      slot((z - g.bottom) * (1 / (g.top - g.bottom)), WallGrid::along) * WallGrid::around +
+      slot(turn, WallGrid::around);
   const Lanes ring = slot((x * x + y * y) * (1 / (g.radius * g.radius)), WallGrid::rings);
   const Lanes disc = WallGrid::side_cells + ring * WallGrid::sectors +
                      slot(turn, WallGrid::sectors) +
@@ -102,7 +102,8 @@ double impact_angle(double approach, double slip) {
 
 int cell_of(const WallGrid& grid, const Vec3& where, double axial) {
   const Lanes none{};
-  return static_cast<int>(cells_of(grid, none + where.x, none + where.y, none + where.z, none + axial)[0]);
+  return static_cast<int>(
+      cells_of(grid, none + where.x, none + where.y, none + where.z, none + axial)[0]);
 }
 
 void Columns::take(std::span<const scene::Collision> records, const WallGrid& wall) {

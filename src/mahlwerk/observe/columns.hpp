@@ -36,10 +36,10 @@ struct Columns {
   Column<double> mass, approach, slip, glide, lost_normal, lost_tangential, duration;
   Column<double> x, y, z, axial;  // [m] where; component of the normal along the jar's axis
   // What follows.
-  Column<double> energy_normal, energy_tangential;             // [J] m u_n^2/2, m u_t^2/2
-  Column<double> energy_contact_point, energy_centre, lost;    // [J]
-  Column<double> angle;                                        // [rad]
-  Column<double> erosion;                                      // [J] m u^2 f(alpha) (wea.4)
+  Column<double> energy_normal, energy_tangential;           // [J] m u_n^2/2, m u_t^2/2
+  Column<double> energy_contact_point, energy_centre, lost;  // [J]
+  Column<double> angle;                                      // [rad]
+  Column<double> erosion;                                    // [J] m u^2 f(alpha) (wea.4)
   // Bins of LogHistogram.
   Column<std::int64_t> bin_normal, bin_tangential, bin_contact_point, bin_centre, bin_lost,
       bin_lost_normal, bin_lost_tangential, bin_approach;

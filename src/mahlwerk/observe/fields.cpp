@@ -19,7 +19,8 @@ void PlaneField::add(double x, double y, double u, double v, double speed2, doub
   const double width = 2 * half_ / cells;
   const double a = std::clamp((x + half_) / width - 0.5, 0.0, cells - 1.0);
   const double b = std::clamp((y + half_) / width - 0.5, 0.0, cells - 1.0);
-  const int i = std::min(static_cast<int>(a), cells - 2), j = std::min(static_cast<int>(b), cells - 2);
+  const int i = std::min(static_cast<int>(a), cells - 2),
+            j = std::min(static_cast<int>(b), cells - 2);
   const double right = a - i, up = b - j;
   for (const int di : {0, 1})
     for (const int dj : {0, 1}) {

@@ -10,8 +10,8 @@
 
 namespace mahlwerk::observe {
 
-/// Where the charge is on average, and how it moves there, on a square grid in a plane (obs.5): each
-/// ball's mass is shared out among the four cells whose middles are nearest. In fixed memory.
+/// Where the charge is on average, and how it moves there, on a square grid in a plane (obs.5):
+/// each ball's mass is shared out among the four cells whose middles are nearest. In fixed memory.
 class PlaneField {
  public:
   static constexpr int cells = 48;  ///< along each side
@@ -19,8 +19,8 @@ class PlaneField {
   /// From -`half` to `half` [m] both ways.
   explicit PlaneField(double half = 1) : half_(half), sums_(std::size_t{cells} * cells) {}
 
-  /// A ball of `mass` [kg] at (x, y) [m] that moves with (u, v) [m/s] in the plane and whose squared
-  /// speed is `speed2`; `weight` [s] is the time it stands for.
+  /// A ball of `mass` [kg] at (x, y) [m] that moves with (u, v) [m/s] in the plane and whose
+  /// squared speed is `speed2`; `weight` [s] is the time it stands for.
   void add(double x, double y, double u, double v, double speed2, double mass, double weight);
   /// Those of one time have been added: `weight` [s] more of time.
   void pass(double weight) { time_ += weight; }

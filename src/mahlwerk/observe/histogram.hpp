@@ -37,7 +37,8 @@ class LogHistogram {
   void add(double value, std::int64_t at) {
     Bin& bin = bins_[static_cast<std::size_t>(at)];
     ++bin.count;
-    bin.sum += at > 0 && at < bins - 1 ? Whole{mantissa_of(value) | implicit_bit} : rough(value, at);
+    bin.sum +=
+        at > 0 && at < bins - 1 ? Whole{mantissa_of(value) | implicit_bit} : rough(value, at);
   }
   void merge(const LogHistogram& other);
   void carry(Archive& archive) { archive(bins_); }

@@ -30,7 +30,7 @@ class Replay {
 
   const std::vector<double>& times() const { return times_; }
   std::size_t balls() const { return shown_; }
-  std::size_t every() const { return every_; }  ///< each so manieth ball is shown
+  std::size_t every() const { return every_; }       ///< each so manieth ball is shown
   double place_unit() const { return place_unit_; }  ///< [m]
   /// Frame after frame, ball after ball: x, y, z in place_unit(), in the jar frame.
   const std::vector<std::array<std::int16_t, 3>>& places() const { return places_; }

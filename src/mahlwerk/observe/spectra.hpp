@@ -19,10 +19,14 @@ class JointHistogram {
 
   JointHistogram() : counts_(static_cast<std::size_t>(bins) * bins) {}
   /// Bins as LogHistogram::bin_of() tells them; what lies beyond the ends goes into the outermost.
-  void add(std::int64_t normal, std::int64_t tangential) { ++counts_[place(octave(normal), octave(tangential))]; }
+  void add(std::int64_t normal, std::int64_t tangential) {
+    ++counts_[place(octave(normal), octave(tangential))];
+  }
   void merge(const JointHistogram& other);
   void carry(Archive& archive) { archive(counts_); }
-  std::int64_t count(int normal, int tangential) const { return counts_[place(normal, tangential)]; }
+  std::int64_t count(int normal, int tangential) const {
+    return counts_[place(normal, tangential)];
+  }
   static double lower(int bin);  ///< [J] edge; that of the first is 0
 
  private:

@@ -16,10 +16,10 @@ struct Estimate {
 /// `values`: one per replicate, at least one (sta.1).
 Estimate estimate(const std::vector<double>& values);
 
-/// The mean of a series that keeps its character while it goes on, values evenly spaced in time, and
-/// the half-width that its own scatter gives: values are put into batches, twice as many a batch
-/// until neighbouring batches hardly know of each other, and what is left of that is allowed for
-/// (sta.3), (sta.4). NaN for fewer than ten values.
+/// The mean of a series that keeps its character while it goes on, values evenly spaced in time,
+/// and the half-width that its own scatter gives: values are put into batches, twice as many a
+/// batch until neighbouring batches hardly know of each other, and what is left of that is allowed
+/// for (sta.3), (sta.4). NaN for fewer than ten values.
 Estimate over_time(const std::vector<double>& values);
 
 /// How many of the first values belong to a start that the rest does not remember: those whose

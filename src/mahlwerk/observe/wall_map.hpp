@@ -14,12 +14,12 @@ namespace mahlwerk::observe {
 /// How a jar's wall is cut into cells (obs.4): its own z axis is that of an unrolled cylinder, and
 /// what faces along that axis belongs to one of two discs. Every place is in exactly one cell.
 struct WallGrid {
-  static constexpr int around = 60, along = 30;   ///< of the unrolled side
-  static constexpr int rings = 6, sectors = 30;   ///< of each disc; rings have equal areas
+  static constexpr int around = 60, along = 30;  ///< of the unrolled side
+  static constexpr int rings = 6, sectors = 30;  ///< of each disc; rings have equal areas
   static constexpr int side_cells = around * along, disc_cells = rings * sectors;
   static constexpr int cells = side_cells + 2 * disc_cells;
 
-  double radius = 1;          ///< [m] largest distance from the axis
+  double radius = 1;            ///< [m] largest distance from the axis
   double bottom = -1, top = 1;  ///< [m] ends along the axis
 
   enum class Part { side, bottom, top };
@@ -37,7 +37,7 @@ struct WallSums {
   std::int64_t count = 0;
   double energy_normal = 0, lost = 0;  ///< [J]
   double slid = 0;                     ///< [N m] integral of normal force times way slid
-  double erosion = 0;                  ///< [J] sum of m u^2 f(alpha)
+  double erosion = 0;                  ///< [J] sum of m u^2 f(alpha) (wea.4)
 };
 
 /// Where the jar is hit, and what that does to it, in fixed memory: 0.1 MB.

@@ -158,7 +158,8 @@ bool Beside::apart() const {
 Comparison compare(const Outcome& event, const Outcome& soft) {
   constexpr int octaves = 10;  // of speed: the top thousandfold
   constexpr int octave = LogHistogram::per_octave;
-  const Spectra speeds(event, soft, &observe::Spectra::approach), energies(event, soft, &observe::Spectra::energy_normal);
+  const Spectra speeds(event, soft, &observe::Spectra::approach),
+      energies(event, soft, &observe::Spectra::energy_normal);
   return {.title = event.what.title,
           .threshold = event.what.observe.threshold,
           .event = side(event),

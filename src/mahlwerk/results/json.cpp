@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mahlwerk/results/pairs.hpp"
+#include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::results {
@@ -34,6 +35,8 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"title", outcome.what.title},
           {"seed", outcome.what.seed},
           {"engine", outcome.what.run.engine},
+          {"regime", regime(outcome)},
+          {"regime_reason", regime_reason(outcome)},
           {"notes", outcome.notes},
           {"warnings", warnings(outcome)},
           {"threshold", outcome.what.observe.threshold},
@@ -47,7 +50,11 @@ Json about(const Outcome& outcome, std::string_view version) {
 }
 
 Json object(const Quantity& q) {
-  return {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}, {"about", q.about}};
+  return {{"value", q.value},
+          {"ci95", q.ci95},
+          {"ci95_time", q.ci95_time},
+          {"unit", q.unit},
+          {"about", q.about}};
 }
 
 Json table_of(const std::vector<PairSummary>& pairs) {

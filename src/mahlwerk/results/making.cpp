@@ -8,6 +8,8 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/wear_heat.hpp"
+#include "mahlwerk/powder/wear.hpp"
 #include "mahlwerk/results/jar_surface.hpp"
 
 namespace mahlwerk::results {
@@ -27,11 +29,27 @@ observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   return grid;
 }
 
-/// Force times way slid over what was lost by it (wea.2). A rule without a limit of friction slides
-/// as lasting contacts do.
-double slid_per_loss(const cases::Case& what, const contact::BounceRule& rule) {
-  const double mu = std::isfinite(rule.friction) ? rule.friction : what.contact.lasting_friction;
-  return mu > 0 ? 1 / mu : 0;
+/// (hea.7) by bins of the normal energy, each at its middle.
+std::vector<double> flash_per_loss(const powder::FlashPair& pair) {
+  using observe::LogHistogram;
+  std::vector<double> factors;
+  for (int bin = 0; bin < LogHistogram::bins; ++bin)
+    factors.push_back(powder::flash_factor(
+        std::sqrt(LogHistogram::lower(bin) * LogHistogram::lower(bin + 1)), pair));
+  return factors;
+}
+
+observe::PairFactors factors(const cases::Case& what, const contact::BounceRule& rule, int one,
+                             int other) {
+  observe::PairFactors made{
+      .slid_per_loss = powder::force_slid(1, cases::sliding_friction(what, rule)),
+      .flash_per_loss = {}};
+  if (what.heat)
+    made.flash_per_loss =
+        flash_per_loss(other < 0 ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
+                                 : cases::flash_pair(what, static_cast<std::size_t>(one),
+                                                     static_cast<std::size_t>(other)));
+  return made;
 }
 
 }  // namespace
@@ -39,18 +57,17 @@ double slid_per_loss(const cases::Case& what, const contact::BounceRule& rule) {
 Replicate empty_replicate(const cases::Case& what) {
   std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
   const std::size_t faces = cases::face_names(what.jar.shape).size();
-  observe::BallKinds kinds(what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
-                           static_cast<int>(what.balls.size()),
-                           faces > most_faces ? 1 : static_cast<int>(faces));
+  observe::BallKinds kinds(
+      what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
+      static_cast<int>(what.balls.size()), faces > most_faces ? 1 : static_cast<int>(faces));
   Replicate made(what.observe.threshold, std::move(kinds), wall_grid(what.jar.shape));
   const contact::BounceTable rules = cases::bounce_table(what);
   observe::ByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
     if (other < 0 && faces == 0) continue;
-    const contact::BounceRule& rule =
-        other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
-    pairs.know(pair, {.slid_per_loss = slid_per_loss(what, rule), .flash_per_loss = {}});
+    const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
+    pairs.know(pair, factors(what, rule, one, other));
   }
   return made;
 }

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/results/measure.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 using observe::ByPair;
 using observe::PairSums;
 using observe::PairTally;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A kind of pair under its names, and the tallies it is made of.
 struct PairKind {
@@ -77,9 +77,8 @@ std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const ByPair& pair
       continue;
     }
     list.push_back({one,
-                    kinds.with_jar()
-                        ? std::string(jar)
-                        : cases::set_name(what, static_cast<std::size_t>(kinds.other)),
+                    kinds.with_jar() ? std::string(jar)
+                                     : cases::set_name(what, static_cast<std::size_t>(kinds.other)),
                     {pair}});
   }
   return list;
@@ -115,8 +114,7 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
   const std::vector<const Replicate*> chosen = averaged(outcome);
   std::vector<PairSummary> found;
   if (chosen.empty()) return found;
-  const std::vector<PairKind> kinds =
-      kinds_of_pairs(outcome.what, chosen.front()->tally.by_pair);
+  const std::vector<PairKind> kinds = kinds_of_pairs(outcome.what, chosen.front()->tally.by_pair);
   if (kinds.size() == 1 || cases::kinds_of_balls(outcome.what).size() == 1) return found;
   for (const PairKind& kind : kinds) {
     PairSummary made{kind.one, kind.other, {}};

@@ -68,8 +68,7 @@ Table single(const Outcome& outcome, Histogram part, std::vector<Column> columns
   const MeanSpectra spectra(averaged(outcome));
   const auto [first, last] = spectra.filled({part});
   for (int bin = first; bin < last; ++bin)
-    table.rows.push_back(
-        {lower_edge(bin), LogHistogram::lower(bin + 1), spectra.rate(part, bin)});
+    table.rows.push_back({lower_edge(bin), LogHistogram::lower(bin + 1), spectra.rate(part, bin)});
   return table;
 }
 

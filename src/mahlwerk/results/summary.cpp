@@ -9,38 +9,17 @@
 #include <utility>
 
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/measure.hpp"
+#include "mahlwerk/results/milling.hpp"
+#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/series.hpp"
+#include "mahlwerk/results/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {
 
 using observe::Sums;
 using scene::Account;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// A number of one replicate, taken from its case and itself.
-struct Measure {
-  std::string name, unit, about;
-  double (*of)(const cases::Case&, const Replicate&);
-  bool worst = false;  ///< over replicates: the largest instead of the mean
-};
-
-double share(double part, double whole) {
-  return whole > 0 ? part / whole : nothing;
-}
-
-double per_time(const Replicate& r, double Account::*what) {
-  return share(r.account.*what - r.at_settled.*what, r.time());
-}
-
-double dissipated_power(const cases::Case&, const Replicate& r) {
-  return share(r.account.lost() - r.at_settled.lost(), r.time());
-}
-
-double balls(const cases::Case& c) {
-  double all = 0;
-  for (const cases::BallSet& set : c.balls) all += static_cast<double>(set.count);
-  return all;
-}
 
 double energy_balance(const cases::Case&, const Replicate& r) {
   const Account& a = r.account;
@@ -95,7 +74,8 @@ const std::vector<Measure>& rates() {
        "collisions above the threshold per second that the balls are not in lasting contact",
        [](const cases::Case& c, const Replicate& r) {
          const double contact = r.account.contact_time - r.at_settled.contact_time;
-         return share(static_cast<double>(r.tally.above.count), r.time() - contact / balls(c));
+         return share(static_cast<double>(r.tally.above.count),
+                      r.time() - contact / count_of_balls(c));
        }},
   };
   return list;
@@ -129,12 +109,12 @@ const std::vector<Measure>& partners() {
 const std::vector<Measure>& powers() {
   static const std::vector<Measure> list{
       {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
-       dissipated_power},
+       [](const cases::Case&, const Replicate& r) { return dissipated_power(r); }},
       {"drawn_power", "W", "work of the jar on the balls per time",
        [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::wall_work); }},
       {"contact_time_share", "1", "share of the balls' time spent in lasting contact",
        [](const cases::Case& c, const Replicate& r) {
-         return per_time(r, &Account::contact_time) / balls(c);
+         return per_time(r, &Account::contact_time) / count_of_balls(c);
        }},
       {"lasting_contacts_rate", "1/s", "lasting contacts begun per second",
        [](const cases::Case&, const Replicate& r) {
@@ -170,21 +150,6 @@ const Measure& tc_share() {
                      static_cast<double>(r.account.collisions - r.at_settled.collisions));
       }};
   return measure;
-}
-
-const std::vector<Measure>& doses() {
-  static const std::vector<Measure> list{
-      {"specific_energy_dose_rate", "W/g",
-       "dissipated power per mass of powder: what the powder gets at most",
-       [](const cases::Case& c, const Replicate& r) {
-         return dissipated_power(c, r) / (1000 * c.powder->mass);
-       }},
-      {"specific_energy_dose", "J/g", "that dose rate times the counted time of the case",
-       [](const cases::Case& c, const Replicate& r) {
-         return dissipated_power(c, r) / (1000 * c.powder->mass) * c.run.time;
-       }},
-  };
-  return list;
 }
 
 double ratio(const cases::Case& c) {
@@ -304,12 +269,17 @@ bool complete(const Outcome& outcome) {
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate) {
   Gathering gathering(outcome, replicate);
   gathering.add(rates());
-  if (balls(outcome.what) > 1) gathering.add(partners());
+  if (count_of_balls(outcome.what) > 1) gathering.add(partners());
   for (const CollisionMean& m : collision_means()) gathering.add(m);
   gathering.add(powers());
   if (outcome.what.run.engine == "soft") gathering.add(losses());
   if (has_tc(outcome)) gathering.add(tc_share());
-  if (outcome.what.powder && outcome.what.powder->mass > 0) gathering.add(doses());
+  gathering.add(mill_measures(outcome.what));
+  gathering.add(ledger_measures());
+  gathering.add(dose_measures(outcome.what));
+  gathering.add(regime_measures(outcome.what));
+  gathering.add(wear_measures(outcome.what));
+  gathering.add(heat_measures(outcome.what));
   gathering.add(grains(outcome.what));
   gathering.add(checks());
   return gathering.found();
@@ -325,6 +295,7 @@ std::vector<Quantity> summarise(const Outcome& outcome) {
     std::vector<double> values;
     for (const auto& one : each) values.push_back(one[i].value);
     combine(list[i], values);
+    list[i].ci95_time = ci95_over_time(chosen, list[i].name);
   }
   for (const auto* some : {&grains(outcome.what), &checks()})
     for (const Measure& m : *some) {
@@ -334,6 +305,8 @@ std::vector<Quantity> summarise(const Outcome& outcome) {
       q.value = worst(outcome, m);
       q.ci95 = nothing;
     }
+  list.push_back({"settling_time", settling_time(chosen), nothing, "s",
+                  "of the counted time, what the dissipated power shows to belong to the start"});
   list.push_back({"replicates", static_cast<double>(chosen.size()), nothing, "1",
                   "independent replicates that the means are taken over"});
   return list;

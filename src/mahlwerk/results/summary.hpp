@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,11 @@ struct Quantity {
   double ci95 = 0;  ///< half-width over replicates; NaN with fewer than two
   std::string unit;
   std::string about;
+  /// Half-width that the scatter over time within replicates gives; NaN where there is none.
+  double ci95_time = std::numeric_limits<double>::quiet_NaN();
+
+  /// The half-width to show: over replicates, else over time.
+  double half_width() const { return std::isfinite(ci95) ? ci95 : ci95_time; }
 };
 
 /// The quantities of summary.json, in their order (docs/formats.md).

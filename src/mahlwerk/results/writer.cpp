@@ -14,6 +14,8 @@
 #include "mahlwerk/results/result_file.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/wall.hpp"
+#include "mahlwerk/results/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -39,15 +41,24 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
       {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
       {"speeds", "collisions per bin of normal speed", speeds(outcome)},
       {"angles", "collisions per degree of impact angle", angles(outcome)},
+      {"normal_tangential", "collisions per bin of normal and of tangential energy",
+       normal_tangential(outcome)},
       {"timeseries", "the run in equal stretches of its counted time", time_series(outcome)},
       {"replicates", "the quantities of each replicate", replicates(outcome)}};
-  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty()) {
+  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
     all.push_back({"collisions_by_pair", "quantities by kind of pair", collisions_by_pair(pairs)});
-    all.push_back({"spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
-                   spectra_by_pair(outcome)});
-  }
-  if (Table many = sizes(outcome.what); !many.rows.empty())
-    all.push_back({"sizes", "the sizes of balls of each set", std::move(many)});
+  const auto unless_empty = [&](std::string name, std::string about, Table table) {
+    if (!table.rows.empty()) all.push_back({std::move(name), std::move(about), std::move(table)});
+  };
+  unless_empty("spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
+               spectra_by_pair(outcome));
+  unless_empty("durations", "contacts per bin of how long they lasted", durations(outcome));
+  unless_empty("flashes", "collisions per bin of the rise of the temperature", flashes(outcome));
+  unless_empty("wall_map", "where the jar is hit and worn", wall_map(outcome));
+  unless_empty("fields", "where the charge is and how it moves", fields(outcome));
+  unless_empty("wear", "what balls and jar lose", wear(outcome));
+  unless_empty("temperature", "of balls and jar over milling and pauses", temperatures(outcome));
+  unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
   if (const auto* measured = std::get_if<kinematics::Tabulated>(&outcome.what.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)

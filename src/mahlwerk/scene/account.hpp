@@ -17,10 +17,10 @@ struct Account {
   double lost_tangential = 0;  ///< dissipated in collisions, along the wall
   double lost_lasting =
       0;  ///< dissipated in lasting contacts: sliding, rolling, and on entering one
-  double lost_rolling = 0;     ///< dissipated by rolling resistance of touching bodies
-  double elastic = 0;          ///< stored in contacts now
-  double lost_open = 0;  ///< of the losses, by contacts that go on: no record tells of them yet
-  double slid = 0;             ///< of lost_tangential, by slip at the Coulomb limit
+  double lost_rolling = 0;  ///< dissipated by rolling resistance of touching bodies
+  double elastic = 0;       ///< stored in contacts now
+  double lost_open = 0;     ///< of the losses, by contacts that go on: no record tells of them yet
+  double slid = 0;          ///< of lost_tangential, by slip at the Coulomb limit
   double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
   double deepest_overlap = 0;  ///< [1] of two bodies as they collided, over the ball's radius
   double contact_time = 0;     ///< [s] ball time in lasting contact

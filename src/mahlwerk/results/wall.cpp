@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/wall.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+
+#include "mahlwerk/observe/columns.hpp"
+#include "mahlwerk/results/jar_surface.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/wear.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::PlaneField;
+using observe::WallGrid;
+
+/// Calls `of` with pieces of a triangle no longer than `most` [m]: halved across its longest edge.
+template <class Of>
+void in_pieces(const std::array<Vec3, 3>& t, double most, const Of& of) {
+  std::size_t longest = 0;
+  double length = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
+      length = l;
+      longest = k;
+    }
+  if (length <= most) return of(t);
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+  const Vec3 middle = 0.5 * (a + b);
+  in_pieces({a, middle, c}, most, of);
+  in_pieces({middle, b, c}, most, of);
+}
+
+Vec3 area_vector(const std::array<Vec3, 3>& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+template <class Of>
+void for_triangles(const geometry::AnyShape& shape, const Of& of) {
+  for (const JarMesh& mesh : jar_surface(shape))
+    for (const auto& [a, b, c] : mesh.triangles)
+      of(std::array{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+}
+
+const char* part_name(int cell) {
+  switch (WallGrid::part(cell)) {
+    case WallGrid::Part::side:
+      return "side";
+    case WallGrid::Part::bottom:
+      return "bottom";
+    case WallGrid::Part::top:
+      return "top";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+  std::vector<double> areas(WallGrid::cells);
+  const double most = std::max(0.5 * grid.radius * 2 * 3.14159 / WallGrid::around, 1e-9);
+  for_triangles(shape, [&](const std::array<Vec3, 3>& whole) {
+    in_pieces(whole, most, [&](const std::array<Vec3, 3>& t) {
+      const Vec3 area = area_vector(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+      const double size = norm(area);
+      if (!(size > 0)) return;
+      areas[static_cast<std::size_t>(observe::cell_of(grid, middle, area.z / size))] += size;
+    });
+  });
+  return areas;
+}
+
+double wall_area(const geometry::AnyShape& shape) {
+  double area = 0;
+  for_triangles(shape, [&](const std::array<Vec3, 3>& t) { area += norm(area_vector(t)); });
+  return area;
+}
+
+WallRates wall_rates(const Outcome& outcome) {
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  constexpr auto n = static_cast<std::size_t>(WallGrid::cells);
+  WallRates rates{.grid = chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid(),
+                  .area = {},
+                  .rate = std::vector<double>(n),
+                  .energy_normal = std::vector<double>(n),
+                  .lost = std::vector<double>(n),
+                  .slid = std::vector<double>(n),
+                  .erosion = std::vector<double>(n)};
+  rates.area = wall_areas(outcome.what.jar.shape, rates.grid);
+  for (const Replicate* r : chosen) {
+    const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
+    for (std::size_t i = 0; i < n; ++i) {
+      const observe::WallSums& sums = r->tally.wall_map[static_cast<int>(i)];
+      rates.rate[i] += per * static_cast<double>(sums.count);
+      rates.energy_normal[i] += per * sums.energy_normal;
+      rates.lost[i] += per * sums.lost;
+      rates.slid[i] += per * sums.slid;
+      rates.erosion[i] += per * sums.erosion;
+    }
+  }
+  return rates;
+}
+
+Table wall_map(const Outcome& outcome) {
+  Table table{{{"part", "1", "of the wall: the unrolled side, or the discs at its ends"},
+               {"angle_low", "rad", "about the jar's own axis"},
+               {"angle_high", "rad", "likewise"},
+               {"across_low", "m", "height along the axis of the side, radius of a disc"},
+               {"across_high", "m", "likewise"},
+               {"area", "m2", "of the wall in the cell"},
+               {"rate", "1/s", "hits per second"},
+               {"power_normal", "W", "the sum of their m u_n^2/2 per second"},
+               {"power_lost", "W", "what they dissipate"},
+               {"slid", "N m/s", "normal force times way slid, per second"}},
+              {}};
+  const bool wears = outcome.what.wear.has_value();
+  if (wears)
+    table.columns.push_back({"wear_depth_rate", "m/s", "depth of wall worn off per second"});
+  if (averaged(outcome).empty()) return table;
+  const WallRates rates = wall_rates(outcome);
+  for (int cell = 0; cell < WallGrid::cells; ++cell) {
+    const auto i = static_cast<std::size_t>(cell);
+    if (rates.area[i] == 0 && rates.rate[i] == 0) continue;
+    const WallGrid::Bounds b = rates.grid.bounds(cell);
+    table.rows.push_back({table.columns[0].number_of(part_name(cell)), b.angle[0], b.angle[1],
+                          b.across[0], b.across[1], rates.area[i], rates.rate[i],
+                          rates.energy_normal[i], rates.lost[i], rates.slid[i]});
+    if (wears) {
+      const double volume = worn_off_wall(outcome.what, rates.slid[i], rates.erosion[i]);
+      table.rows.back().push_back(rates.area[i] > 0 ? volume / rates.area[i] : 0);
+    }
+  }
+  return table;
+}
+
+observe::Charge charge_of(const Outcome& outcome) {
+  observe::Charge sum;
+  for (const Replicate* r : averaged(outcome)) sum.merge(r->charge);
+  return sum;
+}
+
+Table fields(const Outcome& outcome) {
+  Table table{{{"frame", "1", "carrier: turning with the disc, or at rest; jar: turning with it"},
+               {"x", "m", "to the right in the plane, middle of the cell"},
+               {"y", "m", "up in the plane, likewise"},
+               {"density", "kg/m2", "mass of balls above an area of the plane, mean over time"},
+               {"velocity_x", "m/s", "of that mass"},
+               {"velocity_y", "m/s", "likewise"},
+               {"kinetic_energy", "J/m2", "of the balls' flight, seen from the frame"}},
+              {}};
+  const observe::Charge charge = charge_of(outcome);
+  if (!(charge.of_all > 0)) return table;
+  for (const auto& [name, field] :
+       {std::pair("carrier", &charge.in_carrier), std::pair("jar", &charge.in_jar)}) {
+    const double width = 2 * field->half() / PlaneField::cells;
+    for (int j = 0; j < PlaneField::cells; ++j)
+      for (int i = 0; i < PlaneField::cells; ++i) {
+        if (field->density(i, j) == 0) continue;
+        table.rows.push_back({table.columns[0].number_of(name), -field->half() + (i + 0.5) * width,
+                              -field->half() + (j + 0.5) * width, field->density(i, j),
+                              field->velocity_x(i, j), field->velocity_y(i, j),
+                              field->kinetic_energy(i, j)});
+      }
+  }
+  return table;
+}
+
+}  // namespace mahlwerk::results
