@@ -53,7 +53,7 @@ TEST_P(ByPairOfARun, sums_to_the_totals) {
   for (const results::Replicate& r : outcome.replicates) {
     observe::PairSums all, above;
     for (int i = 0; i < r.tally.by_pair.pairs(); ++i) {
-      all.add(r.tally.by_pair[i].all);
+      all.add(r.tally.by_pair[i].all());
       above.add(r.tally.by_pair[i].above);
     }
     EXPECT_GT(r.tally.all.count, 1000);
@@ -88,8 +88,8 @@ TEST_P(ByPairOfARun, is_the_same_after_a_state_was_written_and_read) {
   while (!second.done()) second.go_on();
   const results::Replicate one = whole.result(), other = second.result();
   for (int i = 0; i < one.tally.by_pair.pairs(); ++i) {
-    EXPECT_EQ(one.tally.by_pair[i].all.count, other.tally.by_pair[i].all.count);
-    EXPECT_EQ(one.tally.by_pair[i].all.energy_normal, other.tally.by_pair[i].all.energy_normal);
+    EXPECT_EQ(one.tally.by_pair[i].all().count, other.tally.by_pair[i].all().count);
+    EXPECT_EQ(one.tally.by_pair[i].all().energy_normal, other.tally.by_pair[i].all().energy_normal);
     EXPECT_EQ(one.tally.by_pair[i].above.lost_normal, other.tally.by_pair[i].above.lost_normal);
   }
 }
@@ -124,7 +124,7 @@ TEST(ByPairOfARun, tables_name_sets_and_units) {
   EXPECT_NE(rates.find("\nballs.2,powder,"), std::string::npos) << rates;
   const std::string spectra = results::csv(results::spectra_by_pair(outcome));
   EXPECT_TRUE(spectra.starts_with(
-      "one,other,energy_low_J,energy_high_J,rate_normal_per_s,power_normal_W\nballs.1,balls.1,"))
+      "one,other,energy_low_J,energy_high_J,rate_normal_per_s,rate_contact_point_per_s,"))
       << spectra;
   const std::string sizes = results::csv(results::sizes(outcome.what));
   EXPECT_TRUE(

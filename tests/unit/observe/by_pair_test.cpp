@@ -18,7 +18,7 @@ namespace {
 using tests::states;
 
 /// Ball 0 and 1 of kind 0, 2 of kind 1, 3 and 4 of kind 2.
-const BallKinds kinds({0, 0, 1, 2, 2}, 3);
+const BallKinds kinds({0, 0, 1, 2, 2}, 3, 2);
 
 std::vector<scene::Collision> some(std::uint64_t seed, int count) {
   Random random(seed, 0);
@@ -37,36 +37,34 @@ std::vector<scene::Collision> some(std::uint64_t seed, int count) {
   return list;
 }
 
-TEST(ByPair, every_two_kinds_and_every_kind_with_the_jar_have_one_tally) {
+TEST(ByPair, every_two_kinds_and_every_kind_with_each_face_have_one_tally) {
   const ByPair by_pair(kinds);
-  EXPECT_EQ(by_pair.pairs(), 9);
+  EXPECT_EQ(by_pair.pairs(), 12);
   std::set<std::pair<int, int>> seen;
   for (int i = 0; i < by_pair.pairs(); ++i) {
     const auto [one, other] = by_pair.kinds_of(i);
-    EXPECT_TRUE(other == ByPair::jar || other >= one);
+    EXPECT_TRUE(other < 0 || other >= one);
     seen.insert({one, other});
   }
-  EXPECT_EQ(seen.size(), 9U);
+  EXPECT_EQ(seen.size(), 12U);
 }
 
-TEST(ByPair, a_collision_counts_for_its_own_pair_whoever_is_named_first) {
-  ByPair by_pair(kinds);
-  scene::Collision c;
-  const auto counted = [&](std::int32_t ball, std::int32_t other, int one, int with) {
+TEST(ByPair, a_collision_belongs_to_its_own_pair_whoever_is_named_first) {
+  const ByPair by_pair(kinds);
+  const auto pair = [&](std::int32_t ball, std::int32_t other) {
+    scene::Collision c;
     c.ball = ball;
     c.other = other;
-    by_pair.add(c, true, 0);
-    for (int i = 0; i < by_pair.pairs(); ++i)
-      if (by_pair.kinds_of(i).one == one && by_pair.kinds_of(i).other == with)
-        return by_pair[i].all.count;
-    return std::int64_t{-1};
+    const auto found = by_pair.kinds_of(by_pair.pair_of(c));
+    return std::pair(found.one, found.other);
   };
-  EXPECT_EQ(counted(0, 1, 0, 0), 1);
-  EXPECT_EQ(counted(1, 4, 0, 2), 1);
-  EXPECT_EQ(counted(4, 1, 0, 2), 2);
-  EXPECT_EQ(counted(2, 3, 1, 2), 1);
-  EXPECT_EQ(counted(3, -1, 2, ByPair::jar), 1);
-  EXPECT_EQ(counted(4, -3, 2, ByPair::jar), 2);
+  EXPECT_EQ(pair(0, 1), std::pair(0, 0));
+  EXPECT_EQ(pair(1, 4), std::pair(0, 2));
+  EXPECT_EQ(pair(4, 1), std::pair(0, 2));
+  EXPECT_EQ(pair(2, 3), std::pair(1, 2));
+  EXPECT_EQ(pair(3, -1), std::pair(2, -1));
+  EXPECT_EQ(pair(4, -2), std::pair(2, -2));
+  EXPECT_EQ(pair(4, -7), std::pair(2, -2)) << "faces beyond those told apart count as the last";
 }
 
 TEST(ByPair, pairs_sum_to_the_whole) {
@@ -75,9 +73,9 @@ TEST(ByPair, pairs_sum_to_the_whole) {
   PairSums all, above;
   std::int64_t in_bins = 0;
   for (int i = 0; i < tally.by_pair.pairs(); ++i) {
-    all.add(tally.by_pair[i].all);
+    all.add(tally.by_pair[i].all());
     above.add(tally.by_pair[i].above);
-    in_bins += tally.by_pair[i].energy_normal.total();
+    in_bins += tally.by_pair[i].spectra.energy_normal.total();
   }
   EXPECT_EQ(all.count, tally.all.count);
   EXPECT_EQ(above.count, tally.above.count);
@@ -90,19 +88,25 @@ TEST(ByPair, pairs_sum_to_the_whole) {
   states("lost", (all.lost_normal + all.lost_tangential) / tally.all.lost, 1, 1e-12, why);
 }
 
-TEST(ByPair, merging_is_counting_together) {
+TEST(ByPair, merging_gives_the_bits_of_counting_together) {
   Tally a(0.3, kinds), b(0.3, kinds), whole(0.3, kinds);
-  a.collisions(some(1, 500));
-  b.collisions(some(2, 500));
-  whole.collisions(some(1, 500));
-  whole.collisions(some(2, 500));
-  a.by_pair.merge(b.by_pair);
+  const auto first = some(1, 500), second = some(2, 500);
+  a.collisions(second);
+  b.collisions(first);
+  whole.collisions(first);
+  whole.collisions(second);
+  a.merge(b);
+  EXPECT_EQ(a.all.count, whole.all.count);
   for (int i = 0; i < whole.by_pair.pairs(); ++i) {
-    EXPECT_EQ(a.by_pair[i].all.count, whole.by_pair[i].all.count);
+    const Spectra &merged = a.by_pair[i].spectra, &counted = whole.by_pair[i].spectra;
     EXPECT_EQ(a.by_pair[i].above.count, whole.by_pair[i].above.count);
-    for (int bin = 0; bin < LogHistogram::bins; ++bin)
-      EXPECT_EQ(a.by_pair[i].energy_normal.count(bin), whole.by_pair[i].energy_normal.count(bin));
-    EXPECT_NEAR(a.by_pair[i].all.lost_normal, whole.by_pair[i].all.lost_normal, 1e-12);
+    for (const auto part : {&Spectra::energy_normal, &Spectra::energy_contact_point,
+                            &Spectra::lost_normal, &Spectra::lost_tangential, &Spectra::approach})
+      for (int bin = 0; bin < LogHistogram::bins; ++bin) {
+        EXPECT_EQ((merged.*part).count(bin), (counted.*part).count(bin));
+        EXPECT_EQ((merged.*part).sum(bin), (counted.*part).sum(bin));
+      }
+    EXPECT_EQ(merged.angle_all, counted.angle_all);
   }
 }
 
@@ -117,16 +121,17 @@ TEST(ByPair, a_state_written_and_read_goes_on_to_the_bit) {
   first.collisions(some(2, 300));
   second.collisions(some(2, 300));
   for (int i = 0; i < first.by_pair.pairs(); ++i) {
-    EXPECT_EQ(first.by_pair[i].all.count, second.by_pair[i].all.count);
-    EXPECT_EQ(first.by_pair[i].all.energy_normal, second.by_pair[i].all.energy_normal);
+    EXPECT_EQ(first.by_pair[i].all().count, second.by_pair[i].all().count);
+    EXPECT_EQ(first.by_pair[i].all().energy_normal, second.by_pair[i].all().energy_normal);
     EXPECT_EQ(first.by_pair[i].above.lost_tangential, second.by_pair[i].above.lost_tangential);
   }
 }
 
-TEST(ByPair, without_kinds_nothing_is_kept) {
+TEST(ByPair, without_kinds_all_balls_are_alike) {
   Tally tally(0.3);
   tally.collisions(some(1, 10));
-  EXPECT_EQ(tally.by_pair.pairs(), 0);
+  EXPECT_EQ(tally.by_pair.pairs(), 2);
+  EXPECT_EQ(tally.by_pair[0].all().count + tally.by_pair[1].all().count, 10);
 }
 
 }  // namespace

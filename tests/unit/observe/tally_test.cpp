@@ -53,11 +53,11 @@ TEST(Tally, AddsUpWhatItSees) {
   EXPECT_DOUBLE_EQ(tally.above.energy_centre, 0.001 * (4 + 1.25));
   EXPECT_DOUBLE_EQ(tally.all.lost, 9e-4);
   EXPECT_NEAR(tally.above.angle, std::numbers::pi / 4, 2e-8);
-  EXPECT_EQ(tally.energy_normal.total(), 3);
-  EXPECT_EQ(tally.approach.total(), 3);
-  EXPECT_EQ(tally.angle_all[0], 1);
-  EXPECT_EQ(tally.angle_all[63], 1);  // atan 2 is 63.4 degrees
-  EXPECT_EQ(tally.angle_above[63], 0);
+  EXPECT_EQ(tally.whole().energy_normal.total(), 3);
+  EXPECT_EQ(tally.whole().approach.total(), 3);
+  EXPECT_EQ(tally.whole().angle_all[0], 1);
+  EXPECT_EQ(tally.whole().angle_all[63], 1);  // atan 2 is 63.4 degrees
+  EXPECT_EQ(tally.whole().angle_above[63], 0);
 }
 
 TEST(Tally, TheThresholdItselfCounts) {
@@ -69,7 +69,7 @@ TEST(Tally, TheThresholdItselfCounts) {
 TEST(Tally, AGrazingHitIsInTheLastDegree) {
   Tally tally(0);
   tally.collisions(std::vector{collision(0, 1)});
-  EXPECT_EQ(tally.angle_all[Tally::angle_bins - 1], 1);
+  EXPECT_EQ(tally.whole().angle_all[angle_bins - 1], 1);
 }
 
 TEST(Tally, ChunksDoNotMatter) {
@@ -80,7 +80,7 @@ TEST(Tally, ChunksDoNotMatter) {
   for (const auto& c : seen) pieces.collisions(std::span(&c, 1));
   EXPECT_EQ(whole.above.count, pieces.above.count);
   EXPECT_EQ(whole.all.energy_centre, pieces.all.energy_centre);
-  EXPECT_EQ(whole.angle_all, pieces.angle_all);
+  EXPECT_EQ(whole.whole().angle_all, pieces.whole().angle_all);
 }
 
 }  // namespace
