@@ -22,31 +22,35 @@ constexpr hsize_t chunk = 4096;       // records; 0.5 MB
 constexpr unsigned deflation = 4;     // of 9: most of the gain at little time
 constexpr std::size_t piece = 16384;  // records handed over at once
 
-/// One number of a record: its name in the file, its unit, and where it lies in a Collision.
+/// One number of a record: its name in the file, its unit, what it is, and where it lies in a
+/// Collision.
 struct Part {
-  const char *name, *unit;
+  const char *name, *unit, *about;
   std::size_t offset;
   bool whole = false;  ///< a 32-bit integer instead of a double
 };
 
 const Part parts[] = {
-    {"time", "s", offsetof(Collision, time)},
-    {"duration", "s", offsetof(Collision, duration)},
-    {"ball", "1", offsetof(Collision, ball), true},
-    {"other", "1", offsetof(Collision, other), true},
-    {"where_x", "m", offsetof(Collision, where) + offsetof(Vec3, x)},
-    {"where_y", "m", offsetof(Collision, where) + offsetof(Vec3, y)},
-    {"where_z", "m", offsetof(Collision, where) + offsetof(Vec3, z)},
-    {"normal_x", "1", offsetof(Collision, normal) + offsetof(Vec3, x)},
-    {"normal_y", "1", offsetof(Collision, normal) + offsetof(Vec3, y)},
-    {"normal_z", "1", offsetof(Collision, normal) + offsetof(Vec3, z)},
-    {"mass", "kg", offsetof(Collision, mass)},
-    {"approach", "m/s", offsetof(Collision, approach)},
-    {"slip", "m/s", offsetof(Collision, slip)},
-    {"glide", "m/s", offsetof(Collision, glide)},
-    {"impulse", "N s", offsetof(Collision, impulse)},
-    {"lost_normal", "J", offsetof(Collision, lost_normal)},
-    {"lost_tangential", "J", offsetof(Collision, lost_tangential)},
+    {"time", "s", "of first touch, since the start of the run", offsetof(Collision, time)},
+    {"duration", "s", "of the contact; 0 in the event engine", offsetof(Collision, duration)},
+    {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
+    {"other", "1", "number of the other ball; below 0: face -1 - other of the jar",
+     offsetof(Collision, other), true},
+    {"where_x", "m", "point of contact, in the jar's own turning axes",
+     offsetof(Collision, where) + offsetof(Vec3, x)},
+    {"where_y", "m", "likewise", offsetof(Collision, where) + offsetof(Vec3, y)},
+    {"where_z", "m", "likewise", offsetof(Collision, where) + offsetof(Vec3, z)},
+    {"normal_x", "1", "from the centre of the ball to the contact, same axes",
+     offsetof(Collision, normal) + offsetof(Vec3, x)},
+    {"normal_y", "1", "likewise", offsetof(Collision, normal) + offsetof(Vec3, y)},
+    {"normal_z", "1", "likewise", offsetof(Collision, normal) + offsetof(Vec3, z)},
+    {"mass", "kg", "effective mass", offsetof(Collision, mass)},
+    {"approach", "m/s", "normal speed u_n at first touch", offsetof(Collision, approach)},
+    {"slip", "m/s", "of the touching surfaces, spin included", offsetof(Collision, slip)},
+    {"glide", "m/s", "tangential speed of the centres, spin left out", offsetof(Collision, glide)},
+    {"impulse", "N s", "along the normal", offsetof(Collision, impulse)},
+    {"lost_normal", "J", "dissipated along the normal", offsetof(Collision, lost_normal)},
+    {"lost_tangential", "J", "dissipated across the normal", offsetof(Collision, lost_tangential)},
 };
 
 InputError failure(const std::filesystem::path& file, const char* doing) {
@@ -95,10 +99,12 @@ Handle& CollisionFile::Inside::set(int replicate) {
   found = Handle(H5Dcreate2(group, "collisions", packed, space, H5P_DEFAULT, how, H5P_DEFAULT),
                  H5Dclose);
   if (!found.valid()) throw failure(path, "make a data set in the file");
+  bool good = write_attribute(found, "about", "every counted collision of a replicate, by time");
   for (const Part& p : parts) {
-    if (!write_attribute(found, std::string("unit_") + p.name, p.unit))
-      throw failure(path, "write the units into the file");
+    good = write_attribute(found, std::string("unit_") + p.name, p.unit) && good;
+    good = write_attribute(found, std::string("about_") + p.name, p.about) && good;
   }
+  if (!good) throw failure(path, "write the units into the file");
   return found;
 }
 

@@ -39,11 +39,15 @@ Reference reference(const Case& c) {
   return {0, std::get<Planetary>(c.mill.motion).ratio < 0 ? -1.0 : 1.0};
 }
 
-/// Angle below which the share `part` of the charge's mass lies, counted round from where there is
-/// least: opposite its middle.
-double angle_of_share(const Charge& charge, const Reference& from, double part) {
-  const auto n = static_cast<std::size_t>(Charge::angles);
-  const double step = 2 * pi / Charge::angles;
+/// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end, counted
+/// round from where there is least, opposite its middle. The toe is within half a turn of the
+/// reference.
+struct Ends {
+  double toe = nothing, shoulder = nothing;
+};
+Ends ends(const Charge& charge, const Reference& from) {
+  constexpr int n = Charge::angles;
+  const double step = 2 * pi / n;
   double x = 0, y = 0, all = 0;
   for (std::size_t i = 0; i < charge.mass_at.size(); ++i) {
     const double at = step * (static_cast<double>(i) + 0.5);
@@ -51,22 +55,22 @@ double angle_of_share(const Charge& charge, const Reference& from, double part) 
     y += charge.mass_at[i] * std::sin(at);
     all += charge.mass_at[i];
   }
-  if (!(all > 0)) return nothing;
-  const double start = std::atan2(y, x) - from.sense * pi;
-  double below = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double at = start + from.sense * step * (static_cast<double>(k) + 0.5);
-    const double turn = at / (2 * pi) - std::floor(at / (2 * pi));
-    const double mass =
-        charge.mass_at[std::min(static_cast<std::size_t>(turn * Charge::angles), n - 1)];
-    if (below + mass >= part * all) {
-      const double inside = mass > 0 ? (part * all - below) / mass : 0;
-      const double found = start + from.sense * step * (static_cast<double>(k) + inside);
-      return degrees * std::remainder(from.sense * (found - from.zero), 2 * pi);
+  if (!(all > 0)) return {};
+  const double start = from.sense * (std::atan2(y, x) - from.zero) - pi;  // in the sense of turning
+  const auto angle_of = [&](double part) {
+    double below = 0;
+    for (int k = 0; k < n; ++k) {
+      const double turn = (from.zero + from.sense * (start + step * (k + 0.5))) / (2 * pi);
+      const int slot = static_cast<int>((turn - std::floor(turn)) * n) % n;
+      const double mass = charge.mass_at[static_cast<std::size_t>(slot)];
+      if (mass > 0 && below + mass >= part * all)
+        return start + step * (k + (part * all - below) / mass);
+      below += mass;
     }
-    below += mass;
-  }
-  return nothing;
+    return start + 2 * pi;
+  };
+  const double toe = angle_of(0.05), wrapped = std::remainder(toe, 2 * pi);
+  return {degrees * wrapped, degrees * (wrapped + angle_of(0.95) - toe)};
 }
 
 double flight_share(const Case& c, const Replicate& r) {
@@ -87,10 +91,10 @@ double emptiest_sector(const Case&, const Replicate& r) {
 }
 
 double toe(const Case& c, const Replicate& r) {
-  return angle_of_share(r.charge, reference(c), 0.05);
+  return ends(r.charge, reference(c)).toe;
 }
 double shoulder(const Case& c, const Replicate& r) {
-  return angle_of_share(r.charge, reference(c), 0.95);
+  return ends(r.charge, reference(c)).shoulder;
 }
 
 double jar_spin(const Case& c) {

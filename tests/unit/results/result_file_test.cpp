@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is in result.h5 is read by the tests in tests/opening; here, how it is written.
+// Tables of result.h5 are read by the tests in tests/opening; here, its matrices, and how it is
+// written.
 #include "mahlwerk/results/result_file.hpp"
+
+#include <hdf5.h>
 
 #include <chrono>
 #include <stdexcept>
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/hdf5_handle.hpp"
 #include "mahlwerk/results/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
@@ -43,6 +47,44 @@ TEST_F(ResultFileTest, TheSameContentGivesTheSameBytes) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // clocks of files tick in seconds
   EXPECT_GT(first.size(), 1000U);
   EXPECT_EQ(first, written("b.h5", {map()}));
+}
+
+std::vector<double> numbers(Handle::Id file, const std::string& name,
+                            const std::vector<hsize_t>& wanted) {
+  const Handle set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(set), H5Sclose);
+  std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  EXPECT_EQ(shape, wanted) << name;
+  hsize_t size = 1;
+  for (const hsize_t n : shape) size *= n;
+  std::vector<double> all(size);
+  EXPECT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0) << name;
+  return all;
+}
+
+std::string attribute(Handle::Id file, const std::string& set, const char* name) {
+  const Handle found(H5Aopen_by_name(file, set.c_str(), name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(found), H5Tclose);
+  char* text = nullptr;
+  if (H5Aread(found, type, static_cast<void*>(&text)) < 0) return "none";
+  const std::string copy = text;
+  H5free_memory(text);
+  return copy;
+}
+
+TEST_F(ResultFileTest, AMatrixKeepsItsNumbersAndTheEdgesOfItsCells) {
+  written("a.h5", {map()});
+  const Handle file(H5Fopen((scratch() / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  ASSERT_TRUE(file.valid());
+  EXPECT_EQ(numbers(file, "wear", {2, 3}), map().values);
+  EXPECT_EQ(attribute(file, "wear", "unit"), "J/m2");
+  EXPECT_EQ(attribute(file, "wear", "about"), "energy on the wall");
+  EXPECT_EQ(attribute(file, "wear", "axes"), "angle, height");
+  EXPECT_EQ(numbers(file, "wear_edges/angle", {3}), map().edges[0]);
+  EXPECT_EQ(numbers(file, "wear_edges/height", {4}), map().edges[1]);
+  EXPECT_EQ(attribute(file, "wear_edges/height", "unit"), "m");
+  EXPECT_EQ(attribute(file, "nothing", "unit_a"), "m");
 }
 
 TEST_F(ResultFileTest, AMatrixFitsItsShape) {
