@@ -39,9 +39,9 @@ Reference reference(const Case& c) {
   return {0, std::get<Planetary>(c.mill.motion).ratio < 0 ? -1.0 : 1.0};
 }
 
-/// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end, counted
-/// round from where there is least, opposite its middle. The toe is within half a turn of the
-/// reference.
+/// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end,
+/// counted round from where there is least, opposite its middle. The toe is within half a turn of
+/// the reference.
 struct Ends {
   double toe = nothing, shoulder = nothing;
 };

@@ -26,21 +26,6 @@ std::string head(const char* type, const char* version) {
       type, version, order);
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned three = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
-    for (int k = 18; k >= 0; k -= 6) text += digits[three >> k & 63];
-  }
-  for (std::size_t k = bytes.size(); k % 3 != 0; ++k) text[text.size() - 3 + k % 3] = '=';
-  return text;
-}
-
 template <class Number>
 constexpr const char* type_name = std::is_same_v<Number, float> ? "Float32" : "Int32";
 

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using cases::Case;
+
+class Writing {
+ public:
+  explicit Writing(const Case& c) : c_(c) {}
+
+  /// A value as words, with its mark if the key was assumed.
+  std::string marked(std::string_view key, std::string_view words) const {
+    const auto origin = std::ranges::find(c_.origins, key, &cases::Origin::key);
+    const bool assumed = origin != c_.origins.end() && origin->assumed;
+    return std::string(words) + (assumed ? "*" : "");
+  }
+  std::string value(std::string_view key, double v, std::string_view unit) const {
+    return marked(key, show_rounded(v, unit));
+  }
+  /// "an orbit radius of 70 mm, a speed of 400 rpm" of a model's numbers.
+  template <class Model>
+  std::string numbers(std::string_view section, const Model& model) const {
+    std::string words;
+    for (const auto& field : model.fields()) {
+      std::string name(field.key);
+      std::ranges::replace(name, '_', ' ');
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name,
+                           value(fmt::format("{}.{}", section, field.key), model.*field.value,
+                                 field.unit));
+    }
+    return words;
+  }
+
+  std::string mill() const {
+    const auto [kind, numbers_of] = std::visit(
+        [&](const auto& m) { return std::pair(std::string(m.name), numbers("mill", m)); },
+        c_.mill.motion);
+    const auto [shape, sizes] = std::visit(
+        [&](const auto& s) { return std::pair(std::string(s.name), numbers("jar", s)); },
+        c_.jar.shape);
+    const auto plain = [](std::string text) {
+      std::ranges::replace(text, '_', ' ');
+      std::ranges::replace(text, '-', ' ');
+      return text;
+    };
+    const std::string text = fmt::format("Mill: {}{}{}{}. ", plain(kind),
+                       c_.mill.model.empty() ? "" : fmt::format(" ({})", c_.mill.model),
+                       numbers_of.empty() ? "" : ", ", numbers_of);
+    const double volume = std::visit([](const auto& s) { return s.volume(); }, c_.jar.shape);
+    return text + fmt::format("Jar: {}{}{}{}, volume {} ml{}. ", plain(shape),
+                              c_.jar.model.empty() ? "" : fmt::format(" ({})", c_.jar.model),
+                              sizes.empty() ? "" : ", ", sizes, fmt::format("{:.3g}", volume * 1e6),
+                              c_.jar.material.empty() ? "" : ", " + c_.jar.material);
+  }
+
+  std::string charge() const {
+    std::string text;
+    for (std::size_t i = 0; i < c_.balls.size(); ++i) {
+      const cases::BallSet& set = c_.balls[i];
+      const std::string key = fmt::format("balls.{}.", i + 1);
+      text += fmt::format("{}: {} spheres of {}{}{}, density {}. ",
+                          set.grains ? "Powder as grains" : "Balls", set.count,
+                          set.classes.empty() ? "" : "mean ",
+                          value(key + "diameter", set.diameter, "m"),
+                          set.material.empty() ? "" : ", " + set.material,
+                          value(key + "density", set.density, "kg/m3"));
+    }
+    if (c_.powder && c_.powder->mass > 0)
+      text += fmt::format("Powder: {:.4g} g{}{}. ", 1000 * c_.powder->mass,
+                          c_.powder->material.empty() ? "" : " of " + c_.powder->material,
+                          c_.powder->grain_size ? "" : ", not simulated itself");
+    return text;
+  }
+
+  std::string contact(const std::string& engine) const {
+    const contact::BounceRule& rule = c_.contact.rule;
+    std::string text = fmt::format(
+        "Contacts: restitution {}", marked("contact.restitution",
+                                           fmt::format("{:.4g}", rule.restitution.value())));
+    text += std::isfinite(rule.friction)
+                ? ", friction " + marked("contact.friction", fmt::format("{:.4g}", rule.friction))
+                : ", no Coulomb limit of bounces";
+    if (engine == "event")
+      text += ", tangential restitution " +
+              marked("contact.tangential_restitution",
+                     fmt::format("{:.4g}", rule.tangential_restitution));
+    text += ", rolling friction " + marked("contact.rolling_friction",
+                                           fmt::format("{:.4g}", c_.contact.rolling_friction));
+    if (!c_.contact.pairs.empty())
+      text += fmt::format(", with {} exceptions by pair", c_.contact.pairs.size());
+    return text + ". ";
+  }
+
+ private:
+  const Case& c_;
+};
+
+std::string engine_words(const results::Outcome& outcome) {
+  if (outcome.engine == "event")
+    return "an event-driven simulation of rough hard spheres, in which flight is exact and "
+           "collisions are instantaneous";
+  const contact::LawChoice& law = outcome.what.contact.law_choice;
+  return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
+                     contact::law_words[static_cast<std::size_t>(law.law)],
+                     contact::rolling_words[static_cast<std::size_t>(law.rolling)]);
+}
+
+}  // namespace
+
+std::string methods(const results::Outcome& outcome, std::string_view version) {
+  const Case& c = outcome.what;
+  const Writing say(c);
+  const auto chosen = results::averaged(outcome);
+  std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
+                                 engine_words(outcome));
+  text += say.mill() + say.charge() + say.contact(outcome.engine);
+  double time = 0;
+  for (const results::Replicate* r : chosen)
+    time += r->time() / static_cast<double>(chosen.size());
+  text += fmt::format(
+      "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
+      "confidence, by Student's t over replicates{}.",
+      chosen.size() == 1 ? "One replicate" : fmt::format("{} replicates", chosen.size()), time,
+      chosen.size() == 1 ? "was" : "were",
+      c.run.settle > 0 ? fmt::format(" after {:.4g} s of settling", c.run.settle) : "", c.seed,
+      chosen.size() == 1 ? " or, of one alone, by batch means over time" : "");
+  if (text.find('*') != std::string::npos)
+    text += " * assumed, not measured: a default of the program.";
+  return text;
+}
+
+}  // namespace mahlwerk::report

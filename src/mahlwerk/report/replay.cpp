@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/base/base64.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/results/jar_surface.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
+
+template <class T>
+std::string packed(const std::vector<T>& list) {
+  return base64({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      out += fmt::format("\\{}", c);
+    else if (byte < 0x20 || c == '<' || c == '>' || c == '&')
+      out += fmt::format("\\u{:04x}", byte);
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+/// (x, y, z, w) of a rotation.
+std::array<double, 4> quaternion(const Rotation& r) {
+  const double xx = r.ex.x, yy = r.ey.y, zz = r.ez.z;
+  const auto half_root = [](double square) { return 0.5 * std::sqrt(std::max(0.0, 1 + square)); };
+  const double w = half_root(xx + yy + zz), x = half_root(xx - yy - zz), y = half_root(yy - xx - zz),
+               z = half_root(zz - xx - yy);
+  // From the largest of the four, so that none is lost to rounding.
+  if (w >= x && w >= y && w >= z)
+    return {(r.ey.z - r.ez.y) / (4 * w), (r.ez.x - r.ex.z) / (4 * w), (r.ex.y - r.ey.x) / (4 * w),
+            w};
+  if (x >= y && x >= z)
+    return {x, (r.ex.y + r.ey.x) / (4 * x), (r.ex.z + r.ez.x) / (4 * x),
+            (r.ey.z - r.ez.y) / (4 * x)};
+  if (y >= z)
+    return {(r.ex.y + r.ey.x) / (4 * y), y, (r.ey.z + r.ez.y) / (4 * y),
+            (r.ez.x - r.ex.z) / (4 * y)};
+  return {(r.ex.z + r.ez.x) / (4 * z), (r.ey.z + r.ez.y) / (4 * z), z,
+          (r.ex.y - r.ey.x) / (4 * z)};
+}
+
+void append(std::vector<float>& list, const Rotation& r) {
+  for (const double v : quaternion(r)) list.push_back(static_cast<float>(v));
+}
+void append(std::vector<float>& list, const Vec3& v) {
+  for (const double one : {v.x, v.y, v.z}) list.push_back(static_cast<float>(one));
+}
+
+/// The jar's motion at the times of the frames.
+struct Ways {
+  std::vector<float> centre, turn, carrier, rotor;
+};
+Ways ways(const cases::Case& c, const std::vector<double>& times) {
+  const scene::Chamber mill = cases::chamber(c);
+  Ways w;
+  std::visit(
+      [&](const auto& motion) {
+        for (const double t : times) {
+          const Rotation turn = motion.turn(t) * mill.mount;
+          append(w.centre, motion.ride(t).centre);
+          append(w.turn, turn);
+          append(w.carrier, kinematics::carrier(motion, t).turn);
+          append(w.rotor, turn * results::rotor_turn(mill.shape, t));
+        }
+      },
+      mill.motion);
+  return w;
+}
+
+std::string meshes(const cases::Case& c, const Ways& w) {
+  std::string list;
+  for (const results::JarMesh& mesh : results::jar_surface(c.jar.shape)) {
+    std::vector<float> vertices;
+    for (const Vec3& v : mesh.vertices) append(vertices, v);
+    list += fmt::format(
+        "{}{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{}}}",
+        list.empty() ? "" : ",", quoted(mesh.name), packed(vertices), packed(mesh.triangles),
+        mesh.rotor ? quoted(packed(w.rotor)) : "null");
+  }
+  return list;
+}
+
+std::string data(const cases::Case& c, const observe::Replay& film) {
+  const std::vector<scene::Ball> balls = cases::starting_balls(c, 0);
+  std::vector<float> radius;
+  std::vector<std::uint8_t> species;
+  for (std::size_t i = 0; i < balls.size(); i += film.every()) {
+    radius.push_back(static_cast<float>(balls[i].radius));
+    species.push_back(static_cast<std::uint8_t>(balls[i].kind));
+  }
+  const double fastest = std::max(1e-9, double{*std::ranges::max_element(film.speeds())});
+  constexpr double most = std::numeric_limits<std::uint16_t>::max();
+  std::vector<std::uint16_t> speeds;
+  for (const float v : film.speeds())
+    speeds.push_back(static_cast<std::uint16_t>(std::lround(double{v} / fastest * most)));
+  std::string times, names;
+  for (const double t : film.times()) times += fmt::format("{}{:.9g}", times.empty() ? "" : ",", t);
+  for (std::size_t i = 0; i < c.balls.size(); ++i)
+    names += (i > 0 ? "," : "") + quoted(cases::set_name(c, i));
+  const bool planetary = std::holds_alternative<kinematics::Planetary>(c.mill.motion);
+  const Ways w = ways(c, film.times());
+  return fmt::format(
+      "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","
+      "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
+      "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
+      "\"carrier_turn\":\"{}\",\"carrier\":{},\"meshes\":[{}]}}",
+      quoted(c.title), times, radius.size(), balls.size(), packed(radius), packed(species), names,
+      film.place_unit(), packed(film.places()), fastest / most, packed(speeds), packed(w.centre),
+      packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null", meshes(c, w));
+}
+
+}  // namespace
+
+std::string replay_section(const results::Outcome& outcome) {
+  if (outcome.replicates.empty()) return "";
+  const observe::Replay& film = outcome.replicates.front().replay;
+  if (film.times().size() < 2 || film.speeds().empty()) return "";
+  return fmt::format(
+      "<section id=\"replay\"></section>\n<script type=\"application/json\" "
+      "id=\"replay-data\">{}</script>\n<script>{}</script>\n",
+      data(outcome.what, film), replay_script());
+}
+
+}  // namespace mahlwerk::report
