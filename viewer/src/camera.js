@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Where one looks from: along the jar's axis, from the side, or the way that shows the motion best,
+// and from how far.
+
+import { Quaternion, Vector3 } from "three";
+import { axisOfTurning, frameOfView, poseAt, wayOfCentre } from "./motion.js";
+
+const up = new Vector3(0, 0, 1);
+export const fieldOfView = 24; // degrees, upright
+
+const jarAxis = (data) =>
+  new Vector3(0, 0, 1).applyQuaternion(new Quaternion().fromArray(data.jarTurn));
+
+/// The half of the axis one can look down from: from above, or from the front for a lying axis.
+function facing(axis) {
+  const dot = Math.abs(axis.z) > 0.1 ? axis.z : axis.x - axis.y;
+  return dot < 0 ? axis.clone().negate() : axis.clone();
+}
+
+/// Level, across the jar's axis and across the way of its centre.
+function sideOf(data) {
+  const { reach } = wayOfCentre(data);
+  const across = jarAxis(data).cross(up);
+  const level = reach.clone().setZ(0);
+  if (across.length() < 0.1 && level.length() > 0.1 * reach.length()) across.copy(level).cross(up);
+  if (across.length() < 1e-9 || across.length() < 0.1 * reach.length()) return new Vector3(0, -1, 0);
+  across.normalize();
+  return across.y > 0 ? across.negate() : across;
+}
+
+/// `direction` leant by `degrees` towards `towards`.
+function leant(direction, towards, degrees) {
+  const rest = towards.clone().addScaledVector(direction, -towards.dot(direction)).normalize();
+  const angle = (degrees * Math.PI) / 180;
+  return direction.clone().multiplyScalar(Math.cos(angle)).addScaledVector(rest, Math.sin(angle));
+}
+
+/// From where the motion's plane is seen, a little aslant so that depth shows.
+function startOf(data) {
+  const axis = axisOfTurning(data.jarTurn) ?? wayOfCentre(data).normal;
+  const side = sideOf(data);
+  if (!axis) return leant(side, up, 12);
+  const front = facing(axis);
+  if (Math.abs(front.z) > 0.7) return leant(front, side, 28);
+  return leant(leant(front, new Vector3(-1, -1, 0), 14), up, 8);
+}
+
+/// Unit vectors from what is looked at to the camera.
+export function directionsOf(data) {
+  return { start: startOf(data), axis: facing(jarAxis(data)), side: sideOf(data) };
+}
+
+/// The jar's corners as a view sees them over all frames [m]: what the camera must hold.
+export function outlineOf(data, view) {
+  const frames = Math.min(data.frames, 48);
+  const corners = data.meshes.flatMap((mesh) => {
+    const points = [];
+    const stride = 3 * Math.ceil(mesh.vertices.length / 3 / 300);
+    for (let i = 0; i < mesh.vertices.length; i += stride)
+      points.push(new Vector3().fromArray(mesh.vertices, i));
+    return points;
+  });
+  if (corners.length === 0) corners.push(...ballCorners(data));
+  const outline = [];
+  for (let k = 0; k < frames; ++k) {
+    const pose = poseAt(data, (k / Math.max(frames - 1, 1)) * (data.frames - 1));
+    const { origin, turn } = frameOfView(data, view, pose);
+    for (const corner of corners)
+      outline.push(corner.clone().applyQuaternion(pose.jar).add(pose.centre).sub(origin)
+        .applyQuaternion(turn));
+    if (view === "fixed") break;
+  }
+  return outline;
+}
+
+/// Without a mesh: the box of all balls in the first frame.
+function ballCorners(data) {
+  let reach = 1e-6;
+  for (let i = 0; i < 3 * data.count; ++i)
+    reach = Math.max(reach, Math.abs(data.positions[i] * data.positionScale));
+  return [-reach, reach].flatMap((x) => [-reach, reach].flatMap((y) =>
+    [-reach, reach].map((z) => new Vector3(x, y, z))));
+}
+
+/// Middle of what is to be seen.
+export function middleOf(points) {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = low.clone().negate();
+  for (const point of points) {
+    low.min(point);
+    high.max(point);
+  }
+  return low.add(high).multiplyScalar(0.5);
+}
+
+/// Sets the camera to look at the outline along `direction`, near enough to fill the picture.
+export function look(camera, controls, outline, direction) {
+  const target = middleOf(outline);
+  // Straight down a pole the horizon is undefined: a hair aside it is what one expects.
+  const from = Math.abs(direction.z) > 0.9999
+    ? new Vector3(0, -1e-3, Math.sign(direction.z)).normalize() : direction.clone();
+  camera.position.copy(target).add(from);
+  camera.up.copy(up);
+  camera.lookAt(target);
+  camera.updateMatrixWorld();
+  const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+  const above = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+  const tall = Math.tan((camera.fov * Math.PI) / 360);
+  const wide = tall * camera.aspect;
+  let distance = 0;
+  const arm = new Vector3();
+  for (const point of outline) {
+    arm.subVectors(point, target);
+    const near = arm.dot(from);
+    distance = Math.max(distance, near + Math.abs(arm.dot(right)) / wide,
+      near + Math.abs(arm.dot(above)) / tall);
+  }
+  camera.position.copy(target).addScaledVector(from, 1.12 * distance);
+  controls.target.copy(target);
+  controls.update();
+}
