@@ -84,40 +84,41 @@ function ballCorners(data) {
     [-reach, reach].map((z) => new Vector3(x, y, z))));
 }
 
-/// Middle of what is to be seen.
-export function middleOf(points) {
-  const low = new Vector3(Infinity, Infinity, Infinity);
-  const high = low.clone().negate();
-  for (const point of points) {
-    low.min(point);
-    high.max(point);
-  }
-  return low.add(high).multiplyScalar(0.5);
-}
-
-/// Sets the camera to look at the outline along `direction`, near enough to fill the picture.
+/// Sets the camera to look along `-direction`, so placed that the outline fills the picture.
 export function look(camera, controls, outline, direction) {
-  const target = middleOf(outline);
   // Straight down a pole the horizon is undefined: a hair aside it is what one expects.
   const from = Math.abs(direction.z) > 0.9999
     ? new Vector3(0, -1e-3, Math.sign(direction.z)).normalize() : direction.clone();
-  camera.position.copy(target).add(from);
   camera.up.copy(up);
-  camera.lookAt(target);
+  camera.position.copy(from);
+  camera.lookAt(0, 0, 0);
   camera.updateMatrixWorld();
   const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
   const above = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
   const tall = Math.tan((camera.fov * Math.PI) / 360);
-  const wide = tall * camera.aspect;
-  let distance = 0;
-  const arm = new Vector3();
-  for (const point of outline) {
-    arm.subVectors(point, target);
-    const near = arm.dot(from);
-    distance = Math.max(distance, near + Math.abs(arm.dot(right)) / wide,
-      near + Math.abs(arm.dot(above)) / tall);
-  }
-  camera.position.copy(target).addScaledVector(from, 1.12 * distance);
-  controls.target.copy(target);
+  const target = new Vector3();
+  const distance = Math.max(placed(outline, from, right, tall * camera.aspect, target),
+    placed(outline, from, above, tall, target));
+  camera.position.copy(target).addScaledVector(from, 1.1 * distance);
+  // Dragging turns about the middle of the depth, too.
+  const depths = outline.map((point) => point.dot(from));
+  const [near, far] = depths.reduce(([a, b], d) => [Math.max(a, d), Math.min(b, d)],
+    [-Infinity, Infinity]);
+  controls.target.copy(target).addScaledVector(from, (near + far) / 2);
   controls.update();
+  return camera.position.distanceTo(controls.target);
+}
+
+/// Moves `target` across the picture, along `axis`, to where all of the outline is seen from the
+/// least distance; returns that distance. `slope`: half the picture's width over its distance.
+function placed(outline, from, axis, slope, target) {
+  // A point at depth z and offset x is seen from (c, d) if |x - c| <= slope (d - z).
+  let [most, least] = [-Infinity, -Infinity];
+  for (const point of outline) {
+    const depth = slope * point.dot(from);
+    most = Math.max(most, depth + point.dot(axis));
+    least = Math.max(least, depth - point.dot(axis));
+  }
+  target.addScaledVector(axis, (most - least) / 2);
+  return (most + least) / (2 * slope);
 }

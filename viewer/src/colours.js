@@ -57,9 +57,9 @@ const dark = { ink: "#e4e8ec", soft: "#a3adb8", grid: "#30363d", paper: "#14181c
 
 /// Colours that no variable of the page gives: the jar's wall and its stripes, its lines.
 const wallsOf = (isDark) => isDark
-  ? { wall: "#4d5a68", stripe: "#434f5c", mark: "#e0913a", line: "#a9b8c8", part: "#8b98a6",
+  ? { wall: "#56636f", stripe: "#45515d", mark: "#e0913a", line: "#a9b8c8", part: "#8b98a6",
       glass: "#9fb4c8", disc: "#2b333c" }
-  : { wall: "#dfe6ed", stripe: "#cfd8e1", mark: "#e0782a", line: "#5d6b7a", part: "#9aa7b4",
+  : { wall: "#cbd5df", stripe: "#b4c1ce", mark: "#e0782a", line: "#5d6b7a", part: "#9aa7b4",
       glass: "#5f7f9f", disc: "#e6ebf0" };
 
 /// Light and paper-white, whatever the screen shows.

@@ -85,7 +85,7 @@ function paceGroup(factors, actions) {
     pace.append(element("option", { value: factor, textContent: `${factor}x` }));
   const loop = element("input", { type: "checkbox", onchange: () => actions.loop(loop.checked) });
   const label = element("label", { className: "loop" }, [loop, "Loop"]);
-  return { group: group("Speed", pace, label), pace, loop };
+  return { group: group("Replay speed", pace, label), pace, loop };
 }
 
 function saveGroup(videoFault, actions) {

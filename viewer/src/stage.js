@@ -10,7 +10,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Balls } from "./balls.js";
-import { directionsOf, fieldOfView, look, middleOf, outlineOf } from "./camera.js";
+import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
 import { carrierOf, plateOf, rimOf } from "./carrier.js";
 import { partOf, vesselOf } from "./jar.js";
 import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
@@ -70,10 +70,10 @@ export class Stage {
   addLight() {
     const rooms = new PMREMGenerator(this.renderer);
     this.scene.environment = rooms.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.35;
+    this.scene.environmentIntensity = 0.3;
     rooms.dispose();
-    this.sky = new HemisphereLight(0xffffff, 0x8890a0, 1.0);
-    this.key = new DirectionalLight(0xffffff, 2.2);
+    this.sky = new HemisphereLight(0xffffff, 0xa0a8b4, 1.1);
+    this.key = new DirectionalLight(0xffffff, 1.6);
     this.key.castShadow = true;
     const { shadow } = this.key;
     shadow.mapSize.set(2048, 2048);
@@ -102,9 +102,9 @@ export class Stage {
   /// Looks from `direction` ("start", "axis", "side" or a vector), all of the way in the picture.
   lookFrom(direction, view) {
     const outline = outlineOf(this.data, view);
-    if (this.carrier && rides.includes(view)) outline.push(...rimOf(plateOf(this.data)));
-    look(this.camera, this.controls, outline, this.directions[direction] ?? direction);
-    const far = this.camera.position.distanceTo(middleOf(outline));
+    if (this.carrier && view === "laboratory") outline.push(...rimOf(plateOf(this.data)));
+    if (view === "carrier") outline.push(new Vector3()); // the mill's axis
+    const far = look(this.camera, this.controls, outline, this.directions[direction] ?? direction);
     Object.assign(this.camera, { near: 0.02 * far, far: 12 * far });
     Object.assign(this.controls, { minDistance: 0.1 * far, maxDistance: 6 * far });
     this.camera.updateProjectionMatrix();

@@ -63,14 +63,16 @@ def capsule(radius, height):
     return lathe(below + [(r, -z) for r, z in reversed(below)])
 
 
-def replay(title, times, radius, species, places, centre, jar, carried, meshes, **more):
-    """places: [frame][ball] -> x, y, z [m] in the jar frame; speeds come from their differences."""
+def replay(title, times, radius, species, places, centre, jar, carried, meshes, jump=1, **more):
+    """places: [frame][ball] -> x, y, z [m] in the jar frame; speeds come from their differences,
+    those of balls put back to where they began, further than `jump` [m], left out."""
     frames, count = len(times), len(radius)
     speeds = []
     for f in range(frames):
         a, b = max(f - 1, 0), min(f + 1, frames - 1)
         dt = max(times[b] - times[a], 1e-12)
-        speeds += [math.dist(p, q) / dt for p, q in zip(places[a], places[b])]
+        moved = [math.dist(p, q) for p, q in zip(places[a], places[b])]
+        speeds += [0 if way > jump else way / dt for way in moved]
     flat = [x for frame in places for place in frame for x in place]
     length = max(map(abs, flat)) / 32767
     speed = max(max(speeds), 1e-9) / 65535
@@ -138,7 +140,7 @@ def drum(count=5000, frames=30):
     flying = [k for k in range(count) if k > 0.8 * count and k % 3 == 0]
     places = []
     for t in times:
-        rock = turn_about([1, 0, 0], 0.55 + 0.06 * math.sin(2.5 * t * omega))
+        rock = turn_about([1, 0, 0], 0.55 + 0.12 * math.sin(2.5 * t * omega))
         frame = [turned(rock, place) for place in rest]
         for k in flying:
             s = (0.37 * k + 2.0 * t) % 1
@@ -148,7 +150,7 @@ def drum(count=5000, frames=30):
                   [ball * (1 - 0.25 * (k % 3 == 0)) for k in range(count)],
                   [int(k % 3 == 0) for k in range(count)], places, [[0, 0, 0]] * frames,
                   [product(turn_about([1, 0, 0], omega * t), lie) for t in times], [still] * frames,
-                  [mesh("jar", cylinder(radius, width))], of=100000,
+                  [mesh("jar", cylinder(radius, width))], of=100000, jump=0.08,
                   species_names=["steel, 5.2 mm", "steel, 3.9 mm"])
 
 
