@@ -40,10 +40,9 @@ class Replay {
     if (!context) throw Object.assign(new Error("no WebGL 2"), { name: "NoWebGL" });
     this.stage = new Stage(this.elements.scene, context, data, this.speed.top);
     this.stage.paint(this.theme);
-    this.listen();
     this.fit();
-    this.look("start");
     this.show();
+    this.listen();
     if (data.frames > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
   }
 
@@ -147,13 +146,17 @@ class Replay {
   fit() {
     const { scene, written } = this.elements;
     const [width, height] = [scene.clientWidth, scene.clientHeight];
-    if (width === 0 || height === 0) return;
     const ratio = Math.min(devicePixelRatio || 1, 2);
+    const old = this.size;
+    if (width === 0 || height === 0) return;
+    if (old && width === old.width && height === old.height && ratio === old.ratio) return;
     this.size = { width, height, ratio };
     this.stage.resize(width, height, ratio);
     written.width = width * ratio;
     written.height = height * ratio;
-    if (!this.state.recording) this.draw(); // a new size empties the picture
+    this.stage.lookFrom(old ? this.stage.direction() : "start", this.state.view);
+    if (old) this.draw(); // at once, as a new size empties the picture
+    else this.want();
   }
 
   repaint() {
@@ -199,6 +202,7 @@ class Replay {
 
   draw() {
     const { state, data, elements } = this;
+    if (!this.size) return; // the component is hidden
     const time = this.clock(timeOf(data, state.frame));
     this.weight = this.stage.draw(state.frame, state.view, state.colour);
     const { width, height, ratio } = this.size;
@@ -255,7 +259,7 @@ class Replay {
 
   print() {
     this.play(false);
-    this.finely(this.elements.print, 2, printTheme);
+    if (this.size) this.finely(this.elements.print, 2, printTheme);
   }
 
   /// Plays once from the beginning and saves it as a video.

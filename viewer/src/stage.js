@@ -72,8 +72,8 @@ export class Stage {
     this.scene.environment = rooms.fromScene(new RoomEnvironment(), 0.04).texture;
     this.scene.environmentIntensity = 0.3;
     rooms.dispose();
-    this.sky = new HemisphereLight(0xffffff, 0xa0a8b4, 1.1);
-    this.key = new DirectionalLight(0xffffff, 1.6);
+    this.sky = new HemisphereLight(0xffffff, 0xccd2da, 1.25);
+    this.key = new DirectionalLight(0xffffff, 1.45);
     this.key.castShadow = true;
     const { shadow } = this.key;
     shadow.mapSize.set(2048, 2048);
