@@ -9,8 +9,8 @@ import { build } from "esbuild";
 const ourLicence = "Mahlwerk: Copyright 2026 The Mahlwerk authors, Apache License 2.0";
 const { version } = JSON.parse(readFileSync("node_modules/three/package.json", "utf8"));
 const mit = readFileSync("node_modules/three/LICENSE", "utf8").trim();
-const viridis = "viridis (ten colours in src/colours.js): S. van der Walt and N. Smith, matplotlib, " +
-  "CC0 1.0";
+const viridis = "viridis (ten colours in src/colours.js): S. van der Walt and N. Smith, " +
+  "matplotlib, CC0 1.0";
 const licences = `${ourLicence}\n${viridis}\nthree.js ${version}, https://threejs.org:\n\n${mit}\n`;
 
 const { metafile } = await build({

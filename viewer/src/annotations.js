@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is written over the picture: time, legend and the direction of weight. Drawn on a 2-D canvas,
-// so that the screen, a saved picture, a video and a print carry the same.
+// What is written over the picture: time, legend and the direction of weight. Drawn on a 2-D
+// canvas, so that the screen, a saved picture, a video and a print carry the same.
 
 import { speciesColours, speedGradient } from "./colours.js";
 import { short } from "./words.js";
@@ -49,7 +49,7 @@ function drawSpeciesLegend(pen, height, { theme, speciesNames }) {
   });
 }
 
-/// An arrow where weight shows across the picture; a dot or cross where it points out of or into it.
+/// An arrow where weight pulls across the picture; a dot or cross where out of or into it.
 function drawWeight(pen, width, height, { theme, weight }) {
   const [x, y, long] = [width - margin - 22, height - margin - 22, 20];
   const [dx, dy] = [weight.x, -weight.y];

@@ -19,13 +19,12 @@ function facing(axis) {
   return dot < 0 ? axis.clone().negate() : axis.clone();
 }
 
-/// Level, across the jar's axis and across the way of its centre.
+/// Level, across the jar's axis or, where that is upright, across the way of its centre.
 function sideOf(data) {
   const { reach } = wayOfCentre(data);
   const across = jarAxis(data).cross(up);
-  const level = reach.clone().setZ(0);
-  if (across.length() < 0.1 && level.length() > 0.1 * reach.length()) across.copy(level).cross(up);
-  if (across.length() < 1e-9 || across.length() < 0.1 * reach.length()) return new Vector3(0, -1, 0);
+  if (across.length() < 0.1) across.crossVectors(reach, up);
+  if (across.length() <= 0.1 * reach.length()) return new Vector3(0, -1, 0);
   across.normalize();
   return across.y > 0 ? across.negate() : across;
 }

@@ -61,8 +61,8 @@ const pictureOf = (title) => {
 
 function keysHint() {
   const hint = element("span", { className: "keys" });
-  hint.innerHTML = " Drag turns, <kbd>space</kbd> plays, <kbd>\u2190</kbd> <kbd>\u2192</kbd> step, " +
-    "<kbd>v</kbd> view, <kbd>c</kbd> colour.";
+  hint.innerHTML = " Drag turns, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
+    "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour.";
   return hint;
 }
 
@@ -89,7 +89,8 @@ function paceGroup(factors, actions) {
 }
 
 function saveGroup(videoFault, actions) {
-  const video = textButton("Video", videoFault ?? "The whole replay as a WebM video", actions.video);
+  const about = videoFault ?? "The whole replay as a WebM video";
+  const video = textButton("Video", about, actions.video);
   video.disabled = videoFault !== null;
   const png = textButton("Picture", "This picture as PNG, twice as fine", actions.png);
   const both = group("Save", element("div", { className: "choice" }, [png, video]));

@@ -37,7 +37,8 @@ function decodedGroups(Kind, text, group, name) {
 }
 
 function positive(value, name) {
-  if (!(Number.isFinite(value) && value > 0)) throw fault(`"${name}" must be above 0, not ${value}`);
+  if (!(Number.isFinite(value) && value > 0))
+    throw fault(`"${name}" must be above 0, not ${value}`);
   return value;
 }
 
@@ -47,7 +48,8 @@ function readMesh(mesh, frames, i) {
   const triangles = decodedGroups(Uint32Array, mesh.triangles, 3, `${at}.triangles`);
   if (triangles.some((v) => 3 * v >= vertices.length))
     throw fault(`"${at}.triangles" names a vertex that "${at}.vertices" does not hold`);
-  const turn = mesh.turn == null ? null : decoded(Float32Array, mesh.turn, 4 * frames, `${at}.turn`);
+  const turn =
+    mesh.turn == null ? null : decoded(Float32Array, mesh.turn, 4 * frames, `${at}.turn`);
   return { name: String(mesh.name ?? ""), vertices, triangles, turn };
 }
 
@@ -67,7 +69,8 @@ export function read(text) {
   } catch (error) {
     throw fault(`it is not JSON (${error.message})`);
   }
-  if (json.version !== 1) throw fault(`it is of version ${json.version}, this page reads version 1`);
+  if (json.version !== 1)
+    throw fault(`it is of version ${json.version}, this page reads version 1`);
   const times = readTimes(json.times);
   const F = times.length;
   const N = json.count;

@@ -118,7 +118,8 @@ export function vesselOf(mesh, turning) {
   geometry.computeBoundingSphere();
   const uniforms = {
     stripe: { value: new Color() }, mark: { value: new Color() },
-    striped: { value: turning && isRound(mesh.vertices) ? 1 : 0 }, marked: { value: turning ? 1 : 0 },
+    striped: { value: turning && isRound(mesh.vertices) ? 1 : 0 },
+    marked: { value: turning ? 1 : 0 },
     reach: { value: geometry.boundingSphere.radius },
   };
   const wall = new Mesh(geometry, wallMaterial(uniforms));

@@ -29,6 +29,7 @@ class Replay {
     this.views = viewsOf(data);
     this.clock = clockOf(data.times);
     this.speed = speedScaleTop(data);
+    this.seen = true;
     const { offered, usual } = factorsOf(this.duration());
     this.state = { frame: 0, playing: false, factor: usual, loop: true, view: this.views[0].key,
       colour: "speed", recording: null, said: "" };
@@ -76,6 +77,7 @@ class Replay {
     scene.addEventListener("webglcontextrestored", () => this.want());
     this.root.addEventListener("keydown", (event) => this.key(event));
     new ResizeObserver(() => this.fit()).observe(scene);
+    new IntersectionObserver(([{ isIntersecting }]) => this.appear(isIntersecting)).observe(scene);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
     addEventListener("beforeprint", () => this.print());
   }
@@ -143,6 +145,13 @@ class Replay {
     this.want();
   }
 
+  /// Out of sight nothing is drawn and time stands still.
+  appear(seen) {
+    this.seen = seen;
+    this.before = null;
+    this.want();
+  }
+
   fit() {
     const { scene, written } = this.elements;
     const [width, height] = [scene.clientWidth, scene.clientHeight];
@@ -176,7 +185,7 @@ class Replay {
   want() {
     this.wanted ??= requestAnimationFrame((now) => {
       this.wanted = null;
-      if (this.state.playing) this.advance(now);
+      if (this.state.playing && (this.seen || this.state.recording)) this.advance(now);
       this.draw();
     });
   }
@@ -254,7 +263,6 @@ class Replay {
     const canvas = this.finely(document.createElement("canvas"), 2, this.theme);
     const time = this.clock(timeOf(this.data, this.state.frame));
     savePicture(canvas, `${this.data.title} ${time}`);
-    this.root.dataset.saved = `${canvas.width}x${canvas.height}`;
   }
 
   print() {
@@ -268,7 +276,12 @@ class Replay {
     const failed = (why) => this.change({ said: `The video could not be recorded: ${why}.` });
     this.play(false);
     this.state.frame = 0;
-    this.state.recording = { canvas, film: film(canvas, this.data.title, failed) };
+    try {
+      this.state.recording = { canvas, film: film(canvas, this.data.title, failed) };
+    } catch (error) {
+      failed(error.message);
+      return;
+    }
     const seconds = Math.ceil(this.duration() / this.state.factor);
     this.state.said = `Recording: plays once, ${seconds} s. Keep this page in front.`;
     this.play(true);

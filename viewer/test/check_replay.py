@@ -33,7 +33,8 @@ def page(data, script=None):
     script = (viewer / "dist/replay.js").read_text() if script is None else script
     return ('<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>replay</title>'
             '<meta name="viewport" content="width=device-width,initial-scale=1">'
-            f'<style>{style}</style></head><body><main><h1>Replay</h1><section id="replay"></section>'
+            f'<style>{style}</style></head><body><main><h1>Replay</h1>'
+            '<section id="replay"></section>'
             f'<script type="application/json" id="replay-data">{json.dumps(data)}</script>'
             f"<script>{script}</script></main></body></html>")
 
@@ -144,7 +145,8 @@ def check_case(checks, name, data, views):
     checks.say(f"{name}_is_drawn", checks.state("state"), "drawn", checks.state("state") == "drawn")
     checks.say(f"{name}_offers_its_views", checks.views(), views, checks.views() == views)
     first = checks.picture("first")
-    checks.say(f"{name}_is_not_blank", f"{colours(first)} colours", "above 400", colours(first) > 400)
+    count = colours(first)
+    checks.say(f"{name}_is_not_blank", f"{count} colours", "above 400", count > 400)
     checks.scrub(len(data["times"]) // 2)
     middle = checks.picture("middle")
     frame = str(len(data["times"]) // 2)
@@ -198,8 +200,8 @@ def check_keys(checks):
         found = checks.state(what)
         name = {" ": "space"}.get(key, key)
         checks.say(f"key_{name}_sets_{what}", found, expected, found == expected)
-    nameless = browser.ask("[...document.querySelectorAll('#replay :is(button,input,select)')].filter("
-                           "e => !(e.getAttribute('aria-label') || e.textContent.trim() ||"
+    nameless = browser.ask("[...document.querySelectorAll('#replay :is(button,input,select)')]"
+                           ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim() ||"
                            " e.closest('label'))).length")
     checks.say("every_control_has_a_name", nameless, 0, nameless == 0)
     checks.quiet()
@@ -212,9 +214,10 @@ def check_playing(checks):
     moved = browser.wait_for(f"+{dataset}.frame > 2", 30)
     checks.say("replay_plays_of_its_own_accord", checks.state("frame"), "above 2", moved)
     browser.ask("dispatchEvent(new Event('beforeprint'))")
-    checks.say("printing_pauses", checks.state("playing"), "false", checks.state("playing") == "false")
-    drawn = browser.ask("(c => new Set(c.getContext('2d').getImageData(0, 0, c.width, c.height).data)"
-                        ".size)(document.querySelector('#replay .print'))")
+    playing = checks.state("playing")
+    checks.say("printing_pauses", playing, "false", playing == "false")
+    drawn = browser.ask("(c => new Set(c.getContext('2d').getImageData("
+                        "0, 0, c.width, c.height).data).size)(document.querySelector('#replay .print'))")
     checks.say("the_print_shows_the_picture", f"{drawn} levels", "above 100", drawn > 100)
     browser.media(prefers_reduced_motion="reduce", prefers_color_scheme="light")
     checks.open("vial_reduced", synthetic.vial())
@@ -225,7 +228,8 @@ def check_playing(checks):
     checks.do("0")
     dark = checks.picture("dark")
     corner = sum(pixels(light)[1][80][5]) - sum(pixels(dark)[1][80][5])
-    checks.say("theme_follows_the_system_live", f"corner darker by {corner}", "above 300", corner > 300)
+    checks.say("theme_follows_the_system_live", f"corner darker by {corner}", "above 300",
+               corner > 300)
     browser.media(prefers_reduced_motion="reduce", prefers_color_scheme="light")
     checks.quiet()
 
@@ -255,7 +259,8 @@ def check_saving(checks):
     found = pixels(png)[0] if png else None
     checks.say("saved_picture_is_twice_as_wide", found, 2 * wide, found == 2 * wide)
     browser.ask("(s => { s.value = Math.max(...[...s.options].map(o => +o.value));"
-                " s.dispatchEvent(new Event('change')); })(document.querySelector('#replay select'))")
+                " s.dispatchEvent(new Event('change')); })"
+                "(document.querySelector('#replay select'))")
     browser.ask("[...document.querySelectorAll('#replay button')]"
                 ".find(b => b.textContent === 'Video').click()")
     video = browser.downloaded(".webm")

@@ -107,8 +107,8 @@ def planetary():
         places.append(frame)
     z_axis = [0, 0, 1]
     centre = [[orbit * math.cos(omega * t), orbit * math.sin(omega * t), 0] for t in times]
-    return replay("Five balls in a planetary mill", times, [ball] * 5, [0, 0, 0, 1, 1], places, centre,
-                  [turn_about(z_axis, -omega * t) for t in times],
+    return replay("Five balls in a planetary mill", times, [ball] * 5, [0, 0, 0, 1, 1], places,
+                  centre, [turn_about(z_axis, -omega * t) for t in times],
                   [turn_about(z_axis, omega * t) for t in times],
                   [mesh("jar", cylinder(big, 1.6 * big))],
                   carrier="disc", species_names=["steel, 12 mm", "zirconia, 12 mm"])
