@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is written over the picture: time, legend and the direction of weight. Drawn on a 2-D
+// canvas, so that the screen, a saved picture, a video and a print carry the same.
+
+import { speciesColours, speedGradient } from "./colours.js";
+import { short } from "./words.js";
+
+const font = "system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
+const margin = 14;
+
+function write(pen, text, x, y, { size = 12, weight = 400, align = "left", colour }) {
+  pen.font = `${weight} ${size}px ${font}`;
+  pen.textAlign = align;
+  pen.fillStyle = colour;
+  pen.fillText(text, x, y);
+}
+
+function drawTime(pen, width, { time, factor, theme }) {
+  write(pen, time, width - margin, margin + 14,
+    { size: 16, weight: 600, align: "right", colour: theme.ink });
+  write(pen, factor, width - margin, margin + 31, { align: "right", colour: theme.soft });
+}
+
+function drawSpeedLegend(pen, height, { theme, speed }) {
+  const [long, thick, y] = [150, 9, height - margin - 26];
+  const fill = pen.createLinearGradient(margin, 0, margin + long, 0);
+  speedGradient.forEach((colour, i) => fill.addColorStop(i / (speedGradient.length - 1), colour));
+  write(pen, "Speed in the jar (m/s)", margin, y - 8, { colour: theme.soft });
+  pen.fillStyle = fill;
+  pen.beginPath();
+  pen.roundRect(margin, y, long, thick, thick / 2);
+  pen.fill();
+  const top = speed.exceeded ? `\u2265\u2009${short(speed.top)}` : short(speed.top);
+  [["0", "left", 0], [short(speed.top / 2), "center", long / 2], [top, "right", long]]
+    .forEach(([text, align, x]) =>
+      write(pen, text, margin + x, y + thick + 14, { align, colour: theme.soft }));
+}
+
+function drawSpeciesLegend(pen, height, { theme, speciesNames }) {
+  speciesNames.forEach((name, i) => {
+    const y = height - margin - 6 - 18 * (speciesNames.length - 1 - i);
+    pen.fillStyle = speciesColours[i % speciesColours.length];
+    pen.beginPath();
+    pen.arc(margin + 5, y, 5, 0, 2 * Math.PI);
+    pen.fill();
+    write(pen, name, margin + 17, y + 4, { colour: theme.soft });
+  });
+}
+
+/// An arrow where weight pulls across the picture; a dot or cross where out of or into it.
+function drawWeight(pen, width, height, { theme, weight }) {
+  const [x, y, long] = [width - margin - 22, height - margin - 22, 20];
+  const [dx, dy] = [weight.x, -weight.y];
+  const size = Math.hypot(dx, dy);
+  pen.strokeStyle = pen.fillStyle = theme.soft;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  if (size < 0.25) {
+    pen.arc(x, y, 6, 0, 2 * Math.PI);
+    if (weight.z < 0)
+      for (const k of [-1, 1]) {
+        pen.moveTo(x - 4, y - 4 * k);
+        pen.lineTo(x + 4, y + 4 * k);
+      }
+    pen.stroke();
+    if (weight.z > 0) pen.fillRect(x - 1.5, y - 1.5, 3, 3);
+    write(pen, "g", x - 16, y + 4, { colour: theme.soft });
+    return;
+  }
+  const [tipX, tipY] = [x + dx * long, y + dy * long];
+  const [ux, uy] = [dx / size, dy / size];
+  pen.moveTo(x - dx * long, y - dy * long);
+  pen.lineTo(tipX - 5 * ux, tipY - 5 * uy);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(tipX, tipY);
+  pen.lineTo(tipX - 8 * ux - 4 * uy, tipY - 8 * uy + 4 * ux);
+  pen.lineTo(tipX - 8 * ux + 4 * uy, tipY - 8 * uy - 4 * ux);
+  pen.fill();
+  write(pen, "g", x - 12 * Math.abs(uy) - 4, y + 4 - 12 * Math.abs(ux), { colour: theme.soft });
+}
+
+/// Draws on `pen`, whose unit is a CSS pixel of a picture of `width` times `height`. `what`: theme,
+/// title (or none), time and factor as text, colour, speed scale, speciesNames, weight.
+export function annotate(pen, width, height, what) {
+  if (what.title)
+    write(pen, what.title, margin, margin + 14, { size: 14, weight: 600, colour: what.theme.ink });
+  drawTime(pen, width, what);
+  if (what.colour === "species") drawSpeciesLegend(pen, height, what);
+  else drawSpeedLegend(pen, height, what);
+  drawWeight(pen, width, height, what);
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// All balls as one instanced sphere: what changes with time is three numbers and a colour each.
+
+import {
+  BufferAttribute, Color, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh,
+  MeshStandardMaterial,
+} from "three";
+import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { speciesColours, speedColour } from "./colours.js";
+import { between } from "./motion.js";
+
+const trianglesInAll = 2.5e6; // about what a laptop draws fluidly
+
+function sphereFor(count) {
+  const wanted = Math.floor(Math.sqrt(trianglesInAll / (20 * Math.max(count, 1)))) - 1;
+  const sphere = new IcosahedronGeometry(1, Math.min(Math.max(wanted, 2), 20));
+  sphere.deleteAttribute("uv");
+  sphere.deleteAttribute("normal");
+  const shared = mergeVertices(sphere, 1e-5);
+  shared.setAttribute("normal", new BufferAttribute(shared.attributes.position.array, 3));
+  return shared;
+}
+
+export class Balls {
+  constructor(data, speedTop) {
+    this.data = data;
+    this.speedTop = speedTop;
+    const material = new MeshStandardMaterial({ roughness: 0.32, metalness: 0.12 });
+    this.mesh = new InstancedMesh(sphereFor(data.count), material, data.count);
+    this.mesh.frustumCulled = false; // its bounds would have to follow the balls
+    this.mesh.castShadow = this.mesh.receiveShadow = true;
+    this.mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * data.count), 3);
+    const matrix = this.mesh.instanceMatrix.array;
+    for (let i = 0; i < data.count; ++i)
+      matrix[16 * i] = matrix[16 * i + 5] = matrix[16 * i + 10] = data.radius[i];
+    this.species = speciesColours.map((colour) => new Color(colour).toArray());
+  }
+
+  /// Places and colours at a place on the scale of frames.
+  show(frame, colour) {
+    const step = between(this.data, frame);
+    this.place(step);
+    if (colour === "species") this.colourBySpecies();
+    else this.colourBySpeed(step);
+    this.mesh.instanceMatrix.needsUpdate = true;
+    this.mesh.instanceColor.needsUpdate = true;
+  }
+
+  place({ low, high, part }) {
+    const { count, positions, positionScale } = this.data;
+    const matrix = this.mesh.instanceMatrix.array;
+    const a = 3 * count * low;
+    const b = 3 * count * high;
+    for (let i = 0; i < count; ++i)
+      for (let k = 0; k < 3; ++k) {
+        const from = positions[a + 3 * i + k];
+        const to = positions[b + 3 * i + k];
+        matrix[16 * i + 12 + k] = positionScale * (from + part * (to - from));
+      }
+  }
+
+  colourBySpeed({ low, high, part }) {
+    const { count, speeds, speedScale } = this.data;
+    const scale = speedScale / this.speedTop;
+    for (let i = 0; i < count; ++i) {
+      const from = speeds[count * low + i];
+      const to = speeds[count * high + i];
+      speedColour(scale * (from + part * (to - from)), this.mesh.instanceColor.array, 3 * i);
+    }
+  }
+
+  colourBySpecies() {
+    const { count, species } = this.data;
+    for (let i = 0; i < count; ++i)
+      this.mesh.instanceColor.array.set(this.species[species[i] % this.species.length], 3 * i);
+  }
+}

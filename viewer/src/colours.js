@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Colours of balls and of the page's two themes.
+
+import { Color } from "three";
+
+// Ten steps of viridis, even to the eye and to the colour-blind (S. van der Walt and N. Smith,
+// matplotlib, CC0).
+const viridis = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779",
+  "#6ece58", "#b5de2b", "#fde725"];
+
+// Okabe and Ito, in the order of the report's plots.
+export const speciesColours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+  "#F0E442", "#666666"];
+
+export const speedGradient = viridis;
+
+const steps = 256;
+
+/// Linear red, green, blue of `steps` speeds from 0 to the top of the scale.
+export const speedTable = (() => {
+  const table = new Float32Array(3 * steps);
+  for (let i = 0; i < steps; ++i) {
+    const at = (i / (steps - 1)) * (viridis.length - 1);
+    const low = Math.min(Math.floor(at), viridis.length - 2);
+    new Color(viridis[low]).lerp(new Color(viridis[low + 1]), at - low).toArray(table, 3 * i);
+  }
+  return table;
+})();
+
+export function speedColour(part, list, at) {
+  const i = 3 * Math.min(steps - 1, Math.max(0, Math.round(part * (steps - 1))));
+  list[at] = speedTable[i];
+  list[at + 1] = speedTable[i + 1];
+  list[at + 2] = speedTable[i + 2];
+}
+
+/// Top of the speed scale [m/s]: a round number that all but a few of a thousand speeds stay below.
+export function speedScaleTop(data) {
+  const bins = new Uint32Array(65536);
+  for (const speed of data.speeds) ++bins[speed];
+  let above = 0.003 * data.speeds.length;
+  let top = bins.length - 1;
+  while (top > 0 && (above -= bins[top]) >= 0) --top;
+  const speed = Math.max(top, 1) * data.speedScale;
+  const power = 10 ** Math.floor(Math.log10(speed));
+  const round = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((step) => step * power >= 0.999 * speed);
+  const least = bins.findLastIndex((number) => number > 0) * data.speedScale;
+  return { top: round * power, exceeded: least > 1.001 * round * power };
+}
+
+const light = { ink: "#1d2329", soft: "#59636e", grid: "#e3e6ea", paper: "#ffffff", box: "#f5f7f9",
+  edge: "#d5dae0" };
+const dark = { ink: "#e4e8ec", soft: "#a3adb8", grid: "#30363d", paper: "#14181c", box: "#1d2329",
+  edge: "#39424b" };
+
+/// Colours that no variable of the page gives: the jar's wall and its stripes, its lines.
+const wallsOf = (isDark) => isDark
+  ? { wall: "#56636f", stripe: "#45515d", mark: "#e0913a", line: "#a9b8c8", part: "#8b98a6",
+      glass: "#9fb4c8", disc: "#2b333c" }
+  : { wall: "#cbd5df", stripe: "#b4c1ce", mark: "#e0782a", line: "#5d6b7a", part: "#9aa7b4",
+      glass: "#5f7f9f", disc: "#e6ebf0" };
+
+/// Light and paper-white, whatever the screen shows.
+export const printTheme = { ...light, box: "#ffffff", ...wallsOf(false), dark: false };
+
+/// The theme as the page sets it now. Its variables win over ours.
+export function themeOf(element) {
+  const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const theme = { ...(isDark ? dark : light), ...wallsOf(isDark), dark: isDark };
+  const style = getComputedStyle(element);
+  for (const name of Object.keys(light)) {
+    const value = style.getPropertyValue(`--${name}`).trim();
+    if (value && CSS.supports("color", value)) theme[name] = value;
+  }
+  return theme;
+}

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The component's elements. What they do is said by `actions`; what they show by `show`.
+
+const icons = {
+  play: "M3 1.5v13l11-6.5z",
+  pause: "M3 2h3.6v12H3zm6.4 0H13v12H9.4z",
+  back: "M12 2v12L4.5 8zM2.5 2h2v12h-2z",
+  forward: "M4 2v12l7.5-6zm7.5 0h2v12h-2z",
+};
+
+function element(name, properties = {}, children = []) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties))
+    if (key.startsWith("aria-") || key === "role") made.setAttribute(key, value);
+    else made[key] = value;
+  made.append(...children);
+  return made;
+}
+
+function draw(button, icon) {
+  button.innerHTML = `<svg viewBox="0 0 16 16" aria-hidden="true"><path d="${icons[icon]}"/></svg>`;
+}
+
+function iconButton(icon, label, onclick, extra = "") {
+  const button = element("button",
+    { type: "button", className: `icon ${extra}`, title: label, "aria-label": label, onclick });
+  draw(button, icon);
+  return button;
+}
+
+const textButton = (text, title, onclick) =>
+  element("button", { type: "button", textContent: text, title, onclick });
+
+const group = (label, ...children) => element("div",
+  { className: "group", role: "group", "aria-label": label },
+  [element("span", { textContent: label, "aria-hidden": "true" }), ...children]);
+
+/// Buttons of which one is pressed.
+function choice(label, options, pick) {
+  const buttons = options.map(({ key, name, about }) => {
+    const button = textButton(name, about ?? "", () => pick(key));
+    button.dataset.key = key;
+    return button;
+  });
+  const show = (chosen) => buttons.forEach((button) =>
+    button.setAttribute("aria-pressed", String(button.dataset.key === chosen)));
+  return { group: group(label, element("div", { className: "choice" }, buttons)), show };
+}
+
+const pictureOf = (title) => {
+  const scene = element("canvas", { className: "scene", tabIndex: 0, role: "img",
+    "aria-label": `Balls in the moving jar: ${title}. Drag to turn, shift and drag to move, ` +
+      "wheel or two fingers to come nearer. Keys: space plays, arrows step, v changes the view, " +
+      "c the colours, plus and minus the distance, shift and arrows turn." });
+  const written = element("canvas", { className: "written", "aria-hidden": "true" });
+  const print = element("canvas", { className: "print", "aria-hidden": "true" });
+  return { scene, written, print };
+};
+
+function keysHint() {
+  const hint = element("span", { className: "keys" });
+  hint.innerHTML = " Drag turns, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
+    "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour.";
+  return hint;
+}
+
+function playRow(frames, actions) {
+  const play = iconButton("play", "Play", actions.toggle, "go");
+  const slider = element("input", { type: "range", min: 0, max: Math.max(frames - 1, 0),
+    step: "any", value: 0, "aria-label": "Time", oninput: () => actions.scrub(+slider.value) });
+  const clock = element("output", { "aria-label": "Simulated time", "aria-live": "off" });
+  const back = iconButton("back", "One frame back", () => actions.step(-1));
+  const forward = iconButton("forward", "One frame forward", () => actions.step(1));
+  for (const input of [play, slider, back, forward]) input.disabled = frames < 2;
+  const row = element("div", { className: "row" }, [play, back, forward, slider, clock]);
+  return { row, play, slider, clock };
+}
+
+function paceGroup(factors, actions) {
+  const pace = element("select", { "aria-label": "Speed of the replay",
+    title: "Simulated time to real time", onchange: () => actions.pace(+pace.value) });
+  for (const factor of factors)
+    pace.append(element("option", { value: factor, textContent: `${factor}x` }));
+  const loop = element("input", { type: "checkbox", onchange: () => actions.loop(loop.checked) });
+  const label = element("label", { className: "loop" }, [loop, "Loop"]);
+  return { group: group("Replay speed", pace, label), pace, loop };
+}
+
+function saveGroup(videoFault, actions) {
+  const about = videoFault ?? "The whole replay as a WebM video";
+  const video = textButton("Video", about, actions.video);
+  video.disabled = videoFault !== null;
+  const png = textButton("Picture", "This picture as PNG, twice as fine", actions.png);
+  const both = group("Save", element("div", { className: "choice" }, [png, video]));
+  both.classList.add("push");
+  return { group: both, video };
+}
+
+/// Builds the component below `root`. `options`: title, frames, views, colours, factors,
+/// videoFault (why no video can be saved, or null). `actions`: toggle, scrub, step, view, colour,
+/// look, pace, loop, png, video.
+export function build(root, options, actions) {
+  const picture = pictureOf(options.title);
+  const playing = playRow(options.frames, actions);
+  const view = choice("View", options.views, actions.view);
+  const colour = choice("Colour", options.colours, actions.colour);
+  const pace = paceGroup(options.factors, actions);
+  const camera = group("Camera", element("div", { className: "choice" }, [
+    textButton("Start", "The view the replay starts with", () => actions.look("start")),
+    textButton("Along axis", "Along the jar's axis", () => actions.look("axis")),
+    textButton("Side", "From the side", () => actions.look("side")),
+  ]));
+  const save = saveGroup(options.videoFault, actions);
+  const caption = element("span");
+  const said = element("div", { className: "said", role: "status" });
+  const figure = element("figure", { role: "group", "aria-label": `Replay: ${options.title}` }, [
+    element("div", { className: "picture" }, [picture.scene, picture.written, picture.print]),
+    element("div", { className: "panel" }, [
+      playing.row,
+      element("div", { className: "row" }, [view.group, colour.group, camera]),
+      element("div", { className: "row" }, [pace.group, save.group]),
+      said,
+      element("figcaption", {}, [caption, keysHint()]),
+    ]),
+  ]);
+  root.append(figure);
+
+  /// Brings the elements up to the state of the replay.
+  function show(state) {
+    draw(playing.play, state.playing ? "pause" : "play");
+    playing.play.title = state.playing ? "Pause" : "Play";
+    playing.play.setAttribute("aria-label", playing.play.title);
+    view.show(state.view);
+    colour.show(state.colour);
+    pace.pace.value = state.factor;
+    pace.loop.checked = state.loop;
+    save.video.textContent = state.recording ? "Stop" : "Video";
+    caption.textContent = state.caption;
+    said.textContent = state.said;
+  }
+
+  /// What changes with every picture.
+  function showTime(frame, time) {
+    playing.slider.value = frame;
+    playing.slider.setAttribute("aria-valuetext", time);
+    playing.clock.textContent = time;
+  }
+
+  return { ...picture, figure, slider: playing.slider, show, showTime };
+}
+
+/// A plain sentence in place of the picture.
+export function apologize(root, sentence) {
+  root.replaceChildren(element("figure", {},
+    [element("p", { className: "sorry", role: "alert", textContent: sentence })]));
+}

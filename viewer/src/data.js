@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The replay's data as typed arrays, checked against the contract of viewer/README.md. Typed arrays
+// take the byte order of the machine; all that run browsers are little endian, as the contract is.
+
+const remedy = "write the report anew with the mahlwerk this page came with";
+
+function fault(what) {
+  return new Error(`The replay's data cannot be shown: ${what}; ${remedy}.`);
+}
+
+function decoded(Kind, text, length, name) {
+  if (typeof text !== "string") throw fault(`"${name}" is missing`);
+  let raw;
+  try {
+    raw = atob(text);
+  } catch {
+    throw fault(`"${name}" is not base64`);
+  }
+  const expected = length * Kind.BYTES_PER_ELEMENT;
+  if (raw.length !== expected)
+    throw fault(`"${name}" holds ${raw.length} bytes where ${expected} belong`);
+  const bytes = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
+  return new Kind(bytes.buffer);
+}
+
+/// As many elements as the text holds; their number must be a multiple of `group`.
+function decodedGroups(Kind, text, group, name) {
+  if (typeof text !== "string") throw fault(`"${name}" is missing`);
+  const bytes = (text.length / 4) * 3 - (text.match(/=*$/)[0].length);
+  const size = group * Kind.BYTES_PER_ELEMENT;
+  if (!(bytes > 0) || bytes % size !== 0)
+    throw fault(`"${name}" holds ${bytes} bytes, not a multiple of ${size}`);
+  return decoded(Kind, text, bytes / Kind.BYTES_PER_ELEMENT, name);
+}
+
+function positive(value, name) {
+  if (!(Number.isFinite(value) && value > 0))
+    throw fault(`"${name}" must be above 0, not ${value}`);
+  return value;
+}
+
+function readMesh(mesh, frames, i) {
+  const at = `meshes[${i}]`;
+  const vertices = decodedGroups(Float32Array, mesh.vertices, 3, `${at}.vertices`);
+  const triangles = decodedGroups(Uint32Array, mesh.triangles, 3, `${at}.triangles`);
+  if (triangles.some((v) => 3 * v >= vertices.length))
+    throw fault(`"${at}.triangles" names a vertex that "${at}.vertices" does not hold`);
+  const turn =
+    mesh.turn == null ? null : decoded(Float32Array, mesh.turn, 4 * frames, `${at}.turn`);
+  return { name: String(mesh.name ?? ""), vertices, triangles, turn };
+}
+
+function readTimes(times) {
+  if (!Array.isArray(times) || times.length === 0) throw fault('"times" is missing or empty');
+  if (times.some((t, f) => !Number.isFinite(t) || (f > 0 && t <= times[f - 1])))
+    throw fault('"times" must be numbers that increase');
+  return times;
+}
+
+/// All of the JSON text `text`. Lengths in m, times in s, speeds in m/s. Throws an Error with a
+/// sentence for the reader where the contract is not kept.
+export function read(text) {
+  let json;
+  try {
+    json = JSON.parse(text);
+  } catch (error) {
+    throw fault(`it is not JSON (${error.message})`);
+  }
+  if (json.version !== 1)
+    throw fault(`it is of version ${json.version}, this page reads version 1`);
+  const times = readTimes(json.times);
+  const F = times.length;
+  const N = json.count;
+  if (!Number.isInteger(N) || N < 0) throw fault(`"count" must be a whole number, not ${N}`);
+  if (!Array.isArray(json.meshes)) throw fault('"meshes" is missing');
+  const array = (Kind, name, length) => decoded(Kind, json[name], length, name);
+  return {
+    title: String(json.title ?? ""),
+    times,
+    frames: F,
+    count: N,
+    of: json.of ?? N,
+    radius: array(Float32Array, "radius", N),
+    species: array(Uint8Array, "species", N),
+    speciesNames: json.species_names ?? [],
+    positionScale: positive(json.position_scale, "position_scale"),
+    positions: array(Int16Array, "positions", 3 * F * N),
+    speedScale: positive(json.speed_scale, "speed_scale"),
+    speeds: array(Uint16Array, "speeds", F * N),
+    jarCentre: array(Float32Array, "jar_centre", 3 * F),
+    jarTurn: array(Float32Array, "jar_turn", 4 * F),
+    carrierTurn: array(Float32Array, "carrier_turn", 4 * F),
+    carrier: json.carrier ?? null,
+    meshes: json.meshes.map((mesh, i) => readMesh(mesh, F, i)),
+  };
+}

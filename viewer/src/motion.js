@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Where jar, carrier and parts are at any time: between frames places go in straight lines, turns
+// along the shortest way round.
+
+import { Quaternion, Vector3 } from "three";
+
+const turnAt = (list, f) => new Quaternion().fromArray(list, 4 * f).normalize();
+const placeAt = (list, f) => new Vector3().fromArray(list, 3 * f);
+
+const turnBetween = (list, { low, high, part }) =>
+  turnAt(list, low).slerp(turnAt(list, high), part);
+
+/// The frames around a place on the scale of frames (0 to F - 1) and the part of the way between.
+export function between(data, frame) {
+  const last = data.frames - 1;
+  const at = Math.min(Math.max(frame, 0), last);
+  const low = Math.min(Math.floor(at), last);
+  return { low, high: Math.min(low + 1, last), part: at - low };
+}
+
+export function timeOf(data, frame) {
+  const { low, high, part } = between(data, frame);
+  return data.times[low] + part * (data.times[high] - data.times[low]);
+}
+
+/// Place on the scale of frames of a time [s]; the inverse of timeOf.
+export function frameOf(data, time) {
+  let low = 0;
+  let high = data.frames - 1;
+  if (time <= data.times[low]) return low;
+  if (time >= data.times[high]) return high;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (data.times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return low + (time - data.times[low]) / (data.times[high] - data.times[low]);
+}
+
+/// Centre of the jar [m] and turns, all to the laboratory's axes.
+export function poseAt(data, frame) {
+  const step = between(data, frame);
+  const carrier = turnBetween(data.carrierTurn, step);
+  // Seen from its carrier the jar's centre moves little: a straight line there is an arc here.
+  const seen = (f) =>
+    placeAt(data.jarCentre, f).applyQuaternion(turnAt(data.carrierTurn, f).invert());
+  const centre = seen(step.low).lerp(seen(step.high), step.part).applyQuaternion(carrier);
+  const parts = data.meshes.map((mesh) => mesh.turn && turnBetween(mesh.turn, step));
+  return { centre, carrier, jar: turnBetween(data.jarTurn, step), parts };
+}
+
+/// What one can ride with. `key` stands in data-view.
+export function viewsOf(data) {
+  const views = [
+    { key: "laboratory", name: "Laboratory", about: "seen from the laboratory, which is at rest" },
+    { key: "centre", name: "Jar centre", about: "seen from the jar's centre, without its turning" },
+    { key: "fixed", name: "Jar fixed", about: "seen from the jar, turning with it" },
+  ];
+  if (data.carrier) {
+    const about = `seen from the ${data.carrier}, turning with it about the mill's axis`;
+    const name = data.carrier[0].toUpperCase() + data.carrier.slice(1);
+    views.splice(1, 0, { key: "carrier", name, about });
+  }
+  return views;
+}
+
+/// The laboratory as a view sees it: x_view = turn (x_laboratory - origin). What turns in a view
+/// keeps the direction it has in the first frame, so that a lying drum goes on lying.
+export function frameOfView(data, view, pose) {
+  const origin = new Vector3();
+  const turn = new Quaternion();
+  if (view === "centre" || view === "fixed") origin.copy(pose.centre);
+  if (view === "fixed") turn.copy(turnAt(data.jarTurn, 0)).multiply(pose.jar.clone().invert());
+  if (view === "carrier")
+    turn.copy(turnAt(data.carrierTurn, 0)).multiply(pose.carrier.clone().invert());
+  return { origin, turn };
+}
+
+/// Sum of a turning over all frames: its axis (a unit vector, null if it hardly turns), in
+/// laboratory axes. Swings to and fro count as turning, too.
+export function axisOfTurning(turns) {
+  const sum = new Vector3();
+  let total = 0;
+  for (let f = 0; 4 * (f + 1) < turns.length; ++f) {
+    const step = turnAt(turns, f + 1).multiply(turnAt(turns, f).invert());
+    const half = new Vector3(step.x, step.y, step.z);
+    if (step.w * half.dot(sum) < 0) half.negate();
+    else if (step.w < 0 && sum.lengthSq() === 0) half.negate();
+    total += half.length();
+    sum.add(half);
+  }
+  return total > 0.05 ? sum.normalize() : null;
+}
+
+/// The jar centre's way: its middle, the direction of its widest reach, and the normal of the plane
+/// it encloses (null where it encloses none).
+export function wayOfCentre(data) {
+  const places = Array.from({ length: data.frames }, (_, f) => placeAt(data.jarCentre, f));
+  const middle = places.reduce((a, b) => a.add(b), new Vector3()).divideScalar(places.length);
+  const reach = new Vector3();
+  const area = new Vector3();
+  places.forEach((place, f) => {
+    const arm = place.clone().sub(middle);
+    if (arm.lengthSq() > reach.lengthSq()) reach.copy(arm);
+    if (f > 0) area.add(places[f - 1].clone().sub(middle).cross(arm));
+  });
+  const flat = area.length() > 0.2 * reach.lengthSq() && reach.lengthSq() > 0;
+  return { middle, reach, normal: flat ? area.normalize() : null };
+}

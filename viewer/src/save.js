@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Pictures and videos as files.
+
+const videoKinds = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
+const framesPerSecond = 30;
+const bitsPerSecond = 8e6;
+
+const videoKind = () => videoKinds.find((kind) => MediaRecorder.isTypeSupported(kind));
+
+/// Why this browser can save no video, or null.
+export function videoFault() {
+  if (typeof MediaRecorder === "undefined" || !HTMLCanvasElement.prototype.captureStream)
+    return "This browser cannot record videos";
+  return videoKind() ? null : "This browser knows no format to record videos in";
+}
+
+function download(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
+}
+
+/// "a-planetary-mill-at-12-ms.png": a name for files out of words.
+const fileName = (words, ending) =>
+  `${words.toLowerCase().replace(/[^a-z0-9.]+/g, "-").replace(/^-|-$/g, "") || "replay"}.${ending}`;
+
+export const savePicture = (canvas, words) =>
+  canvas.toBlob((blob) => download(blob, fileName(words, "png")), "image/png");
+
+/// Films a canvas until `stop` is called, then saves what was filmed. `failed` hears why if it
+/// cannot.
+export function film(canvas, words, failed) {
+  const kind = videoKind();
+  const stream = canvas.captureStream(framesPerSecond);
+  const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: bitsPerSecond });
+  const pieces = [];
+  recorder.ondataavailable = ({ data }) => pieces.push(data);
+  recorder.onerror = ({ error }) => failed(error?.message ?? "the recorder stopped");
+  recorder.onstop = () => {
+    stream.getTracks().forEach((track) => track.stop());
+    const blob = new Blob(pieces, { type: kind });
+    download(blob, fileName(words, kind.startsWith("video/mp4") ? "mp4" : "webm"));
+  };
+  recorder.start(1000);
+  return { stop: () => recorder.state !== "inactive" && recorder.stop() };
+}

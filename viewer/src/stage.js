@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The picture: balls, jar, light and camera, drawn for one moment and one view.
+
+import {
+  DirectionalLight, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
+  Quaternion, Scene, Spherical, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
+import { Balls } from "./balls.js";
+import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
+import { carrierOf, plateOf, rimOf } from "./carrier.js";
+import { partOf, vesselOf } from "./jar.js";
+import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
+
+const zUpToYUp = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(0, 1, 0));
+const rides = ["laboratory", "carrier"]; // views in which the carrier is seen
+
+function reachOf({ vertices }) {
+  let reach = 0;
+  for (let i = 0; i < vertices.length; i += 3)
+    reach = Math.max(reach, Math.hypot(vertices[i], vertices[i + 1], vertices[i + 2]));
+  return reach;
+}
+
+/// How far the balls of the first frame reach from the jar's centre [m].
+function reachOfBalls({ count, radius, positions, positionScale }) {
+  let reach = 1e-6;
+  for (let i = 0; i < count; ++i) {
+    const [x, y, z] = positions.subarray(3 * i, 3 * i + 3);
+    reach = Math.max(reach, radius[i] + positionScale * Math.hypot(x, y, z));
+  }
+  return reach;
+}
+
+export class Stage {
+  /// `context`: a WebGL 2 context of `canvas` that keeps its picture.
+  constructor(canvas, context, data, speedTop) {
+    this.data = data;
+    this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene = new Scene();
+    this.room = new Group(); // the laboratory, laid into the view
+    this.riding = new Group(); // at the jar's centre, axes of the laboratory
+    this.scene.add(this.room.add(this.riding));
+    this.camera = new PerspectiveCamera(fieldOfView, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.directions = directionsOf(data);
+    this.addBodies(speedTop);
+    this.addLight();
+  }
+
+  addBodies(speedTop) {
+    const { data } = this;
+    const still = data.meshes.filter((mesh) => !mesh.turn);
+    const vessel = still.sort((a, b) => reachOf(b) - reachOf(a))[0];
+    const turning = axisOfTurning(data.jarTurn) !== null;
+    this.bodies = data.meshes.map((mesh) =>
+      mesh === vessel ? vesselOf(mesh, turning) : partOf(mesh));
+    this.balls = new Balls(data, speedTop);
+    this.riding.add(this.balls.mesh, ...this.bodies.map((body) => body.group));
+    this.carrier = data.carrier ? carrierOf(data) : null;
+    if (this.carrier) this.room.add(this.carrier.group);
+    this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
+  }
+
+  addLight() {
+    const rooms = new PMREMGenerator(this.renderer);
+    this.scene.environment = rooms.fromScene(new RoomEnvironment(), 0.04).texture;
+    this.scene.environmentIntensity = 0.3;
+    rooms.dispose();
+    this.sky = new HemisphereLight(0xffffff, 0xccd2da, 1.25);
+    this.key = new DirectionalLight(0xffffff, 1.45);
+    this.key.castShadow = true;
+    const { shadow } = this.key;
+    shadow.mapSize.set(2048, 2048);
+    shadow.radius = 3;
+    shadow.normalBias = 0.004 * this.reach;
+    shadow.bias = -0.0005;
+    Object.assign(shadow.camera, { left: -this.reach, right: this.reach, bottom: -this.reach,
+      top: this.reach, near: 0.5 * this.reach, far: 6 * this.reach });
+    this.scene.add(this.sky, this.key, this.key.target);
+  }
+
+  paint(theme) {
+    this.renderer.setClearColor(theme.box, 1);
+    for (const body of this.bodies) body.paint(theme);
+    this.carrier?.paint(theme);
+  }
+
+  /// Size of the picture in CSS pixels, and pixels to one of them.
+  resize(width, height, ratio) {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// Looks from `direction` ("start", "axis", "side" or a vector), all of the way in the picture.
+  lookFrom(direction, view) {
+    const outline = outlineOf(this.data, view);
+    if (this.carrier && view === "laboratory") outline.push(...rimOf(plateOf(this.data)));
+    if (view === "carrier") outline.push(new Vector3()); // the mill's axis
+    const far = look(this.camera, this.controls, outline, this.directions[direction] ?? direction);
+    Object.assign(this.camera, { near: 0.02 * far, far: 12 * far });
+    Object.assign(this.controls, { minDistance: 0.1 * far, maxDistance: 6 * far });
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// The direction one looks from now.
+  direction() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
+  }
+
+  /// Turns the camera about what it looks at [rad].
+  orbit(right, up) {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    const ball = new Spherical().setFromVector3(arm.applyQuaternion(zUpToYUp));
+    ball.theta += right;
+    ball.phi -= up;
+    arm.setFromSpherical(ball.makeSafe()).applyQuaternion(zUpToYUp.clone().invert());
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+  }
+
+  nearer(by) {
+    this.camera.position.sub(this.controls.target).multiplyScalar(by).add(this.controls.target);
+    this.controls.update();
+  }
+
+  draw(frame, view, colour) {
+    const pose = poseAt(this.data, frame);
+    const seen = frameOfView(this.data, view, pose);
+    this.room.quaternion.copy(seen.turn);
+    this.room.position.copy(seen.origin).negate().applyQuaternion(seen.turn);
+    this.riding.position.copy(pose.centre);
+    this.bodies.forEach((body, i) => body.group.quaternion.copy(pose.parts[i] ?? pose.jar));
+    if (this.carrier) {
+      this.carrier.group.visible = rides.includes(view);
+      this.carrier.group.quaternion.copy(pose.carrier);
+    }
+    this.balls.show(frame, colour);
+    this.light(pose.centre.clone().sub(seen.origin).applyQuaternion(seen.turn));
+    this.renderer.render(this.scene, this.camera);
+    return this.weight(seen.turn);
+  }
+
+  /// The key light comes over the onlooker's left shoulder, whatever the view, and its shadows are
+  /// as fine as the jar is large.
+  light(jar) {
+    this.camera.updateMatrixWorld();
+    const axis = (i) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, i);
+    const from = axis(0).multiplyScalar(-0.45).addScaledVector(axis(1), 0.75).add(axis(2));
+    this.key.position.copy(jar).addScaledVector(from.normalize(), 3 * this.reach);
+    this.key.target.position.copy(jar);
+    this.sky.position.copy(axis(1)).addScaledVector(axis(2), 0.5);
+  }
+
+  /// Where weight pulls as the picture shows it: right, up, towards the eye.
+  weight(turn) {
+    const down = new Vector3(0, 0, -1).applyQuaternion(turn);
+    return down.transformDirection(this.camera.matrixWorldInverse);
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Numbers and sentences for the reader.
+
+/// "12 345" with a narrow no-break space between thousands.
+export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+
+/// At most three significant digits, no exponent for what a person reads.
+export const short = (number) => String(Number(number.toPrecision(3)));
+
+/// Writes times of a run in one unit, with as many decimals as tell its frames apart.
+export function clockOf(times) {
+  const last = times[times.length - 1];
+  const milli = last < 1;
+  const step = times.length > 1 ? (last - times[0]) / (times.length - 1) : 1;
+  const decimals = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(milli ? 1e3 * step : step))));
+  return (time) => (milli ? `${(1e3 * time).toFixed(decimals)} ms` : `${time.toFixed(decimals)} s`);
+}
+
+/// Replay speeds worth offering: 1, 2, 5 of each decade that take a second to ten minutes, and the
+/// one that comes nearest to twelve seconds.
+export function factorsOf(duration) {
+  const offered = [];
+  for (let power = -6; power <= 4; ++power)
+    for (const step of [1, 2, 5]) {
+      const factor = Number(`${step}e${power}`);
+      const lasts = duration / factor;
+      if (lasts >= 1 && lasts <= 600) offered.push(factor);
+    }
+  if (offered.length === 0) offered.push(1);
+  const distance = (factor) => Math.abs(Math.log(duration / factor / 12));
+  const usual = offered.reduce((a, b) => (distance(b) < distance(a) ? b : a));
+  return { offered, usual };
+}
+
+/// "every 20th ball" for what was left out.
+function everyWhich(data) {
+  const nth = Math.round(data.of / data.count);
+  const tens = nth % 100;
+  const end = tens >= 11 && tens <= 13 ? "th" : ["th", "st", "nd", "rd"][nth % 10] ?? "th";
+  return nth > 1 ? `every ${nth}${end} ball is shown` : "not all balls are shown";
+}
+
+export function captionOf(data, view, clock) {
+  const balls = data.of > data.count
+    ? `${grouped(data.count)} of ${grouped(data.of)} balls (${everyWhich(data)})`
+    : `${grouped(data.count)} ${data.count === 1 ? "ball" : "balls"}`;
+  const last = data.times[data.frames - 1];
+  const span = data.frames > 1
+    ? `${grouped(data.frames)} moments from ${clock(data.times[0])} to ${clock(last)}`
+    : `one moment, ${clock(data.times[0])}`;
+  return `${balls}, ${span}, ${view.about}.`;
+}
