@@ -32,6 +32,7 @@ inline std::vector<Row> beside_peers() {
 }
 std::vector<Row> cost_curve();
 std::vector<Row> mixing();
+std::vector<Row> observers();
 
 struct Benchmark {
   std::string_view name, about;
@@ -44,6 +45,8 @@ inline constexpr std::array benchmarks{
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
     Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
+    Benchmark{"observers", "what everything that is observed costs, beside bare engines",
+              observers},
     Benchmark{"peers",
               "beside LAMMPS, LIGGGHTS, YADE: five balls, then crowd; a quarter of an hour",
               beside_peers},

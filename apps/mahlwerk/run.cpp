@@ -20,6 +20,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/warnings.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -110,6 +111,8 @@ void tell(const Job& job, const std::vector<results::Outcome>& outcomes) {
       sweeps ? ""
              : report::pair_table(results::by_pair(outcomes.front()), job.what.observe.threshold);
   if (!pairs.empty()) fmt::print("{}\n", pairs);
+  if (const std::string regime = results::regime(outcomes.front()); !sweeps && !regime.empty())
+    fmt::print("{}: {}\n\n", regime, results::regime_reason(outcomes.front()));
   fmt::print("{}", uncalibrated(job.points.front()));
   if (sweeps) {
     const auto doubtful = std::ranges::count_if(

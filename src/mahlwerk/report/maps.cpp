@@ -43,8 +43,8 @@ std::string colour(double share) {
   const double part = at - static_cast<double>(low);
   std::array<int, 3> mixed{};
   for (std::size_t k = 0; k < 3; ++k)
-    mixed[k] = static_cast<int>(
-        std::lround((1 - part) * viridis[low][k] + part * viridis[low + 1][k]));
+    mixed[k] =
+        static_cast<int>(std::lround((1 - part) * viridis[low][k] + part * viridis[low + 1][k]));
   return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
@@ -71,7 +71,8 @@ std::string box(double x, double y, double w, double h) {
   return fmt::format("M{:.1f} {:.1f}h{:.2f}v{:.2f}h{:.2f}z", x, y, w, h, -w);
 }
 
-std::string label_at(double x, double y, std::string_view words, std::string_view anchor = "start") {
+std::string label_at(double x, double y, std::string_view words,
+                     std::string_view anchor = "start") {
   return fmt::format(
       "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\" fill=\"var(--soft,#59636e)\">{}</text>\n",
       x, y, anchor, escaped(words));
@@ -123,8 +124,8 @@ std::string wall_picture(const results::Outcome& outcome) {
   if (!(most > 0)) return "";
   constexpr double wide = 470, left = 20, top = 24, tallest = 300;
   const double round = 2 * std::numbers::pi, radius = rates.grid.radius;
-  const double tall = std::clamp(wide * (rates.grid.top - rates.grid.bottom) / (round * radius),
-                                 60.0, tallest);
+  const double tall =
+      std::clamp(wide * (rates.grid.top - rates.grid.bottom) / (round * radius), 60.0, tallest);
   const double disc = std::min(0.5 * wide / round * 2, 90.0), gap = 14;
   const double discs_x = left + wide + 40 + disc, top_y = top + disc,
                bottom_y = top_y + 2 * disc + gap + 18;
@@ -142,16 +143,16 @@ std::string wall_picture(const results::Outcome& outcome) {
     } else {
       const double px = disc / radius;
       const double y = WallGrid::part(cell) == WallGrid::Part::top ? top_y : bottom_y;
-      cells.add(share, ring_piece(discs_x, y, px * b.across[0], px * b.across[1], b.angle[0],
-                                  b.angle[1]));
+      cells.add(share,
+                ring_piece(discs_x, y, px * b.across[0], px * b.across[1], b.angle[0], b.angle[1]));
     }
   }
   const double height = std::max(top + tall + 70, bottom_y + disc + 24);
-  std::string text = cells.text() + label_at(left, top - 8, "side, unrolled: 0° to 360° about the axis") +
-                     label_at(discs_x - disc, top - 8, "upper end") +
-                     label_at(discs_x - disc, top_y + disc + gap + 8, "lower end") +
-                     colour_bar(left, top + tall + 16, 300, "0", quantity(most, "W/m2"),
-                                "lost per area");
+  std::string text =
+      cells.text() + label_at(left, top - 8, "side, unrolled: 0° to 360° about the axis") +
+      label_at(discs_x - disc, top - 8, "upper end") +
+      label_at(discs_x - disc, top_y + disc + gap + 8, "lower end") +
+      colour_bar(left, top + tall + 16, 300, "0", quantity(most, "W/m2"), "lost per area");
   return drawing(height, "Where the wall is hit", text);
 }
 
@@ -175,16 +176,16 @@ std::string field(const PlaneField& f, double x0, double y0, double size, double
       const double length = apart * px * 1.3, x = x0 + (i + 0.5) * px,
                    y = y0 + size - (j + 0.5) * px;
       const double dx = length * u, dy = -length * v;
-      arrows += fmt::format("M{:.1f} {:.1f}l{:.1f} {:.1f}m{:.1f} {:.1f}l{:.1f} {:.1f}l{:.1f} {:.1f}",
-                            x, y, dx, dy, -0.35 * dx - 0.2 * dy, -0.35 * dy + 0.2 * dx,
-                            0.35 * dx + 0.2 * dy, 0.35 * dy - 0.2 * dx, -0.35 * dx + 0.2 * dy,
-                            -0.35 * dy - 0.2 * dx);
+      arrows +=
+          fmt::format("M{:.1f} {:.1f}l{:.1f} {:.1f}m{:.1f} {:.1f}l{:.1f} {:.1f}l{:.1f} {:.1f}", x,
+                      y, dx, dy, -0.35 * dx - 0.2 * dy, -0.35 * dy + 0.2 * dx, 0.35 * dx + 0.2 * dy,
+                      0.35 * dy - 0.2 * dx, -0.35 * dx + 0.2 * dy, -0.35 * dy - 0.2 * dx);
     }
-  std::string text = cells.text() +
-                     fmt::format("<path fill=\"none\" stroke=\"#fff\" stroke-width=\"2.2\" "
-                                 "stroke-opacity=\"0.55\" d=\"{0}\"/><path fill=\"none\" "
-                                 "stroke=\"#000\" stroke-width=\"0.9\" d=\"{0}\"/>\n",
-                                 arrows);
+  std::string text = cells.text() + fmt::format(
+                                        "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"2.2\" "
+                                        "stroke-opacity=\"0.55\" d=\"{0}\"/><path fill=\"none\" "
+                                        "stroke=\"#000\" stroke-width=\"0.9\" d=\"{0}\"/>\n",
+                                        arrows);
   if (ring)
     text += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"none\" "
@@ -210,15 +211,15 @@ std::string field_picture(const results::Outcome& outcome) {
   std::ranges::sort(found);
   const double densest = found[found.size() - 1 - found.size() / 100];
   const auto& motion = outcome.what.mill.motion;
-  const Vec3 normal =
-      std::visit([](const auto& m) { return kinematics::plane_normal(m); }, motion);
+  const Vec3 normal = std::visit([](const auto& m) { return kinematics::plane_normal(m); }, motion);
   const bool ring = norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
   const bool disc = std::holds_alternative<kinematics::Planetary>(motion);
   const double radius = outcome.replicates.front().tally.wall_map.grid().radius;
   constexpr double size = 330, top = 24;
   const std::string text =
-      label_at(10, 14, disc ? "seen from the disc, outwards to the right"
-                            : "seen from the laboratory, riding with the jar's centre") +
+      label_at(10, 14,
+               disc ? "seen from the disc, outwards to the right"
+                    : "seen from the laboratory, riding with the jar's centre") +
       field(charge.in_carrier, 10, top, size, densest, fastest, ring, radius) +
       label_at(380, 14, "seen from the turning jar") +
       field(charge.in_jar, 380, top, size, densest, fastest, ring, radius) +

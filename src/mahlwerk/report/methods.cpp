@@ -40,9 +40,9 @@ class Writing {
     for (const auto& field : model.fields()) {
       std::string name(field.key);
       std::ranges::replace(name, '_', ' ');
-      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name,
-                           value(fmt::format("{}.{}", section, field.key), model.*field.value,
-                                 field.unit));
+      words += fmt::format(
+          "{}{} {}", words.empty() ? "" : ", ", name,
+          value(fmt::format("{}.{}", section, field.key), model.*field.value, field.unit));
     }
     return words;
   }
@@ -51,17 +51,18 @@ class Writing {
     const auto [kind, numbers_of] = std::visit(
         [&](const auto& m) { return std::pair(std::string(m.name), numbers("mill", m)); },
         c_.mill.motion);
-    const auto [shape, sizes] = std::visit(
-        [&](const auto& s) { return std::pair(std::string(s.name), numbers("jar", s)); },
-        c_.jar.shape);
+    const auto [shape, sizes] =
+        std::visit([&](const auto& s) { return std::pair(std::string(s.name), numbers("jar", s)); },
+                   c_.jar.shape);
     const auto plain = [](std::string text) {
       std::ranges::replace(text, '_', ' ');
       std::ranges::replace(text, '-', ' ');
       return text;
     };
-    const std::string text = fmt::format("Mill: {}{}{}{}. ", plain(kind),
-                       c_.mill.model.empty() ? "" : fmt::format(" ({})", c_.mill.model),
-                       numbers_of.empty() ? "" : ", ", numbers_of);
+    const std::string text =
+        fmt::format("Mill: {}{}{}{}. ", plain(kind),
+                    c_.mill.model.empty() ? "" : fmt::format(" ({})", c_.mill.model),
+                    numbers_of.empty() ? "" : ", ", numbers_of);
     const double volume = std::visit([](const auto& s) { return s.volume(); }, c_.jar.shape);
     return text + fmt::format("Jar: {}{}{}{}, volume {} ml{}. ", plain(shape),
                               c_.jar.model.empty() ? "" : fmt::format(" ({})", c_.jar.model),
@@ -74,12 +75,11 @@ class Writing {
     for (std::size_t i = 0; i < c_.balls.size(); ++i) {
       const cases::BallSet& set = c_.balls[i];
       const std::string key = fmt::format("balls.{}.", i + 1);
-      text += fmt::format("{}: {} spheres of {}{}{}, density {}. ",
-                          set.grains ? "Powder as grains" : "Balls", set.count,
-                          set.classes.empty() ? "" : "mean ",
-                          value(key + "diameter", set.diameter, "m"),
-                          set.material.empty() ? "" : ", " + set.material,
-                          value(key + "density", set.density, "kg/m3"));
+      text += fmt::format(
+          "{}: {} spheres of {}{}{}, density {}. ", set.grains ? "Powder as grains" : "Balls",
+          set.count, set.classes.empty() ? "" : "mean ", value(key + "diameter", set.diameter, "m"),
+          set.material.empty() ? "" : ", " + set.material,
+          value(key + "density", set.density, "kg/m3"));
     }
     if (c_.powder && c_.powder->mass > 0)
       text += fmt::format("Powder: {:.4g} g{}{}. ", 1000 * c_.powder->mass,
@@ -90,18 +90,18 @@ class Writing {
 
   std::string contact(const std::string& engine) const {
     const contact::BounceRule& rule = c_.contact.rule;
-    std::string text = fmt::format(
-        "Contacts: restitution {}", marked("contact.restitution",
-                                           fmt::format("{:.4g}", rule.restitution.value())));
+    std::string text =
+        fmt::format("Contacts: restitution {}",
+                    marked("contact.restitution", fmt::format("{:.4g}", rule.restitution.value())));
     text += std::isfinite(rule.friction)
                 ? ", friction " + marked("contact.friction", fmt::format("{:.4g}", rule.friction))
                 : ", no Coulomb limit of bounces";
     if (engine == "event")
-      text += ", tangential restitution " +
-              marked("contact.tangential_restitution",
-                     fmt::format("{:.4g}", rule.tangential_restitution));
-    text += ", rolling friction " + marked("contact.rolling_friction",
-                                           fmt::format("{:.4g}", c_.contact.rolling_friction));
+      text +=
+          ", tangential restitution " + marked("contact.tangential_restitution",
+                                               fmt::format("{:.4g}", rule.tangential_restitution));
+    text += ", rolling friction " +
+            marked("contact.rolling_friction", fmt::format("{:.4g}", c_.contact.rolling_friction));
     if (!c_.contact.pairs.empty())
       text += fmt::format(", with {} exceptions by pair", c_.contact.pairs.size());
     return text + ". ";
@@ -131,8 +131,7 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
                                  engine_words(outcome));
   text += say.mill() + say.charge() + say.contact(outcome.engine);
   double time = 0;
-  for (const results::Replicate* r : chosen)
-    time += r->time() / static_cast<double>(chosen.size());
+  for (const results::Replicate* r : chosen) time += r->time() / static_cast<double>(chosen.size());
   text += fmt::format(
       "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
       "confidence, by Student's t over replicates{}.",

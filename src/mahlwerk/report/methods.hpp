@@ -9,8 +9,8 @@
 
 namespace mahlwerk::report {
 
-/// What was run, in a paragraph to paste into a paper. An asterisk follows every value that the case
-/// did not give and nobody measured.
+/// What was run, in a paragraph to paste into a paper. An asterisk follows every value that the
+/// case did not give and nobody measured.
 std::string methods(const results::Outcome& outcome, std::string_view version);
 
 }  // namespace mahlwerk::report

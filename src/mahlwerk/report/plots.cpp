@@ -11,6 +11,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/wear.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -58,6 +59,48 @@ Plot spectrum_plot(const results::Outcome& outcome) {
     plot.y.least = std::max(0.7 * rare, often / depth);
   }
   return plot;
+}
+
+Plot energy_weighted_plot(const results::Outcome& outcome) {
+  constexpr double decades = 1e5;
+  const Table table = results::spectrum(outcome);
+  std::vector<double> edges = column(table, "energy_low");
+  if (!table.rows.empty()) edges.push_back(table.rows.back()[1]);
+  const Multiple energy = multiple(largest(edges), "J");
+  for (double& e : edges) e /= energy.factor;
+  const Multiple power = multiple(largest(column(table, "power_normal")), "W");
+  Plot plot{"Power carried by impacts of each energy",
+            {fmt::format("energy of one collision ({})", energy.unit), true},
+            {fmt::format("power per bin ({})", power.unit)},
+            {{"normal motion", edges, column(table, "power_normal", power.factor), {}, Mark::steps},
+             {"dissipated", edges, column(table, "power_lost", power.factor), {}, Mark::steps}},
+            720,
+            300};
+  if (edges.size() > 2 && edges[1] < edges.back() / decades) plot.x.least = edges.back() / decades;
+  return plot;
+}
+
+Plot angle_plot(const results::Outcome& outcome) {
+  const Table table = results::angles(outcome);
+  std::vector<double> edges = column(table, "angle_low");
+  edges.push_back(90);
+  return {.title = "Impact angle of collisions above the threshold",
+          .x = {.label = "angle (°), 0 head-on, 90 grazing", .least = 0, .most = 90},
+          .y = {.label = "collisions per second and degree"},
+          .series = {{"", edges, column(table, "rate_above_threshold"), {}, Mark::steps}},
+          .height = 260};
+}
+
+Plot temperature_plot(const results::Outcome& outcome) {
+  const Table table = results::temperatures(outcome);
+  constexpr double minute = 60;
+  return {
+      .title = "Temperature over milling and pauses",
+      .x = {.label = "time (min)", .least = 0},
+      .y = {.label = "temperature (°C)"},
+      .series = {{"balls", column(table, "time", minute), column(table, "balls"), {}, Mark::line},
+                 {"jar", column(table, "time", minute), column(table, "jar"), {}, Mark::line}},
+      .height = 280};
 }
 
 Plot rate_plot(const results::Outcome& outcome) {

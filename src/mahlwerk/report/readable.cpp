@@ -31,7 +31,8 @@ constexpr std::array labels{
 
 /// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
-  constexpr std::array<std::string_view, 8> list{"J", "W", "m", "s", "N", "Pa", "W/g", "J/g"};
+  constexpr std::array<std::string_view, 11> list{"J",   "W",   "m",   "s",    "N",  "Pa",
+                                                  "W/g", "J/g", "N m", "W/m2", "g/h"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 
@@ -99,7 +100,11 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
   const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
-  std::string shown = m.unit == "1" ? "" : m.unit == "1/s" ? "/s" : m.unit == "deg" ? "°" : m.unit;
+  std::string shown = m.unit == "1"      ? ""
+                      : m.unit == "1/s"  ? "/s"
+                      : m.unit == "deg"  ? "°"
+                      : m.unit == "degC" ? "°C"
+                                         : m.unit;
   if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
     return {fmt::format("{:.0f}", v), ""};  // a number of things
   const bool plain =

@@ -48,8 +48,8 @@ std::string quoted(std::string_view text) {
 std::array<double, 4> quaternion(const Rotation& r) {
   const double xx = r.ex.x, yy = r.ey.y, zz = r.ez.z;
   const auto half_root = [](double square) { return 0.5 * std::sqrt(std::max(0.0, 1 + square)); };
-  const double w = half_root(xx + yy + zz), x = half_root(xx - yy - zz), y = half_root(yy - xx - zz),
-               z = half_root(zz - xx - yy);
+  const double w = half_root(xx + yy + zz), x = half_root(xx - yy - zz),
+               y = half_root(yy - xx - zz), z = half_root(zz - xx - yy);
   // From the largest of the four, so that none is lost to rounding.
   if (w >= x && w >= y && w >= z)
     return {(r.ey.z - r.ez.y) / (4 * w), (r.ez.x - r.ex.z) / (4 * w), (r.ex.y - r.ey.x) / (4 * w),
@@ -60,8 +60,7 @@ std::array<double, 4> quaternion(const Rotation& r) {
   if (y >= z)
     return {(r.ex.y + r.ey.x) / (4 * y), y, (r.ey.z + r.ez.y) / (4 * y),
             (r.ez.x - r.ex.z) / (4 * y)};
-  return {(r.ex.z + r.ez.x) / (4 * z), (r.ey.z + r.ez.y) / (4 * z), z,
-          (r.ex.y - r.ey.x) / (4 * z)};
+  return {(r.ex.z + r.ez.x) / (4 * z), (r.ey.z + r.ez.y) / (4 * z), z, (r.ex.y - r.ey.x) / (4 * z)};
 }
 
 void append(std::vector<float>& list, const Rotation& r) {
@@ -97,10 +96,9 @@ std::string meshes(const cases::Case& c, const Ways& w) {
   for (const results::JarMesh& mesh : results::jar_surface(c.jar.shape)) {
     std::vector<float> vertices;
     for (const Vec3& v : mesh.vertices) append(vertices, v);
-    list += fmt::format(
-        "{}{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{}}}",
-        list.empty() ? "" : ",", quoted(mesh.name), packed(vertices), packed(mesh.triangles),
-        mesh.rotor ? quoted(packed(w.rotor)) : "null");
+    list += fmt::format("{}{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{}}}",
+                        list.empty() ? "" : ",", quoted(mesh.name), packed(vertices),
+                        packed(mesh.triangles), mesh.rotor ? quoted(packed(w.rotor)) : "null");
   }
   return list;
 }

@@ -18,7 +18,8 @@ extern "C" const char mahlwerk_replay_begin[], mahlwerk_replay_end[];
 namespace mahlwerk::report {
 
 std::string_view replay_script() {
-  return {mahlwerk_replay_begin, static_cast<std::size_t>(mahlwerk_replay_end - mahlwerk_replay_begin)};
+  return {mahlwerk_replay_begin,
+          static_cast<std::size_t>(mahlwerk_replay_end - mahlwerk_replay_begin)};
 }
 
 }  // namespace mahlwerk::report

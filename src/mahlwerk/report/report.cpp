@@ -7,13 +7,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/report/maps.hpp"
+#include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plots.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/wear.hpp"
 #include "mahlwerk/results/writer.hpp"
 
 namespace mahlwerk::report {
@@ -30,21 +36,29 @@ std::string shown(const std::vector<Quantity>& list, std::string_view name) {
   return readable(named(list, name)).text();
 }
 
+/// A cell that also tells a program the number it shows.
+std::string number_cell(const Quantity* q, const std::string& text) {
+  if (q == nullptr || !std::isfinite(q->value))
+    return fmt::format("<td class=\"n\">{}</td>", escaped(text));
+  return fmt::format("<td class=\"n\" data-quantity=\"{}\" data-value=\"{}\">{}</td>", q->name,
+                     shortest(q->value), escaped(text));
+}
+
 std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& list) {
   std::string body;
   for (const Row& row : rows(list)) {
     const std::string title = label(row.all->name);
-    body += fmt::format(
-        "<tr><th scope=\"row\">{}<small>{}</small></th><td class=\"n\">{}</td><td "
-        "class=\"n\">{}</td></tr>\n",
-        escaped(title), with_symbols(row.all->about), escaped(row.all_text()),
-        escaped(row.above_text()));
+    body += fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
+                        with_symbols(row.all->about), number_cell(row.all, row.all_text()),
+                        number_cell(row.above, row.above_text()));
   }
   return fmt::format(
       "<h2>Results</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">all "
       "collisions</th><th class=\"n\">u<sub>n</sub> ≥ {}</th></tr></thead>\n<tbody>\n{}</tbody>\n"
       "</table></div>\n<p><small>± is the 95 % confidence half-width over independent replicates "
-      "(Student's t). u<sub>n</sub> is the normal speed at first touch.</small></p>\n",
+      "(Student's t), or of one alone over time (batch means). u<sub>n</sub> is the normal speed "
+      "at "
+      "first touch.</small></p>\n",
       threshold_text(outcome.what.observe.threshold), body);
 }
 
@@ -84,6 +98,79 @@ std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
       heading, words, lines);
 }
 
+std::string methods_box(const Outcome& outcome, std::string_view version) {
+  return fmt::format(
+      "<h2>Methods, to paste</h2>\n<section class=\"box\"><p id=\"methods\">{}</p></section>\n",
+      with_symbols(escaped(methods(outcome, version))));
+}
+
+std::string picture(const std::string& drawing, std::string_view caption) {
+  if (drawing.empty()) return "";
+  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", drawing,
+                     escaped(caption));
+}
+
+std::string how_hard(const Outcome& outcome) {
+  return "<h2>How hard</h2>\n" +
+         figure(spectrum_plot(outcome),
+                "Collisions per second in each bin of energy (four bins an octave). The faintest "
+                "bounces are left out; spectrum.csv has them all, spectra_by_pair.csv by pair.") +
+         figure(energy_weighted_plot(outcome),
+                "The same, weighted by energy: which impacts carry the power.") +
+         picture(normal_tangential_picture(outcome),
+                 "Into the wall or along it: collisions per second by both energies, a bin an "
+                 "octave, colours over four decades.") +
+         figure(angle_plot(outcome), "Between tangential and normal speed at first touch.");
+}
+
+std::string where(const Outcome& outcome) {
+  std::string text = picture(
+      wall_picture(outcome),
+      "Power that hits on the jar lose, over the wall's area. The jar's own axes, which turn with "
+      "it; wall_map.csv has the numbers. What lasting contacts lose has no place here.");
+  text += picture(field_picture(outcome),
+                  "Mean over the counted time, in the plane of the motion: mass above each area "
+                  "as colour, its velocity as arrows. fields.csv has the numbers.");
+  if (text.empty()) return "";
+  std::string words;
+  if (const std::string regime = results::regime(outcome); !regime.empty())
+    words = fmt::format("<p>The charge is <strong>{}</strong>: {}.</p>\n", regime,
+                        escaped(results::regime_reason(outcome)));
+  return "<h2>Where, and how it moves</h2>\n" + words + text;
+}
+
+std::string how_steady(const Outcome& outcome) {
+  return "<h2>How steady</h2>\n" +
+         figure(rate_plot(outcome),
+                "Each point is a mean over a stretch of time and the replicates.") +
+         figure(power_plot(outcome),
+                "What the jar puts in and what is lost in collisions and lasting contacts. In the "
+                "long run the two are equal.");
+}
+
+std::string wear_and_heat(const Outcome& outcome) {
+  std::string text;
+  if (const results::Table table = results::wear(outcome); !table.rows.empty()) {
+    std::string body;
+    for (const auto& row : table.rows)
+      body += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td></tr>\n",
+          escaped(table.columns[0].words[static_cast<std::size_t>(row[0])]),
+          escaped(readable(row[2] * 3.6e6, std::nan(""), "g/h", row[2] * 3.6e6).text()));
+    text += fmt::format(
+        "<h2>Wear</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">worn off"
+        "</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>By the wear "
+        "coefficient of the case, which few know better than to a factor of ten.</small></p>\n",
+        body);
+  }
+  if (outcome.what.heat)
+    text +=
+        "<h2>How warm</h2>\n" +
+        figure(temperature_plot(outcome),
+               "Balls and jar as two lumps, heated by the dissipated power, cooled by the air.");
+  return text;
+}
+
 std::string warning_box(const Outcome& outcome) {
   std::string lines;
   for (const std::string& w : warnings(outcome)) lines += fmt::format("<p>{}</p>\n", escaped(w));
@@ -117,22 +204,13 @@ std::string report_page(const Outcome& outcome, std::string_view version) {
   body += warning_box(outcome);
   for (const std::string& note : outcome.notes)
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(note));
+  if (const std::string replay = replay_section(outcome); !replay.empty())
+    body += "<h2>Replay</h2>\n" + replay;
   body += quantity_table(outcome, list);
   body += pairs_table(outcome);
-  if (!results::averaged(outcome).empty()) {
-    body += "<h2>How hard</h2>\n";
-    body +=
-        figure(spectrum_plot(outcome),
-               "Collisions per second in each bin of energy (four bins an octave). The faintest "
-               "bounces are left out; spectrum.csv has them all, and the dissipated energy too.");
-    body += "<h2>How steady</h2>\n";
-    body += figure(rate_plot(outcome),
-                   "Each point is a mean over a stretch of time and the replicates.");
-    body += figure(
-        power_plot(outcome),
-        "What the jar puts in and what is lost in collisions and lasting contacts. In the long "
-        "run the two are equal.");
-  }
+  if (!results::averaged(outcome).empty())
+    body += how_hard(outcome) + where(outcome) + how_steady(outcome) + wear_and_heat(outcome);
+  body += methods_box(outcome, version);
   body += "<h2>What it rests on</h2>\n";
   body += origin_box(
       outcome, &cases::Origin::assumed, "Assumed, not measured",
@@ -144,10 +222,9 @@ std::string report_page(const Outcome& outcome, std::string_view version) {
       "</details>\n",
       escaped(cases::write(outcome.what)));
   const std::string footer = fmt::format(
-      "Mahlwerk {}, {} engine, seed {}, {:.3g} s of computing. The numbers are in summary.json and "
-      "the "
-      "CSV files beside this page.",
-      escaped(version), escaped(outcome.what.run.engine), outcome.what.seed, outcome.cpu_seconds);
+      "Mahlwerk {}, {} engine, seed {}, {:.3g} s of computing. The numbers are in summary.json, "
+      "result.h5 and the CSV files beside this page.",
+      escaped(version), escaped(outcome.engine), outcome.what.seed, outcome.cpu_seconds);
   return page(given.empty() ? "A ball mill" : given, body, footer);
 }
 

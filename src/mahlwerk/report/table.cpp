@@ -32,12 +32,12 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 std::string Row::all_text() const {
-  return readable(all->value, all->ci95, all->unit, size_of(*this)).text();
+  return readable(all->value, all->half_width(), all->unit, size_of(*this)).text();
 }
 
 std::string Row::above_text() const {
   if (above == nullptr) return "";
-  return readable(above->value, above->ci95, above->unit, size_of(*this)).text();
+  return readable(above->value, above->half_width(), above->unit, size_of(*this)).text();
 }
 
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {

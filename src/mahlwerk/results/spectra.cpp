@@ -3,6 +3,7 @@
 #include "mahlwerk/results/spectra.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "mahlwerk/results/pairs.hpp"
@@ -40,13 +41,26 @@ std::vector<Histogram> parts() {
   return list;
 }
 
+/// Rates and powers of the first four, then of the two that came later: columns keep their places.
+template <class Rate, class Power>
+void in_order(const Rate& rate, const Power& power) {
+  const std::span<const Energy> all(energies());
+  for (const std::span<const Energy> some : {all.first(4), all.subspan(4)}) {
+    for (const Energy& e : some) rate(e);
+    for (const Energy& e : some) power(e);
+  }
+}
+
 std::vector<Column> energy_columns() {
   std::vector<Column> columns{{"energy_low", "J", "lower edge of the bin, which belongs to it"},
                               {"energy_high", "J", "upper edge of the bin"}};
-  for (const Energy& e : energies())
-    columns.push_back({"rate_" + e.name, "1/s", "collisions per second by " + e.about});
-  for (const Energy& e : energies())
-    columns.push_back({"power_" + e.name, "W", "the sum per second of " + e.about});
+  in_order(
+      [&](const Energy& e) {
+        columns.push_back({"rate_" + e.name, "1/s", "collisions per second by " + e.about});
+      },
+      [&](const Energy& e) {
+        columns.push_back({"power_" + e.name, "W", "the sum per second of " + e.about});
+      });
   return columns;
 }
 
@@ -57,8 +71,8 @@ double lower_edge(int bin) {
 
 std::vector<double> energy_row(const MeanSpectra& spectra, int bin) {
   std::vector<double> row{lower_edge(bin), LogHistogram::lower(bin + 1)};
-  for (const Energy& e : energies()) row.push_back(spectra.rate(e.part, bin));
-  for (const Energy& e : energies()) row.push_back(spectra.power(e.part, bin));
+  in_order([&](const Energy& e) { row.push_back(spectra.rate(e.part, bin)); },
+           [&](const Energy& e) { row.push_back(spectra.power(e.part, bin)); });
   return row;
 }
 

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "mahlwerk/base/base64.hpp"
 #include "mahlwerk/base/units.hpp"
 
 namespace mahlwerk::results {

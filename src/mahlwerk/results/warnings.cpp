@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
@@ -22,6 +23,21 @@ constexpr double sunk = 0.2;
 
 double named(const std::vector<Quantity>& list, std::string_view name) {
   return std::ranges::find(list, name, &Quantity::name)->value;
+}
+
+/// What the start of a run does to its means: the settling that its power shows, and power drawn
+/// that is not dissipated.
+std::string not_steady(const std::vector<Quantity>& quantities) {
+  constexpr double much = 0.1, balanced = 0.01;
+  const double settling = named(quantities, "settling_time"),
+               time = named(quantities, "simulated_time");
+  const double imbalance = named(quantities, "power_imbalance");
+  if (!(settling > much * time) || !(std::abs(imbalance) > balanced)) return "";
+  return fmt::format(
+      "The charge had not settled when counting began: the first {:.2g} s of {:.2g} s counted "
+      "stand "
+      "out, and {:.2g} % more power was drawn than dissipated. A longer run.settle helps.",
+      settling, time, 100 * imbalance);
 }
 
 }  // namespace
@@ -52,6 +68,11 @@ std::vector<std::string> warnings(const Outcome& outcome) {
         "are no longer those of the contact law: a larger contact.softening, stiffer contacts or a "
         "shorter run.time_step help.",
         deepest));
+  if (const std::string words = not_steady(quantities); !words.empty()) list.push_back(words);
+  if (!std::ranges::all_of(averaged(outcome), &Replicate::sure))
+    list.push_back(fmt::format(
+        "{} is not known within {:.3g} % at the longest time allowed: a longer run.longest helps.",
+        outcome.what.run.until->quantity, 100 * outcome.what.run.until->within));
   const double run = named(quantities, "energy_balance");
   const double closed = outcome.engine == "soft" ? closed_run_in_steps : closed_run;
   if (!(run <= closed))

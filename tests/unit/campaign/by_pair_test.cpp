@@ -10,6 +10,7 @@
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::campaign {

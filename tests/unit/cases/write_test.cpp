@@ -118,7 +118,15 @@ class AnyCase {
     if (flip()) draw_places(c);
     if (flip()) draw_powder(c.powder.emplace());
     draw_contact(c.contact);
-    c.run = {flip() ? "event" : "soft", size(), size(), whole(10000), size(), size()};
+    c.run = {.engine = flip() ? "event" : "soft",
+             .time = size(),
+             .settle = size(),
+             .replicates = whole(10000),
+             .start_speed = size(),
+             .start_spin = size()};
+    if (flip())
+      c.run.until = Until{.within = random_.uniform(), .quantity = until_words()[flip() ? 0 : 2]};
+    if (flip()) c.mill.jars_carried = whole(100);
     c.run.start_frame = flip() ? StartFrame::laboratory : StartFrame::jar;
     c.run.hop = flip();
     if (flip())

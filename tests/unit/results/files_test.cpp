@@ -10,6 +10,7 @@
 #include "mahlwerk/results/hdf5.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 #include "mahlwerk/results/writer.hpp"
 #include "unit/results/fake.hpp"
@@ -79,7 +80,8 @@ TEST(Csv, HeadsOfResultsStayAsTheyAre) {
   EXPECT_EQ(head(spectrum(o)),
             "energy_low_J,energy_high_J,rate_normal_per_s,rate_contact_point_per_s,"
             "rate_centre_per_s,rate_lost_per_s,power_normal_W,power_contact_point_W,"
-            "power_centre_W,power_lost_W");
+            "power_centre_W,power_lost_W,rate_lost_normal_per_s,rate_lost_tangential_per_s,"
+            "power_lost_normal_W,power_lost_tangential_W");
   EXPECT_EQ(head(speeds(o)), "speed_low_m_per_s,speed_high_m_per_s,rate_per_s");
   EXPECT_EQ(head(angles(o)), "angle_low_deg,angle_high_deg,rate_per_s,rate_above_threshold_per_s");
   EXPECT_EQ(head(time_series(o)),

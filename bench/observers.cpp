@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What it costs to be told: each run once as a bare engine that nobody listens to, once as a
+// replicate with everything that is observed, in turn.
+#include <fmt/format.h>
+
+#include "benchmarks.hpp"
+#include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/cases/read.hpp"
+
+namespace mahlwerk::bench {
+namespace {
+
+struct Deaf final : scene::Observer {
+  void collisions(std::span<const scene::Collision>) override {}
+};
+
+struct Example {
+  std::string_view name, folder;
+  double time;  // [s] counted, long enough to be timed
+};
+constexpr Example examples[] = {
+    {"one ball, lasting contacts roll, event engine", "01-one-ball", 3000},
+    {"one ball, TC rule, event engine", "01-one-ball", 3000},
+    {"7 balls in a planetary mill, event engine", "03-planetary-mill", 60},
+    {"400 balls in a drum", "04-tumbling-drum", 3},
+    {"5 balls in a planetary mill, soft engine", "05-planetary-soft", 3},
+    {"powder as grains, soft engine", "06-powder-as-grains", 0.3},
+};
+constexpr int runs = 7;
+
+double bare(const cases::Case& what) {
+  const double began = cpu_seconds();
+  const auto engine = campaign::engine(what, 0);
+  Deaf deaf;
+  engine->advance(what.run.time, deaf);
+  return cpu_seconds() - began;
+}
+
+double observed(const cases::Case& what, std::int64_t& collisions) {
+  const double began = cpu_seconds();
+  campaign::Replica replica(what, 0);
+  while (!replica.done()) replica.go_on();
+  const double spent = cpu_seconds() - began;
+  collisions = replica.account().collisions;
+  return spent;
+}
+
+}  // namespace
+
+std::vector<Row> observers() {
+  std::vector<Row> rows;
+  const cases::Catalogue catalogue(std::filesystem::path(MAHLWERK_HOME) / "catalogue");
+  for (const Example& e : examples) {
+    const auto file = std::filesystem::path(MAHLWERK_HOME) / "examples" / e.folder / "case.toml";
+    cases::Case what = cases::read(file, catalogue, {});
+    what.run.settle = 0;
+    what.run.time = e.time;
+    if (what.run.engine == "auto") what.run.engine = "event";
+    if (e.name.find("TC") != std::string_view::npos) {
+      what.contact.lasting = cases::Lasting::tc;
+      what.contact.contact_time = 1e-4;
+    }
+    std::int64_t collisions = 0;
+    std::vector<double> costs, shares;
+    for (int i = 0; i < runs; ++i) {
+      const double without = bare(what), with = observed(what, collisions);
+      shares.push_back(with / without - 1);
+      costs.push_back((with - without) / static_cast<double>(collisions) * 1e9);
+    }
+    const std::string name(e.name);
+    rows.push_back({"observers", name, "mahlwerk", "share_of_the_run's_time", median(shares)});
+    rows.push_back({"observers", name, "mahlwerk", "ns_per_collision", median(costs)});
+  }
+  return rows;
+}
+
+}  // namespace mahlwerk::bench
