@@ -217,7 +217,8 @@ def check_playing(checks):
     playing = checks.state("playing")
     checks.say("printing_pauses", playing, "false", playing == "false")
     drawn = browser.ask("(c => new Set(c.getContext('2d').getImageData("
-                        "0, 0, c.width, c.height).data).size)(document.querySelector('#replay .print'))")
+                        "0, 0, c.width, c.height).data).size)"
+                        "(document.querySelector('#replay .print'))")
     checks.say("the_print_shows_the_picture", f"{drawn} levels", "above 100", drawn > 100)
     browser.media(prefers_reduced_motion="reduce", prefers_color_scheme="light")
     checks.open("vial_reduced", synthetic.vial())
