@@ -13,6 +13,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/hdf5_handle.hpp"
+#include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
