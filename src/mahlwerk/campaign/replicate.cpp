@@ -104,10 +104,12 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
       window_(first_window(what)),
       engine_(engine(what, index, threads)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
+  for (const cases::BallSet& set : what.balls) balls_ += set.count;
   const scene::Chamber mill = cases::chamber(what);
-  result_.charge = observe::Charge(mill);
+  result_.charge = observe::Charge(mill, result_.tally.wall_map.grid().radius);
   if (index == 0)
-    result_.replay = observe::Replay(mill, engine_->balls().size(), what.run.settle, what.run.time);
+    result_.replay =
+        observe::Replay(mill, static_cast<std::size_t>(balls_), what.run.settle, what.run.time);
   last_ = result_.account = result_.at_settled = engine_->account();
   if (what.run.engine == "soft")  // its work is known beforehand: below 0.1 s for 1000 balls
     portion_ = std::min(portion_, 1e3 * soft_settings(what).rules.time_step);
@@ -152,11 +154,10 @@ double Replica::next_look() const {
 
 /// So many looks in the next stretch that they cost little beside its work.
 void Replica::plan_looks(const scene::Account& before, const scene::Account& now) {
-  constexpr std::int64_t steps = 128, collisions = 40, most = 20;
-  const auto balls = std::ssize(engine_->balls());
+  constexpr std::int64_t steps = 512, collisions = 200, most = 20;
   const std::int64_t work = what_->run.engine == "soft"
                                 ? (now.time_steps - before.time_steps) / steps
-                                : (now.collisions - before.collisions) / (collisions * balls);
+                                : (now.collisions - before.collisions) / (collisions * balls_);
   looks_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));
   looked_ = 0;
 }

@@ -53,6 +53,7 @@ class Replica {
   int looks_ = 4;        // at the charge in this stretch
   int looked_ = 0;       // of them
   std::int64_t looked_ever_ = 0;
+  std::int64_t balls_ = 0;
   std::unique_ptr<scene::Engine> engine_;
   int stretch_ = 0;            // 0: settling
   scene::Account last_;        // when the stretch began

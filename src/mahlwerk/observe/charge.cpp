@@ -23,11 +23,12 @@ int angle_slot(double x, double y) {
 
 }  // namespace
 
-Charge::Charge(const scene::Chamber& mill) : mass_at(angles), mill_(mill) {
-  const double half = std::visit([](const auto& s) { return s.reach(); }, mill.shape);
-  in_jar = in_carrier = PlaneField(half);
+Charge::Charge(const scene::Chamber& mill, double radius) : mass_at(angles), mill_(mill) {
   const Vec3 normal =
       std::visit([](const auto& m) { return kinematics::plane_normal(m); }, mill.motion);
+  const bool along = norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane cuts the jar across
+  const double reach = std::visit([](const auto& s) { return s.reach(); }, mill.shape);
+  in_jar = in_carrier = PlaneField(along ? radius : reach);
   const Vec3 z{0, 0, 1}, x{1, 0, 0};
   const bool flat = std::abs(normal.z) > 0.9;  // the plane is seen from above, else upright
   right_ = flat ? x : cross(z, normal) * (1 / norm(cross(z, normal)));

@@ -18,7 +18,8 @@ class Charge {
   static constexpr int angles = 180;  ///< of two degrees
 
   Charge() = default;  ///< sees nothing
-  explicit Charge(const scene::Chamber& mill);
+  /// `radius` [m] is the largest distance of the wall from the jar's own axis.
+  Charge(const scene::Chamber& mill, double radius);
 
   /// The balls in the jar frame at `time` [s]; they stand for `weight` [s].
   void look(double time, const std::vector<scene::Ball>& balls, double weight);

@@ -19,11 +19,15 @@ double LogHistogram::lower(int bin) {
 }
 
 double LogHistogram::unit(std::int64_t bin) {
-  return std::ldexp(1.0, static_cast<int>(bin) / per_octave + lowest_octave - mantissa_bits);
+  // Whatever is negative is in the first bin, too, and may be as large as others: 1e-30 J is exact
+  // enough there, and leaves room.
+  constexpr int first_bits = 20;
+  const int octave = static_cast<int>(bin) / per_octave + lowest_octave;
+  return std::ldexp(1.0, octave - (bin == 0 ? first_bits : mantissa_bits));
 }
 
 LogHistogram::Whole LogHistogram::rough(double value, std::int64_t at) {
-  constexpr double most = 0x1p100;
+  constexpr double most = 0x1p110;
   const double units = value / unit(at);
   return static_cast<Whole>(std::isnan(units) ? 0 : std::clamp(units, -most, most));
 }

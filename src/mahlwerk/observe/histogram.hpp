@@ -30,8 +30,8 @@ class LogHistogram {
 
   LogHistogram() : bins_(bins) {}
 
-  /// `value` >= 0; what lies beyond the ends goes into the first or last bin, and so does what
-  /// rounding made a little less than 0.
+  /// What lies beyond the ends goes into the first or last bin; into the first goes all that is not
+  /// above 0, a loss that rounding, or a rule that makes energy, has made negative.
   void add(double value) { add(value, bin_of(value)); }
   /// The same where its bin is known.
   void add(double value, std::int64_t at) {

@@ -13,10 +13,10 @@
 namespace mahlwerk::observe {
 
 /// A short film of the balls for the report: places to a 32 767th of the jar's reach, of at most
-/// `most_balls` of them, in at most about 3 MB.
+/// `most_balls` of them, in at most about 1.6 MB.
 class Replay {
  public:
-  static constexpr std::size_t most_balls = 20000, most_places = 400000;
+  static constexpr std::size_t most_balls = 20000, most_places = 150000;
 
   Replay() = default;  ///< of nothing
   /// From `begin` [s], about three periods of the mill or a turn of a drum, but no longer than

@@ -96,6 +96,13 @@ std::string drawing(double height, std::string_view title, const std::string& in
       height, escaped(title), inside);
 }
 
+/// Two digits and a fitting multiple.
+std::string brief(double value, std::string_view unit) {
+  const Multiple m = multiple(value, unit);
+  const double v = value / m.factor;
+  return fmt::format("{:.{}f} {}", v, v >= 10 ? 0 : v >= 1 ? 1 : 2, m.unit);
+}
+
 /// A piece of a ring about (x, y), from radius a to b [px] and angle from to to [rad], y upwards.
 std::string ring_piece(double x, double y, double a, double b, double from, double to) {
   const auto at = [&](double r, double angle) {
@@ -103,10 +110,6 @@ std::string ring_piece(double x, double y, double a, double b, double from, doub
   };
   return fmt::format("M{}A{:.1f} {:.1f} 0 0 0 {}L{}A{:.1f} {:.1f} 0 0 1 {}z", at(b, from), b, b,
                      at(b, to), at(a, to), a, a, at(a, from));
-}
-
-std::string quantity(double value, std::string_view unit) {
-  return readable(value, std::nan(""), unit, value).text();
 }
 
 }  // namespace
@@ -152,7 +155,7 @@ std::string wall_picture(const results::Outcome& outcome) {
       cells.text() + label_at(left, top - 8, "side, unrolled: 0° to 360° about the axis") +
       label_at(discs_x - disc, top - 8, "upper end") +
       label_at(discs_x - disc, top_y + disc + gap + 8, "lower end") +
-      colour_bar(left, top + tall + 16, 300, "0", quantity(most, "W/m2"), "lost per area");
+      colour_bar(left, top + tall + 16, 300, "0", brief(most, "W/m²"), "lost per area");
   return drawing(height, "Where the wall is hit", text);
 }
 
@@ -223,9 +226,8 @@ std::string field_picture(const results::Outcome& outcome) {
       field(charge.in_carrier, 10, top, size, densest, fastest, ring, radius) +
       label_at(380, 14, "seen from the turning jar") +
       field(charge.in_jar, 380, top, size, densest, fastest, ring, radius) +
-      colour_bar(10, top + size + 12, 300, "0", quantity(densest, "kg/m2"), "balls per area") +
-      label_at(380, top + size + 22,
-               fmt::format("the longest arrow is {}", quantity(fastest, "m/s")));
+      colour_bar(10, top + size + 12, 300, "0", brief(densest, "kg/m²"), "balls per area") +
+      label_at(380, top + size + 22, fmt::format("the longest arrow is {}", brief(fastest, "m/s")));
   return drawing(top + size + 46, "Where the charge is and how it moves", text);
 }
 
@@ -261,16 +263,19 @@ std::string normal_tangential_picture(const results::Outcome& outcome) {
       "<path stroke=\"var(--soft,#59636e)\" stroke-dasharray=\"4 4\" d=\"M{} {}L{} {}\"/>\n", left,
       top + size, left + size, top);
   for (int k = 0; k <= shown; k += 6) {
-    const std::string energy = quantity(std::ldexp(1.0, first + k), "J");
+    const std::string energy = brief(std::ldexp(1.0, first + k), "J");
     text += label_at(left + k * px, top + size + 16, energy, "middle");
     text += label_at(left - 6, top + size - k * px + 4, energy, "end");
   }
   text += label_at(left + 0.5 * size, top + size + 34, "normal energy m u_n²/2", "middle");
-  text += label_at(left + 4, top + 14, "tangential energy m u_t²/2 upwards");
+  text += fmt::format(
+      "<text transform=\"translate(18,{:.0f}) rotate(-90)\" text-anchor=\"middle\" "
+      "fill=\"var(--soft,#59636e)\">tangential energy m u_t²/2</text>\n",
+      top + 0.5 * size);
   text += label_at(left + size + 24, top + 20, "above the dashed line: more along the wall");
   text += label_at(left + size + 24, top + 38, "than into it");
-  text += colour_bar(left + size + 24, top + size - 40, 230, quantity(most * 1e-4, "1/s"),
-                     quantity(most, "1/s"), "per bin");
+  text += colour_bar(left + size + 24, top + size - 40, 230, brief(most * 1e-4, "/s"),
+                     brief(most, "/s"), "per bin");
   return drawing(top + size + 44, "Normal and tangential energy of collisions", text);
 }
 

@@ -32,7 +32,7 @@ constexpr std::array labels{
 /// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 11> list{"J",   "W",   "m",   "s",    "N",  "Pa",
-                                                  "W/g", "J/g", "N m", "W/m2", "g/h"};
+                                                  "W/g", "J/g", "N m", "W/m²", "g/h"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -62,7 +64,11 @@ const char* part_name(int cell) {
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   std::vector<double> areas(WallGrid::cells);
-  const double most = std::max(0.5 * grid.radius * 2 * 3.14159 / WallGrid::around, 1e-9);
+  // Pieces a third as long as a cell, but not more of them than takes a blink.
+  constexpr double parts = 3, many = 5e5;
+  const double cell = std::min(2 * std::numbers::pi * grid.radius / WallGrid::around,
+                               (grid.top - grid.bottom) / WallGrid::along);
+  const double most = std::max(cell / parts, std::sqrt(wall_area(shape) / many));
   for_triangles(shape, [&](const std::array<Vec3, 3>& whole) {
     in_pieces(whole, most, [&](const std::array<Vec3, 3>& t) {
       const Vec3 area = area_vector(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);

@@ -167,9 +167,10 @@ TEST_F(FilesTest, AResultIsComplete) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(scratch() / "r" / "point-01"))
     names.insert(entry.path().filename());
-  EXPECT_EQ(names, (std::set<std::string>{"summary.json", "result.h5", "case.resolved.toml",
-                                          "spectrum.csv", "speeds.csv", "angles.csv",
-                                          "timeseries.csv", "replicates.csv"}));
+  EXPECT_EQ(names, (std::set<std::string>{
+                       "summary.json", "result.h5", "case.resolved.toml", "spectrum.csv",
+                       "speeds.csv", "angles.csv", "timeseries.csv", "replicates.csv",
+                       "normal_tangential.csv", "spectra_by_pair.csv", "wall_map.csv"}));
 }
 
 std::vector<scene::Collision> numbered(int from, int to) {

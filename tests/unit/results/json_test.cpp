@@ -21,7 +21,7 @@ TEST(SummaryJson, HoldsEveryQuantityToTheBit) {
   const nlohmann::json all = parsed(o);
   for (const Quantity& q : summarise(o)) {
     const auto& entry = all.at(q.name);
-    EXPECT_EQ(entry.size(), 4U);
+    EXPECT_EQ(entry.size(), 5U);
     EXPECT_EQ(entry.at("unit"), q.unit);
     EXPECT_EQ(entry.at("about"), q.about);
     EXPECT_EQ(entry.at("value").get<double>(), q.value);
