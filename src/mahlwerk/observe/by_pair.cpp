@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/observe/by_pair.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -30,8 +31,10 @@ void PairTally::add(const Columns& c, std::size_t i, bool is_above, const PairFa
   slid += factors.slid_per_loss * c.lost_tangential[i];
   erosion += c.erosion[i];
   if (!factors.flash_per_loss.empty()) {
-    const double rise =
-        factors.flash_per_loss[static_cast<std::size_t>(c.bin_normal[i])] * c.lost[i];
+    // What a contact loses that outlasts its collision is spread over its own time (hea.7).
+    const auto bin = static_cast<std::size_t>(c.bin_normal[i]);
+    const double longer = std::max(1.0, c.duration[i] / factors.hertz_time[bin]);
+    const double rise = factors.flash_per_loss[bin] * c.lost[i] / std::sqrt(longer);
     s.flash.add(rise);
     flash += rise * c.lost[i];
   }

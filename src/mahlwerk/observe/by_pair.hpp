@@ -55,6 +55,7 @@ struct PairFactors {
   /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.7); empty:
   /// flashes are not counted.
   std::vector<double> flash_per_loss;
+  std::vector<double> hertz_time;  ///< [s] of such a collision, by the same bins
 };
 
 /// What one kind of pair's collisions add up to.

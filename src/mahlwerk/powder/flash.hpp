@@ -35,4 +35,11 @@ inline double flash_factor(double energy_normal, const FlashPair& p) {
   return 2 / (area * std::sqrt(std::numbers::pi * time) * (p.effusivity + p.other_effusivity));
 }
 
+/// [s] Hertz's time of a collision of `energy_normal` [J] > 0 (hea.9).
+inline double hertz_time(double energy_normal, const FlashPair& p) {
+  constexpr double factor = 2.943275184324706;  // as above
+  const double depth = std::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
+  return factor * depth * std::sqrt(0.5 * p.mass / energy_normal);
+}
+
 }  // namespace mahlwerk::powder

@@ -29,6 +29,10 @@ constexpr std::array labels{
     Words{"energy_balance", "energy balance residual"},
 };
 
+/// Units as they are shown where that is not what they are called.
+constexpr std::array signs{Words{"1", ""}, Words{"1/s", "/s"}, Words{"deg", "°"},
+                           Words{"degC", "°C"}, Words{"ug/g/h", "µg/g/h"}};
+
 /// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 11> list{"J",   "W",   "m",   "s",    "N",  "Pa",
@@ -98,13 +102,13 @@ std::string Readable::text() const {
 
 Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
+  constexpr double per_hour = 3.6e6;  // [g/h] of a kg/s
+  if (unit == "kg/s") return readable(per_hour * value, per_hour * ci95, "g/h", per_hour * size);
   const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
-  std::string shown = m.unit == "1"      ? ""
-                      : m.unit == "1/s"  ? "/s"
-                      : m.unit == "deg"  ? "°"
-                      : m.unit == "degC" ? "°C"
-                                         : m.unit;
+  std::string shown = m.unit;
+  for (const auto& [said, sign] : signs)
+    if (m.unit == said) shown = sign;
   if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
     return {fmt::format("{:.0f}", v), ""};  // a number of things
   const bool plain =

@@ -153,10 +153,9 @@ std::string wear_and_heat(const Outcome& outcome) {
   if (const results::Table table = results::wear(outcome); !table.rows.empty()) {
     std::string body;
     for (const auto& row : table.rows)
-      body += fmt::format(
-          "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td></tr>\n",
-          escaped(table.columns[0].words[static_cast<std::size_t>(row[0])]),
-          escaped(readable(row[2] * 3.6e6, std::nan(""), "g/h", row[2] * 3.6e6).text()));
+      body += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td></tr>\n",
+                          escaped(table.columns[0].words[static_cast<std::size_t>(row[0])]),
+                          escaped(readable(row[2], std::nan(""), "kg/s", row[2]).text()));
     text += fmt::format(
         "<h2>Wear</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">worn off"
         "</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>By the wear "

@@ -29,24 +29,22 @@ observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   return grid;
 }
 
-/// (hea.7) by bins of the normal energy, each at its middle.
-std::vector<double> flash_per_loss(const powder::FlashPair& pair) {
+/// (hea.7) and (hea.9) by bins of the normal energy, each at its middle.
+void know_flashes(observe::PairFactors& factors, const powder::FlashPair& pair) {
   using observe::LogHistogram;
-  std::vector<double> factors;
-  for (int bin = 0; bin < LogHistogram::bins; ++bin)
-    factors.push_back(powder::flash_factor(
-        std::sqrt(LogHistogram::lower(bin) * LogHistogram::lower(bin + 1)), pair));
-  return factors;
+  for (int bin = 0; bin < LogHistogram::bins; ++bin) {
+    const double middle = std::sqrt(LogHistogram::lower(bin) * LogHistogram::lower(bin + 1));
+    factors.flash_per_loss.push_back(powder::flash_factor(middle, pair));
+    factors.hertz_time.push_back(powder::hertz_time(middle, pair));
+  }
 }
 
 observe::PairFactors factors(const cases::Case& what, const contact::BounceRule& rule, int one,
                              int other) {
-  observe::PairFactors made{
-      .slid_per_loss = powder::force_slid(1, cases::sliding_friction(what, rule)),
-      .flash_per_loss = {}};
+  observe::PairFactors made;
+  made.slid_per_loss = powder::force_slid(1, cases::sliding_friction(what, rule));
   if (what.heat)
-    made.flash_per_loss =
-        flash_per_loss(other < 0 ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
+    know_flashes(made, other < 0 ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
                                  : cases::flash_pair(what, static_cast<std::size_t>(one),
                                                      static_cast<std::size_t>(other)));
   return made;

@@ -121,12 +121,13 @@ void write_table(Writer& out, const std::string& name, const std::string& about,
 Table summary_table(const std::vector<Quantity>& quantities) {
   Table table{{{"name", "1", "of the quantity, as in summary.json"},
                {"value", "see unit", "mean over replicates"},
-               {"ci95", "see unit", "half-width of its 95 % confidence interval"},
+               {"ci95", "see unit", "half-width of its 95 % confidence interval over replicates"},
+               {"ci95_time", "see unit", "half-width that the scatter over time gives"},
                {"unit", "1", "of value and ci95"},
                {"about", "1", "what it is"}},
               {}};
   for (const Quantity& q : quantities)
-    table.rows.push_back({table.columns[0].number_of(q.name), q.value, q.ci95,
+    table.rows.push_back({table.columns[0].number_of(q.name), q.value, q.ci95, q.ci95_time,
                           table.columns[3].number_of(q.unit), table.columns[4].number_of(q.about)});
   return table;
 }

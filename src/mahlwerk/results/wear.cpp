@@ -130,7 +130,8 @@ std::vector<Measure> heat_measures(const Case& what) {
       {"temperature_jar", "degC", "of the jar then",
        [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; }},
       {"flash_rise_mean", "K",
-       "mean rise of the temperature where two touch in a collision, weighted by what it loses",
+       "mean rise of the temperature where two touch in a collision, weighted by what it loses; an "
+       "upper estimate, as no powder takes its share",
        [](const Case&, const Replicate& r) {
          double rise = 0, lost = 0;
          for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {

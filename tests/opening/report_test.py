@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""A report opens from disk in a browser, draws, complains of nothing, and says what summary.json says.
+
+    report_test.py PROGRAM      exit code 77 where Chromium is not installed
+"""
+import json
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "viewer" / "test"))
+from browser import Browser  # noqa: E402
+
+SKIPPED = 77
+CASE = """
+title = "A <report> & its numbers"
+[mill]
+kind = "planetary"
+orbit_radius = "70 mm"
+speed = "400 rpm"
+ratio = "1:-2"
+[jar]
+kind = "cylinder"
+diameter = "42 mm"
+height = "32.5 mm"
+[[balls]]
+count = 5
+diameter = "10 mm"
+density = "7850 kg/m3"
+[powder]
+mass = "2 g"
+[contact]
+restitution = 0.6
+friction = 0.3
+[run]
+engine = "event"
+time = "1 s"
+settle = "0.2 s"
+replicates = 2
+[wear]
+[heat]
+milling = "30 min"
+"""
+NUMBERS = """Object.fromEntries([...document.querySelectorAll('[data-quantity]')]
+             .map(cell => [cell.dataset.quantity, Number(cell.dataset.value)]))"""
+HEADINGS = {"Replay", "Results", "Who hits whom", "How hard", "Where, and how it moves",
+            "How steady", "Wear", "How warm", "Methods, to paste", "What it rests on"}
+
+
+def colours(png):
+    """How many colours a PNG of 8 bits a channel shows."""
+    at, data = 8, b""
+    while at < len(png):
+        length, kind = struct.unpack(">I4s", png[at:at + 8])
+        body = png[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, _, colour = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            data += body
+        at += 12 + length
+    channels = {2: 3, 6: 4}[colour]
+    raw, row, above, seen = zlib.decompress(data), width * channels, None, set()
+    for y in range(height):
+        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
+        above = above or bytearray(row)
+        for i in range(row):
+            a, b = line[i - channels] if i >= channels else 0, above[i]
+            c = above[i - channels] if i >= channels else 0
+            nearest = min((a, b, c), key=lambda v: abs(a + b - c - v))
+            line[i] = (line[i] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
+        above = line
+        seen.update(bytes(line[i:i + 3]) for i in range(0, row, channels))
+    return len(seen)
+
+
+class Statements:
+    wrong = 0
+
+    def say(self, statement, found, expected, holds):
+        self.wrong += not holds
+        print(f"{'fine' if holds else 'WRONG'}: {statement}: found {found}, expected {expected}")
+
+
+def check(browser, folder, states):
+    summary = json.loads((folder / "summary.json").read_text())
+    browser.size(1000, 900)
+    browser.open(folder / "report.html")
+    drawn = browser.wait_for("document.querySelector('#replay').dataset.state")
+    state = browser.ask("document.querySelector('#replay').dataset.state")
+    states.say("the_replay_draws", state, "drawn", drawn and state == "drawn")
+    shown = browser.ask(NUMBERS)
+    wrong = [name for name, value in shown.items() if summary[name]["value"] != value]
+    states.say("numbers_on_the_page_are_those_of_summary_json", wrong, [], not wrong)
+    told = {n for n, q in summary.items() if not n.startswith("_") and q["value"] is not None}
+    states.say("every_quantity_is_on_the_page", sorted(told - set(shown)), [],
+               told == set(shown))
+    headings = set(browser.ask("[...document.querySelectorAll('h2')].map(h => h.textContent)"))
+    states.say("every_part_is_there", sorted(HEADINGS - headings), [], HEADINGS <= headings)
+    states.say("the_page_loads_nothing",
+               browser.ask("performance.getEntriesByType('resource').map(e => e.name)"), [],
+               not browser.ask("performance.getEntriesByType('resource').length"))
+    for theme in ("light", "dark"):
+        browser.media(prefers_color_scheme=theme)
+        seen = colours(browser.picture("#replay .scene"))
+        states.say(f"the_replay_is_not_blank_in_a_{theme}_theme", f"{seen} colours", "> 100",
+                   seen > 100)
+    maps = browser.ask("document.querySelectorAll('figure svg').length")
+    states.say("plots_and_maps_are_drawn", maps, ">= 8", maps >= 8)
+    states.say("the_browser_has_no_complaint", browser.faults or "none", "none",
+               not browser.faults)
+    size = (folder / "report.html").stat().st_size
+    states.say("the_page_is_below_3_MB", f"{size / 1e6:.2f} MB", "< 3 MB", size < 3e6)
+
+
+def main(program):
+    chromium = shutil.which("chromium")
+    if not chromium:
+        print("skipped: chromium is not installed (apt install chromium)")
+        return SKIPPED
+    with tempfile.TemporaryDirectory(prefix="report-") as folder:
+        folder = pathlib.Path(folder)
+        (folder / "case.toml").write_text(CASE)
+        subprocess.run([program, "run", folder / "case.toml", "--out", folder / "out", "--quiet"],
+                       check=True)
+        browser, states = Browser(chromium), Statements()
+        try:
+            check(browser, folder / "out", states)
+        finally:
+            browser.close()
+    return 1 if states.wrong else 0
+
+
+sys.exit(main(sys.argv[1]))
