@@ -7,9 +7,10 @@
 namespace mahlwerk::observe {
 
 void LogHistogram::merge(const LogHistogram& other) {
-  for (std::size_t i = 0; i < bins_.size(); ++i) {
-    bins_[i].count += other.bins_[i].count;
-    bins_[i].sum += other.bins_[i].sum;
+  for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] += other.inner_[i];
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    ends_[i].count += other.ends_[i].count;
+    ends_[i].sum += other.ends_[i].sum;
   }
 }
 
@@ -26,14 +27,23 @@ double LogHistogram::unit(std::int64_t bin) {
   return std::ldexp(1.0, octave - (bin == 0 ? first_bits : mantissa_bits));
 }
 
-LogHistogram::Whole LogHistogram::rough(double value, std::int64_t at) {
-  constexpr double most = 0x1p110;
+void LogHistogram::add_to_end(double value, std::int64_t at) {
+  constexpr double most_units = 0x1p110;
   const double units = value / unit(at);
-  return static_cast<Whole>(std::isnan(units) ? 0 : std::clamp(units, -most, most));
+  End& end = ends_[at == 0 ? 0 : 1];
+  ++end.count;
+  end.sum +=
+      static_cast<Signed>(std::isnan(units) ? 0 : std::clamp(units, -most_units, most_units));
+}
+
+std::int64_t LogHistogram::count(int bin) const {
+  if (!inside(bin)) return end(bin).count;
+  return static_cast<std::int64_t>(inner_[static_cast<std::size_t>(bin)] >> count_place);
 }
 
 double LogHistogram::sum(int bin) const {
-  return static_cast<double>(bins_[static_cast<std::size_t>(bin)].sum) * unit(bin);
+  if (!inside(bin)) return static_cast<double>(end(bin).sum) * unit(bin);
+  return static_cast<double>(inner_[static_cast<std::size_t>(bin)] & (one - 1)) * unit(bin);
 }
 
 double LogHistogram::sum() const {
@@ -44,7 +54,7 @@ double LogHistogram::sum() const {
 
 std::int64_t LogHistogram::total() const {
   std::int64_t all = 0;
-  for (const Bin& bin : bins_) all += bin.count;
+  for (int bin = 0; bin < bins; ++bin) all += count(bin);
   return all;
 }
 

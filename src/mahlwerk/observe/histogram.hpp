@@ -28,20 +28,20 @@ class LogHistogram {
   /// What lies beyond these is counted as these are.
   static constexpr double least = 0x1p-80, most = 0x1.fffffffffffffp39;
 
-  LogHistogram() : bins_(bins) {}
+  LogHistogram() : inner_(bins) {}
 
   /// What lies beyond the ends goes into the first or last bin; into the first goes all that is not
   /// above 0, a loss that rounding, or a rule that makes energy, has made negative.
   void add(double value) { add(value, bin_of(value)); }
   /// The same where its bin is known.
   void add(double value, std::int64_t at) {
-    Bin& bin = bins_[static_cast<std::size_t>(at)];
-    ++bin.count;
-    bin.sum +=
-        at > 0 && at < bins - 1 ? Whole{mantissa_of(value) | implicit_bit} : rough(value, at);
+    if (at > 0 && at < bins - 1)
+      inner_[static_cast<std::size_t>(at)] += one | Whole(mantissa_of(value) | implicit_bit);
+    else
+      add_to_end(value, at);
   }
   void merge(const LogHistogram& other);
-  void carry(Archive& archive) { archive(bins_); }
+  void carry(Archive& archive) { archive(inner_)(ends_); }
 
   /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter
   /// is found by comparing its mantissa with the three edges inside an octave.
@@ -57,7 +57,7 @@ class LogHistogram {
   }
 
   static double lower(int bin);  ///< edge, in the unit of the values; upper(bin) == lower(bin + 1)
-  std::int64_t count(int bin) const { return bins_[static_cast<std::size_t>(bin)].count; }
+  std::int64_t count(int bin) const;
   double sum(int bin) const;   ///< of the values
   std::int64_t total() const;  ///< of the counts
   double sum() const;          ///< of all values
@@ -65,13 +65,20 @@ class LogHistogram {
   std::array<int, 2> filled() const;
 
  private:
-  __extension__ using Whole = __int128;
-  struct Bin {
+  __extension__ using Whole = unsigned __int128;
+  __extension__ using Signed = __int128;
+  /// A bin inside is one number, for speed: how many in its upper 38 bits, below them their sum in
+  /// units of the last place of its octave. It holds 1e11 of them.
+  static constexpr int count_place = 90;
+  static constexpr Whole one = Whole{1} << count_place;
+  /// Of the first and last bin, where octaves are mixed and values may be negative.
+  struct End {
     std::int64_t count = 0;
-    Whole sum = 0;  // in units of the last place of the bin's octave
+    Signed sum = 0;  // each within half a unit, and no more than can be held
   };
-  /// Of the ends, where octaves are mixed: within half a unit, and no more than can be held.
-  static Whole rough(double value, std::int64_t at);
+  void add_to_end(double value, std::int64_t at);
+  const End& end(int bin) const { return ends_[bin == 0 ? 0 : 1]; }
+  static bool inside(int bin) { return bin > 0 && bin < bins - 1; }
   static double unit(std::int64_t bin);
   static constexpr int mantissa_bits = 52, exponent_bias = 1023;
   static constexpr std::int64_t implicit_bit = std::int64_t{1} << mantissa_bits;
@@ -80,7 +87,8 @@ class LogHistogram {
     return std::bit_cast<std::int64_t>(value) & mantissa_mask;
   }
 
-  std::vector<Bin> bins_;
+  std::vector<Whole> inner_;
+  std::array<End, 2> ends_{};
 };
 
 }  // namespace mahlwerk::observe

@@ -43,7 +43,7 @@ class JointHistogram {
 constexpr int angle_bins = 90;  ///< of one degree, 0 head-on, 90 grazing
 using Angles = std::array<std::int64_t, angle_bins>;
 
-/// How the collisions of one kind of pair are distributed, in fixed memory: 0.16 MB.
+/// How the collisions of one kind of pair are distributed, in fixed memory: 0.1 MB.
 struct Spectra {
   LogHistogram energy_normal, energy_contact_point, energy_centre;  ///< [J] (evt.9) to (evt.11)
   LogHistogram energy_lost, lost_normal, lost_tangential;           ///< [J]

@@ -128,7 +128,7 @@ Table summary_table(const std::vector<Quantity>& quantities) {
               {}};
   for (const Quantity& q : quantities)
     table.rows.push_back({table.columns[0].number_of(q.name), q.value, q.ci95, q.ci95_time,
-                          table.columns[3].number_of(q.unit), table.columns[4].number_of(q.about)});
+                          table.columns[4].number_of(q.unit), table.columns[5].number_of(q.about)});
   return table;
 }
 
