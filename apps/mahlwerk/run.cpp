@@ -80,7 +80,7 @@ report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>
 
 void write(const Job& job, const std::vector<results::Outcome>& outcomes) {
   for (std::size_t i = 0; i < outcomes.size(); ++i)
-    report::write(*job.folder, outcomes[i], version(), job.below(i));
+    report::write(*job.folder, outcomes[i], version(), job.below(i), !job.sweeps());
   if (job.sweeps()) {
     const report::Campaign campaign = campaign_of(job, outcomes);
     job.folder->write("campaign.csv", report::campaign_csv(campaign));

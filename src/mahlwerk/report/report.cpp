@@ -196,14 +196,14 @@ std::string sentence(const Outcome& outcome) {
   return text + fmt::format("; {} were dissipated in all.", shown(list, "dissipated_power"));
 }
 
-std::string report_page(const Outcome& outcome, std::string_view version) {
+std::string report_page(const Outcome& outcome, std::string_view version, bool film) {
   const std::vector<Quantity> list = results::summarise(outcome);
   const std::string& given = outcome.what.title;
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
   body += warning_box(outcome);
   for (const std::string& note : outcome.notes)
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(note));
-  if (const std::string replay = replay_section(outcome); !replay.empty())
+  if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
   body += quantity_table(outcome, list);
   body += pairs_table(outcome);
@@ -228,9 +228,9 @@ std::string report_page(const Outcome& outcome, std::string_view version) {
 }
 
 void write(const results::Folder& folder, const Outcome& outcome, std::string_view version,
-           std::string_view below) {
+           std::string_view below, bool film) {
   results::write(folder, outcome, version, below);
-  folder.write(std::string(below) + "report.html", report_page(outcome, version));
+  folder.write(std::string(below) + "report.html", report_page(outcome, version, film));
 }
 
 }  // namespace mahlwerk::report
