@@ -68,7 +68,7 @@ Held held(const PlaneField& field) {
 }
 
 TEST(Fields, hold_the_charges_mass_middle_momentum_and_energy) {
-  Charge charge(drum(0));
+  Charge charge(drum(0), 0.1);
   const auto balls = strewn(0.09, 200);
   Held wanted;
   for (const scene::Ball& b : balls) {
@@ -109,7 +109,7 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
   for (const double ratio : {-2.5, -1.0, 0.5}) {
     const scene::Chamber mill = planetary(ratio);
     const auto& motion = std::get<kinematics::Planetary>(mill.motion);
-    Charge charge(mill);
+    Charge charge(mill, 0.021);
     constexpr double r = 0.015;
     const Vec3 own{r, 0, 0};  // in the jar's axes
     double fastest = 0, off = 0;
@@ -118,7 +118,7 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
       const Vec3 place = motion.turn(t) * own, spin = motion.spin(t);
       const std::vector<scene::Ball> ball{{2e-3, 7850, place, cross(spin, place), spin}};
       charge.look(t, ball, 0.01);
-      Charge once(mill);
+      Charge once(mill, 0.021);
       once.look(t, ball, 0.01);
       for (int k = 0; k < PlaneField::cells * PlaneField::cells; ++k) {
         const int x = k % PlaneField::cells, y = k / PlaneField::cells;
@@ -143,7 +143,7 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
 TEST(Fields, a_ball_that_rides_on_the_disc_is_at_one_angle_and_place) {
   const scene::Chamber mill = planetary(-2);
   const auto& motion = std::get<kinematics::Planetary>(mill.motion);
-  Charge charge(mill);
+  Charge charge(mill, 0.021);
   constexpr double angle = 1.234;
   double mass = 0;
   for (int i = 0; i < 50; ++i) {
@@ -167,7 +167,7 @@ TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
   const scene::Chamber mill = drum(3);
   const auto& motion = std::get<kinematics::Tumbling>(mill.motion);
   const Vec3 lowest{0, 0, -(0.1 - 2e-3)}, spin = motion.spin(0);
-  Charge rides(mill), held_still(mill), apart(mill);
+  Charge rides(mill, 0.1), held_still(mill, 0.1), apart(mill, 0.1);
   rides.look(0.7, {{2e-3, 7850, lowest, cross(spin, lowest), spin}}, 0.5);
   states("slip of one that rides [m/s]", rides.wall_slip / rides.at_wall, 0, 1e-15, "no motion");
   held_still.look(0.7, {{2e-3, 7850, lowest, {}, {}}}, 0.5);
@@ -179,14 +179,14 @@ TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
 }
 
 TEST(Charge, merged_or_carried_is_the_same) {
-  Charge one(drum(2)), other(drum(2)), both(drum(2));
+  Charge one(drum(2), 0.1), other(drum(2), 0.1), both(drum(2), 0.1);
   one.look(0.1, strewn(0.09, 20), 0.5);
   other.look(0.2, strewn(0.05, 30), 0.25);
   both.look(0.1, strewn(0.09, 20), 0.5);
   both.look(0.2, strewn(0.05, 30), 0.25);
   Archive out;
   one.carry(out);
-  Charge again(drum(2));
+  Charge again(drum(2), 0.1);
   Archive in(out.bytes());
   again.carry(in);
   in.finish();

@@ -32,7 +32,7 @@ Outcome of(const kinematics::AnyMotion& motion) {
   outcome.replicates.emplace_back(0.1, observe::BallKinds{},
                                   observe::WallGrid{.radius = 0.1, .bottom = -0.05, .top = 0.05});
   outcome.replicates[0].account.time = 10;
-  outcome.replicates[0].charge = Charge(cases::chamber(c));
+  outcome.replicates[0].charge = Charge(cases::chamber(c), 0.1);
   return outcome;
 }
 Outcome drum(double speed) {

@@ -183,10 +183,10 @@ TEST(WallMap, cells_of_a_drum_have_the_areas_of_their_bounds) {
       worst = std::max(worst, std::abs(off));
     }
     const std::string why =
-        "pieces that a bound cuts are a quarter of a cell long, and half of one "
-        "at most is put on the wrong side: an eighth at each of two bounds";
-    stays_below("side, worst cell, relative", side, 0.25, why);
-    stays_below("discs, worst cell, relative", disc, 0.25, why);
+        "pieces are a third of a cell long, and half of one at most is put on the "
+        "wrong side of a bound: a sixth at each of two";
+    stays_below("side, worst cell, relative", side, 1.0 / 3, why);
+    stays_below("discs, worst cell, relative", disc, 1.0 / 3, why);
   }
 }
 
