@@ -147,7 +147,7 @@ void Replica::advance(double time) {
 /// phases.
 double Replica::next_look() const {
   if (stretch_ == 0 || looked_ == looks_) return geometry::never;
-  constexpr double golden = 0.6180339887498949;
+  constexpr double golden = 0.6180339887498949;  // (obs.6)
   const double jitter = std::fmod(golden * static_cast<double>(looked_ever_ + 1), 1.0);
   return end_of(stretch_ - 1) + window_ * (looked_ + jitter) / looks_;
 }

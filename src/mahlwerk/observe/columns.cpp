@@ -97,7 +97,7 @@ template <class T, class V>
 }  // namespace
 
 double impact_angle(double approach, double slip) {
-  return angle_between(slip, approach);
+  return angle_between(slip, approach);  // (obs.1)
 }
 
 int cell_of(const WallGrid& grid, const Vec3& where, double axial) {

@@ -16,7 +16,7 @@ void LogHistogram::merge(const LogHistogram& other) {
 
 double LogHistogram::lower(int bin) {
   const auto quarter = static_cast<std::size_t>(bin % per_octave);
-  return std::ldexp(edges[quarter], bin / per_octave + lowest_octave);
+  return std::ldexp(edges[quarter], bin / per_octave + lowest_octave);  // (obs.2)
 }
 
 double LogHistogram::unit(std::int64_t bin) {

@@ -61,7 +61,9 @@ std::vector<Measure> mill_measures(const Case& what) {
     list.push_back({"shaft_torque", "N m",
                     "drawn power over the speed of the shaft, per jar; friction of the drive left "
                     "out",
-                    [](const Case& c, const Replicate& r) { return drawn(r) / shaft_speed(c); }});
+                    [](const Case& c, const Replicate& r) {
+                      return drawn(r) / shaft_speed(c);  // (obs.7)
+                    }});
   if (what.mill.jars_carried > 1)
     list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars the mill carries",
                     [](const Case& c, const Replicate& r) {
@@ -96,7 +98,7 @@ std::vector<Measure> dose_measures(const Case& what) {
   return list;
 }
 
-std::vector<Measure> ledger_measures() {
+std::vector<Measure> ledger_measures() {  // (obs.3)
   return {
       {"dissipated_power_of_collisions", "W",
        "of the dissipated power, what finished collisions tell: the sum of the spectrum",

@@ -56,13 +56,13 @@ Ends ends(const Charge& charge, const Reference& from) {
     all += charge.mass_at[i];
   }
   if (!(all > 0)) return {};
-  const double start = from.sense * (std::atan2(y, x) - from.zero) - pi;  // in the sense of turning
+  const int first = static_cast<int>(std::floor((std::atan2(y, x) + pi) / step));
+  const int on = from.sense < 0 ? -1 : 1;  // slots are gone through whole, in the sense of turning
+  const double start = from.sense * (step * (on < 0 ? first + 1 : first) - from.zero);
   const auto angle_of = [&](double part) {
     double below = 0;
     for (int k = 0; k < n; ++k) {
-      const double turn = (from.zero + from.sense * (start + step * (k + 0.5))) / (2 * pi);
-      const int slot = static_cast<int>((turn - std::floor(turn)) * n) % n;
-      const double mass = charge.mass_at[static_cast<std::size_t>(slot)];
+      const double mass = charge.mass_at[static_cast<std::size_t>((first + on * k + n) % n)];
       if (mass > 0 && below + mass >= part * all)
         return start + step * (k + (part * all - below) / mass);
       below += mass;

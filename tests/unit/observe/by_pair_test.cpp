@@ -110,6 +110,38 @@ TEST(ByPair, merging_gives_the_bits_of_counting_together) {
   }
 }
 
+/// However a stream is split over tallies, and in whatever order they are merged.
+TEST(ByPair, streams_split_and_merged_in_any_order_have_the_same_counts_and_sums_to_the_bit) {
+  const auto stream = some(3, 5000);
+  Tally whole(0.3, kinds);
+  whole.collisions(stream);
+  const Spectra counted = whole.whole();
+  for (const std::size_t parts : {2U, 3U, 7U})
+    for (const std::size_t first : {0U, 1U}) {
+      std::vector<Tally> tallies(parts, Tally(0.3, kinds));
+      for (std::size_t i = 0; i < stream.size(); ++i)
+        tallies[i * i % parts].collisions(std::span(&stream[i], 1));
+      Tally merged = tallies[first];
+      for (std::size_t i = 1; i < parts; ++i) merged.merge(tallies[(first + parts - i) % parts]);
+      const Spectra found = merged.whole();
+      EXPECT_EQ(merged.all.count, whole.all.count);
+      EXPECT_EQ(merged.above.between_balls, whole.above.between_balls);
+      for (const auto part : {&Spectra::energy_normal, &Spectra::energy_contact_point,
+                              &Spectra::energy_centre, &Spectra::energy_lost, &Spectra::lost_normal,
+                              &Spectra::lost_tangential, &Spectra::approach}) {
+        EXPECT_EQ((found.*part).sum(), (counted.*part).sum());
+        EXPECT_GT((found.*part).sum(), 0);
+        for (int bin = 0; bin < LogHistogram::bins; ++bin) {
+          ASSERT_EQ((found.*part).count(bin), (counted.*part).count(bin));
+          ASSERT_EQ((found.*part).sum(bin), (counted.*part).sum(bin));
+        }
+      }
+      for (int n = 0; n < JointHistogram::bins; ++n)
+        for (int t = 0; t < JointHistogram::bins; ++t)
+          ASSERT_EQ(found.normal_tangential.count(n, t), counted.normal_tangential.count(n, t));
+    }
+}
+
 TEST(ByPair, a_state_written_and_read_goes_on_to_the_bit) {
   Tally first(0.3, kinds), second(0.3, kinds);
   first.collisions(some(1, 300));

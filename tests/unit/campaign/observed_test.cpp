@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is observed leaves the motion alone, and loses no energy.
+#include "unit/campaign/observed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "one_ball.hpp"
+#include "statement.hpp"
+#include "unit/results/scratch.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using tests::Recorder;
+using tests::states;
+
+/// Gives to another, which outlives it.
+struct Passed final : scene::Observer {
+  explicit Passed(Recorder& other) : to(&other) {}
+  void collisions(std::span<const scene::Collision> finished) override { to->collisions(finished); }
+  Recorder* to;
+};
+
+TEST(Ledger, spectrum_lasting_and_open_contacts_are_all_that_is_dissipated) {
+  for (const auto& [name, what] : kinds()) {
+    Replica replica(what, 0);
+    const results::Replicate r = to_the_end(replica).result();
+    ASSERT_TRUE(r.complete) << name;
+    const scene::Account &a = r.at_settled, &b = r.account;
+    const double spectrum = r.tally.whole().energy_lost.sum(), lost = b.lost() - a.lost();
+    const double lasting = b.lost_lasting - a.lost_lasting, open = b.lost_open - a.lost_open;
+    EXPECT_GT(r.tally.all.count, 20) << name;
+    if (what.run.engine == "soft") {
+      EXPECT_NE(a.lost_open, 0) << name << ": contacts go on when counting begins";
+      EXPECT_NE(b.lost_open, 0) << name << ": contacts go on at the end";
+    }
+    if (what.balls.front().count == 1) {
+      EXPECT_GT(lasting, 0.01 * lost) << name << ": it rolls";
+    }
+    states(name + ": all that is known over dissipation", (spectrum + lasting + open) / lost, 1,
+           1e-9, "the ledger: each loss is in one place");
+  }
+}
+
+/// The engine of a replica from its saved state, at the end of which it stands in `size` bytes.
+std::unique_ptr<scene::Engine> restored(const cases::Case& what, const std::string& state,
+                                        std::size_t size) {
+  auto made = engine(what, 0);
+  Archive in(state.substr(state.size() - size));
+  made->carry(in);
+  in.finish();
+  return made;
+}
+
+bool same(const std::vector<scene::Ball>& a, const std::vector<scene::Ball>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.position == other.position && one.velocity == other.velocity &&
+           one.spin == other.spin;
+  });
+}
+
+double later(const cases::Case& what) {
+  return 1.5 * (what.run.settle + what.run.time);
+}
+
+TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bit) {
+  for (const auto& [name, what] : kinds()) {
+    Recorder silent, kept;
+    Archive bare, seen;
+    const auto alone = engine(what, 0);
+    alone->advance(what.run.settle, silent);
+    silent.all.clear();
+    alone->advance(what.run.settle + what.run.time, silent);
+    alone->carry(bare);
+    Replica replica(what, 0, std::make_unique<Passed>(kept));
+    to_the_end(replica).carry(seen);
+    const auto looked_at = restored(what, seen.bytes(), bare.bytes().size());
+    EXPECT_TRUE(same(looked_at->balls(), alone->balls())) << name;
+    alone->advance(later(what), silent);
+    looked_at->advance(later(what), kept);
+    EXPECT_TRUE(same(looked_at->balls(), alone->balls())) << name << ", later";
+    ASSERT_EQ(kept.all.size(), silent.all.size()) << name;
+    for (std::size_t i = 0; i < kept.all.size(); ++i) {
+      ASSERT_EQ(kept.all[i].time, silent.all[i].time) << name << " " << i;
+      ASSERT_EQ(kept.all[i].where, silent.all[i].where) << name << " " << i;
+      ASSERT_EQ(kept.all[i].lost(), silent.all[i].lost()) << name << " " << i;
+    }
+  }
+}
+
+using ObservedFrames = results::ScratchTest;
+
+TEST_F(ObservedFrames, frames_change_no_bit_of_a_run) {
+  for (auto [name, what] : kinds()) {
+    Archive plain, filmed;
+    Replica without(what, 0);
+    to_the_end(without);
+    what.observe.frames = 0.0037;
+    Replica with(what, 0, nullptr, std::make_unique<results::FrameFiles>(scratch() / name, what));
+    to_the_end(with);
+    const results::Replicate one = without.result(), other = with.result();
+    EXPECT_EQ(one.tally.all.count, other.tally.all.count) << name;
+    EXPECT_EQ(one.tally.all.lost, other.tally.all.lost) << name;
+    EXPECT_EQ(one.account.kinetic, other.account.kinetic) << name;
+    EXPECT_EQ(one.charge.wall_slip, other.charge.wall_slip) << name;
+    EXPECT_EQ(one.replay.places(), other.replay.places()) << name;
+  }
+  EXPECT_GT(std::distance(std::filesystem::directory_iterator(scratch()), {}), 3);
+}
+
+/// Every number of a summary, as bits: those that do not exist are equal, too.
+std::vector<std::uint64_t> bits(const results::Outcome& outcome) {
+  std::vector<std::uint64_t> found;
+  for (const results::Quantity& q : results::summarise(outcome))
+    for (const double v : {q.value, q.ci95, q.ci95_time})
+      found.push_back(std::bit_cast<std::uint64_t>(v));
+  return found;
+}
+
+TEST(Replicates, are_merged_to_the_same_bits_by_any_number_of_threads) {
+  for (auto [name, what] : kinds()) {
+    what.run.replicates = name == "soft, crowd of 40" ? 2 : 5;
+    Options options;
+    options.threads = 1;
+    const results::Outcome alone = run(what, options);
+    const std::string spectrum = results::csv(results::spectrum(alone));
+    EXPECT_GT(spectrum.size(), 1000U) << name;
+    for (const int threads : {2, 3}) {
+      options.threads = threads;
+      const results::Outcome shared = run(what, options);
+      EXPECT_EQ(bits(shared), bits(alone)) << name << ", " << threads << " threads";
+      EXPECT_EQ(results::csv(results::spectrum(shared)), spectrum) << name;
+    }
+    what.seed = 2;
+    EXPECT_NE(bits(run(what, options)), bits(alone)) << name << ": another seed";
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Runs that go on until a quantity is known well enough: [run] time = "until 2 %".
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/results/series.hpp"
+#include "mahlwerk/results/warnings.hpp"
+#include "statement.hpp"
+#include "unit/campaign/observed.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using tests::states;
+using tests::stays_below;
+
+/// 50 ms are a period.
+cases::Case waiting(double within, double longest) {
+  cases::Case c = shaken("event", 1);
+  c.contact.rule.restitution = 0.9;
+  c.run.until = cases::Until{within, "dissipated_power"};
+  c.run.time = longest;
+  return c;
+}
+
+double found(const results::Replicate& r) {
+  const observe::Estimate e = observe::over_time(results::series(r.windows, "dissipated_power"));
+  return e.ci95 / e.mean;
+}
+
+bool warned(const cases::Case& what, const results::Replicate& r) {
+  results::Outcome outcome;
+  outcome.what = what;
+  outcome.replicates = {r};
+  return std::ranges::any_of(results::warnings(outcome), [](const std::string& w) {
+    return w.find("dissipated_power is not known within") != std::string::npos;
+  });
+}
+
+TEST(Until, a_run_ends_with_the_certainty_asked_for) {
+  double shorter = 0;
+  for (const double within : {0.08, 0.04, 0.02}) {
+    const cases::Case what = waiting(within, 2000);
+    Replica replica(what, 0);
+    const results::Replicate r = to_the_end(replica).result();
+    EXPECT_TRUE(r.complete);
+    EXPECT_TRUE(r.sure);
+    EXPECT_FALSE(warned(what, r));
+    stays_below("half-width over mean", found(r), within, "over_time() of the windows");
+    EXPECT_GT(r.time(), shorter) << "more certainty takes longer";
+    EXPECT_LT(r.time(), 1999);
+    shorter = r.time();
+    double sum = 0;
+    for (const results::Window& w : r.windows) sum += w.length;
+    states("windows sum to the counted time [s]", sum, r.time(), 1e-9 * r.time(), "none is lost");
+  }
+}
+
+TEST(Until, goes_on_to_the_longest_time_otherwise_and_says_so) {
+  const cases::Case what = waiting(0.001, 7);
+  Replica replica(what, 0);
+  const results::Replicate r = to_the_end(replica).result();
+  EXPECT_TRUE(r.complete);
+  EXPECT_FALSE(r.sure);
+  EXPECT_GT(found(r), 0.001);
+  EXPECT_TRUE(warned(what, r));
+  states("time [s]", r.time(), 7, 0.05 + 1e-9, "a window of one period");
+}
+
+TEST(Until, goes_on_from_a_saved_state_to_the_same_bits) {
+  const cases::Case what = waiting(0.03, 1000);
+  Replica whole(what, 0);
+  const results::Replicate one = to_the_end(whole).result();
+  for (const double share : {0.1, 0.5, 0.9}) {
+    Replica first(what, 0), second(what, 0);
+    while (first.account().time < share * one.account.time && !first.done()) first.go_on();
+    ASSERT_FALSE(first.done());
+    Archive out;
+    first.carry(out);
+    Archive in(out.bytes());
+    second.carry(in);
+    in.finish();
+    const results::Replicate other = to_the_end(second).result();
+    EXPECT_EQ(other.account.time, one.account.time);
+    EXPECT_EQ(other.account.lost_normal, one.account.lost_normal);
+    EXPECT_EQ(other.tally.all.energy_centre, one.tally.all.energy_centre);
+    EXPECT_EQ(other.charge.of_all, one.charge.of_all);
+    EXPECT_EQ(results::series(other.windows, "drawn_power"),
+              results::series(one.windows, "drawn_power"));
+  }
+}
+
+/// A state holds all that a replicate keeps; what grows in it is the list of windows.
+TEST(Until, windows_stay_between_100_and_200_and_memory_does_not_grow) {
+  const cases::Case what = waiting(1e-6, 90);  // 1800 periods
+  Replica replica(what, 0);
+  std::size_t most = 0, least = 1000, early = 0, late = 0;
+  while (!replica.done()) {
+    replica.go_on();
+    const std::size_t windows = replica.result().windows.size();
+    if (replica.account().time < 12) continue;  // 200 periods
+    most = std::max(most, windows);
+    least = std::min(least, windows);
+    Archive state;
+    replica.carry(state);
+    const std::size_t size = state.bytes().size() - windows * sizeof(results::Window);
+    if (early == 0) early = size;
+    late = size;
+  }
+  EXPECT_LE(most, 200U);
+  EXPECT_GE(least, 99U);
+  stays_below("bytes more at the end", static_cast<double>(late) - static_cast<double>(early),
+              sizeof(results::Window), "a window in the making");
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
