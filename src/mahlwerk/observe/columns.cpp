@@ -57,19 +57,21 @@ template <class T, class V>
 }
 
 /// Where on a circle (x, y) is, as 0 <= share < 1 of a turn.
-[[gnu::always_inline]] inline Lanes share_of_turn(Lanes x, Lanes y) {
-  const Lanes none{}, first = angle_between(size_of(y), size_of(x)) * (0.5 / std::numbers::pi);
-  const Lanes half = choose(less(x, none), 0.5 - first, first);
-  const Lanes share = choose(less(y, none), 1.0 - half, half);
+template <class V>
+[[gnu::always_inline]] inline V share_of_turn(V x, V y) {
+  const V none{}, first = angle_between(size_of(y), size_of(x)) * (0.5 / std::numbers::pi);
+  const V half = choose(less(x, none), 0.5 - first, first);
+  const V share = choose(less(y, none), 1.0 - half, half);
   return choose(less(share, none + 1.0), share, none);
 }
 
 /// `share` of `many` slots, the first and the last holding what lies beyond.
-[[gnu::always_inline]] inline Lanes slot(Lanes share, int many) {
-  const Lanes none{};
-  const Lanes at = smaller(larger(share * many, none), none + (many - 1));
+template <class V>
+[[gnu::always_inline]] inline V slot(V share, int many) {
+  const V none{};
+  const V at = smaller(larger(share * many, none), none + (many - 1));
   constexpr double whole = 0x1p52;
-  const Lanes near = (at + whole) - whole;  // to the nearest whole number
+  const V near = (at + whole) - whole;  // to the nearest whole number
   return choose(less(at, near), near - 1.0, near);
 }
 
@@ -80,17 +82,16 @@ template <class T, class V>
 }
 
 /// WallGrid's cells, as whole numbers.
-[[gnu::always_inline]] inline Lanes cells_of(const WallGrid& g, Lanes x, Lanes y, Lanes z,
-                                             Lanes axial) {
+template <class V>
+[[gnu::always_inline]] inline V cells_of(const WallGrid& g, V x, V y, V z, V axial) {
   constexpr double level = std::numbers::sqrt2 / 2;
-  const Lanes none{}, turn = share_of_turn(x, y);
-  const Lanes side =
+  const V none{}, turn = share_of_turn(x, y);
+  const V side =
       slot((z - g.bottom) * (1 / (g.top - g.bottom)), WallGrid::along) * WallGrid::around +
       slot(turn, WallGrid::around);
-  const Lanes ring = slot((x * x + y * y) * (1 / (g.radius * g.radius)), WallGrid::rings);
-  const Lanes disc = WallGrid::side_cells + ring * WallGrid::sectors +
-                     slot(turn, WallGrid::sectors) +
-                     choose(less(none, axial), none + WallGrid::disc_cells, none);
+  const V ring = slot((x * x + y * y) * (1 / (g.radius * g.radius)), WallGrid::rings);
+  const V disc = WallGrid::side_cells + ring * WallGrid::sectors + slot(turn, WallGrid::sectors) +
+                 choose(less(none, axial), none + WallGrid::disc_cells, none);
   return choose(less(none + level, size_of(axial)), disc, side);
 }
 
@@ -101,9 +102,7 @@ double impact_angle(double approach, double slip) {
 }
 
 int cell_of(const WallGrid& grid, const Vec3& where, double axial) {
-  const Lanes none{};
-  return static_cast<int>(
-      cells_of(grid, none + where.x, none + where.y, none + where.z, none + axial)[0]);
+  return static_cast<int>(cells_of(grid, where.x, where.y, where.z, axial));
 }
 
 void Columns::take(std::span<const scene::Collision> records, const WallGrid& wall) {

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
-#include <numeric>
+#include <optional>
 #include <string>
 
 #include "mahlwerk/observe/columns.hpp"
@@ -20,9 +21,22 @@ namespace {
 using observe::PlaneField;
 using observe::WallGrid;
 
-/// Calls `of` with pieces of a triangle no longer than `most` [m]: halved across its longest edge.
-template <class Of>
-void in_pieces(const std::array<Vec3, 3>& t, double most, const Of& of) {
+Vec3 area_vector(const std::array<Vec3, 3>& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+/// Adds the area of a triangle to the cells it lies in: halved across its longest edge until a
+/// piece is within one cell, or no longer than `least` [m].
+void share_out(const std::array<Vec3, 3>& t, const WallGrid& grid, double least,
+               std::vector<double>& areas) {
+  const Vec3 area = area_vector(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+  const double size = norm(area);
+  if (!(size > 0)) return;
+  const int cell = observe::cell_of(grid, middle, area.z / size);
+  constexpr double inwards = 1e-3;  // corners on the border of two cells are in either
+  const bool within = std::ranges::all_of(t, [&](const Vec3& corner) {
+    return observe::cell_of(grid, corner + inwards * (middle - corner), area.z / size) == cell;
+  });
   std::size_t longest = 0;
   double length = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -30,15 +44,14 @@ void in_pieces(const std::array<Vec3, 3>& t, double most, const Of& of) {
       length = l;
       longest = k;
     }
-  if (length <= most) return of(t);
+  if (within || length <= least) {
+    areas[static_cast<std::size_t>(cell)] += size;
+    return;
+  }
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-  const Vec3 middle = 0.5 * (a + b);
-  in_pieces({a, middle, c}, most, of);
-  in_pieces({middle, b, c}, most, of);
-}
-
-Vec3 area_vector(const std::array<Vec3, 3>& t) {
-  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+  const Vec3 half = 0.5 * (a + b);
+  share_out({a, half, c}, grid, least, areas);
+  share_out({half, b, c}, grid, least, areas);
 }
 
 template <class Of>
@@ -60,23 +73,29 @@ const char* part_name(int cell) {
   return "";
 }
 
+std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+  std::vector<double> areas(WallGrid::cells);
+  // Pieces at the borders of cells a third as long as these, but no more than takes a blink.
+  constexpr double parts = 3, many = 1e6;
+  const double cell = std::min(2 * std::numbers::pi * grid.radius / WallGrid::around,
+                               (grid.top - grid.bottom) / WallGrid::along);
+  const double least = std::max(cell / parts, std::sqrt(wall_area(shape) / many));
+  for_triangles(shape, [&](const std::array<Vec3, 3>& t) { share_out(t, grid, least, areas); });
+  return areas;
+}
+
 }  // namespace
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  std::vector<double> areas(WallGrid::cells);
-  // Pieces a third as long as a cell, but not more of them than takes a blink.
-  constexpr double parts = 3, many = 5e5;
-  const double cell = std::min(2 * std::numbers::pi * grid.radius / WallGrid::around,
-                               (grid.top - grid.bottom) / WallGrid::along);
-  const double most = std::max(cell / parts, std::sqrt(wall_area(shape) / many));
-  for_triangles(shape, [&](const std::array<Vec3, 3>& whole) {
-    in_pieces(whole, most, [&](const std::array<Vec3, 3>& t) {
-      const Vec3 area = area_vector(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
-      const double size = norm(area);
-      if (!(size > 0)) return;
-      areas[static_cast<std::size_t>(observe::cell_of(grid, middle, area.z / size))] += size;
-    });
-  });
+  // Of the last jar asked for: a result asks several times, a campaign mostly for one jar.
+  static std::mutex mutex;
+  static std::optional<geometry::AnyShape> known;
+  static std::vector<double> areas;
+  const std::lock_guard lock(mutex);
+  if (!known || !(*known == shape)) {
+    areas = reckoned_areas(shape, grid);
+    known = shape;
+  }
   return areas;
 }
 
