@@ -24,9 +24,9 @@ constexpr Example examples[] = {
     {"one ball, lasting contacts roll, event engine", "01-one-ball", 3000},
     {"one ball, TC rule, event engine", "01-one-ball", 3000},
     {"7 balls in a planetary mill, event engine", "03-planetary-mill", 60},
-    {"400 balls in a drum", "04-tumbling-drum", 3},
+    {"200 balls in a drum, event engine", "04-tumbling-drum", 2},
     {"5 balls in a planetary mill, soft engine", "05-planetary-soft", 3},
-    {"powder as grains, soft engine", "06-powder-as-grains", 0.3},
+    {"powder as grains, soft engine", "06-powder-as-grains", 0.1},
 };
 constexpr int runs = 7;
 
