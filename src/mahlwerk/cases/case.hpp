@@ -15,6 +15,9 @@
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/powder/dose.hpp"
+#include "mahlwerk/powder/feed.hpp"
+#include "mahlwerk/powder/process.hpp"
 
 // A case: what a user asks for, complete and in SI, with nothing left to guess.
 namespace mahlwerk::cases {
@@ -87,10 +90,11 @@ struct BallSet {
 struct Powder {
   std::string material;
   double mass = 0;                ///< [kg]
-  std::optional<double> size;     ///< [m]
+  std::optional<double> size;     ///< [m] the median by mass where sizes differ
   std::optional<double> density;  ///< [kg/m3]
   /// [m] of the spheres that stand for the powder; none: it is a mass that nothing touches
   std::optional<double> grain_size = std::nullopt;
+  powder::Feed feed = {};  ///< sizes as fed; those of one size unless the case says more
   bool operator==(const Powder&) const = default;
 };
 
@@ -191,6 +195,52 @@ struct Heat {
   bool operator==(const Heat&) const = default;
 };
 
+/// What collisions catch of the powder; absent from a case that does not ask.
+struct Capture {
+  enum class Energy { normal, contact_point, lost };  ///< of a collision, that presses the powder
+  powder::AnyCapture model;
+  Energy energy = Energy::normal;
+  double energy_share = 1;  ///< [1] of it that the caught grains get
+  bool operator==(const Capture&) const = default;
+};
+
+/// How the powder gets finer; absent from a case that does not ask. Needs Capture and Powder.
+struct Grinding {
+  enum class Method {
+    balance,      ///< the expected distribution, by a population balance
+    statistical,  ///< a sample of grains, hit by hit
+    both
+  };
+  powder::AnyBreakage breakage;
+  powder::AnyFragments fragments;
+  Method method = Method::balance;
+  double time = 0;  ///< [s] of milling
+  powder::Bed bed = powder::Bed::by_size;
+  double smallest = 0;                                 ///< [m] finest size that is told apart
+  std::int64_t classes_per_octave = 6;                 ///< of size; a multiple of 3
+  std::int64_t sample = 10'000;                        ///< grains of the statistical method
+  double sticking = 0;                                 ///< [1] share that lies stuck on the wall
+  std::optional<double> sticking_size = std::nullopt;  ///< [m] only grains up to this; none: all
+  double welding = 0;         ///< [1] chance that a hit that does not break welds two grains
+  double welding_energy = 0;  ///< [J/kg] below which nothing welds
+  bool operator==(const Grinding&) const = default;
+};
+
+/// What a dose of energy does; absent from a case that does not ask.
+struct Kinetics {
+  enum class Dose { dissipated, captured };  ///< energy that counts
+  powder::Conversion conversion;
+  Dose dose = Dose::dissipated;
+  double time = 0;  ///< [s] of milling
+  /// A property that goes from one value to another as conversion does, in its own unit.
+  std::string property;  ///< its name; empty: none
+  double initial = 0, final = 1;
+  bool operator==(const Kinetics&) const = default;
+};
+
+/// What `mahlwerk fit` may choose: from the least to the most, as text.
+using FitRange = std::array<std::string, 2>;
+
 /// Where one value of a resolved case came from.
 struct Origin {
   std::string key;       ///< "mill.amplitude", "balls.1.density"
@@ -212,9 +262,13 @@ struct Case {
   Observe observe;
   std::optional<Wear> wear;
   std::optional<Heat> heat;
+  std::optional<Capture> capture;
+  std::optional<Grinding> grinding;
+  std::optional<Kinetics> kinetics;
   double gravity = 9.81;  ///< [m/s2], downwards
   /// Dotted key -> the values it takes, as text; the full product is run.
   std::map<std::string, std::vector<std::string>> sweep;
+  std::map<std::string, FitRange> fit;  ///< dotted key -> what `mahlwerk fit` chooses from
 
   /// Not compared: the same case may come from elsewhere.
   std::vector<Origin> origins;

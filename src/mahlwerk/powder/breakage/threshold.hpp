@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+
+namespace mahlwerk::powder {
+
+/// A least energy: a hit that gives it breaks, a weaker one does nothing.
+struct Threshold {
+  static constexpr std::string_view name = "threshold";
+  static constexpr std::string_view about = "breaks from the specific energy W (x_0/x)^m on";
+  static constexpr bool tells_fineness = false, remembers = false;
+  double energy = 0;          ///< [J/kg] > 0 that breaks a grain of the reference size
+  double reference_size = 0;  ///< [m] > 0
+  double exponent = 0;        ///< [1] 0 to 3
+  static constexpr auto fields() {
+    using M = Threshold;
+    constexpr Range exponents{.least = 0, .most = 3};
+    return std::array{Field<M>{"energy", "J/kg", &M::energy, positive,
+                               "specific energy that breaks a grain of the reference size"},
+                      Field<M>{"reference_size", "m", &M::reference_size, positive,
+                               "the size that energy is meant for"},
+                      Field<M>{"exponent", "", &M::exponent, exponents,
+                               "how it grows for finer grains: 0 not at all, 0.5 as Griffith's "
+                               "cracks, 1 as Vogel and Peukert's",
+                               0.0, "the same for all sizes"}};
+  }
+  double chance(double size, double given) const {  // (brk.3)
+    return given >= energy * std::pow(reference_size / size, exponent) ? 1 : 0;
+  }
+  bool operator==(const Threshold&) const = default;
+};
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+
+namespace mahlwerk::powder {
+
+/// Vogel and Peukert 2003: a probability by what a hit gives above the least that can break.
+struct VogelPeukert {
+  static constexpr std::string_view name = "vogel-peukert";
+  static constexpr std::string_view about = "probability 1 - exp(-f_mat (x W - x W_min))";
+  static constexpr bool tells_fineness = false, remembers = false;
+  double f_mat = 0;    ///< [kg/(J m)] > 0
+  double x_w_min = 0;  ///< [J m/kg] >= 0 size times least specific energy, of the material
+  static constexpr auto fields() {
+    using M = VogelPeukert;
+    return std::array{Field<M>{"f_mat", "kg/J/m", &M::f_mat, positive,
+                               "strength of the material: how soon its grains break, f_Mat"},
+                      Field<M>{"x_w_min", "J m/kg", &M::x_w_min, not_negative,
+                               "size times the least specific energy that breaks, x W_min"}};
+  }
+  double chance(double size, double energy) const {  // (brk.1)
+    const double above = size * energy - x_w_min;
+    return above > 0 ? -std::expm1(-f_mat * above) : 0;
+  }
+  bool operator==(const VogelPeukert&) const = default;
+};
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+#include "mahlwerk/powder/nip.hpp"
+
+namespace mahlwerk::powder {
+
+/// A bed one grain high (Barrios, de Carvalho and Tavares 2011; paper B eqs. 12 to 16).
+struct Barrios {
+  static constexpr std::string_view name = "barrios";
+  static constexpr std::string_view about = "a bed one grain high, pressed by the collision";
+  /// [J/kg] > 0; 0: that of the breakage model, which must know one
+  double fracture_energy = 0;
+  static constexpr auto fields() {
+    return std::array{
+        Field<Barrios>{"fracture_energy", "J/kg", &Barrios::fracture_energy, positive,
+                       "median specific energy that breaks grains of the bed, E_50b"}};
+  }
+
+  /// `energy` [J] >= 0 of the collision. The bed yields by the energy its own mass gets, which
+  /// hangs on how far it yields: solved to 1e-12 (cap.5 to cap.9).
+  Catch caught(const Nip& nip, double energy, const Grain& grain) const;
+  bool operator==(const Barrios&) const = default;
+};
+
+/// [1] Relative deformation of a bed, 0 to 0.362, by the specific energy [1] in units of E_50b
+/// (cap.8).
+double bed_deformation(double energy_over_fracture_energy);
+/// [m] Radius of capture of a bed that is `deformation` [m] deep (cap.6).
+double capture_radius(const Nip& nip, double energy, double deformation);
+/// [1] Grains of `size` [m] in a bed of that radius [m] (cap.5).
+double grains_in_bed(double radius, double size);
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+
+namespace mahlwerk::powder {
+
+/// The family of curves that one number tells apart: t10, the share finer than a tenth (King).
+struct T10Fragments {
+  static constexpr std::string_view name = "t10";
+  static constexpr std::string_view about = "t_n = 1 - (1 - t10)^((9/(n - 1))^alpha), n = y/x";
+  double t10 = 0;    ///< [1] 0 to 1; 0: that of the breakage model, which must tell it
+  double alpha = 1;  ///< [1] > 0
+  static constexpr auto fields() {
+    using M = T10Fragments;
+    constexpr Range shares{.least = 0, .most = 1, .without_most = true};
+    return std::array{Field<M>{"t10", "", &M::t10, shares,
+                               "share finer than a tenth of the broken grain; 0: as the breakage "
+                               "model says",
+                               0.0, "as the breakage model says"},
+                      Field<M>{"alpha", "", &M::alpha, positive, "shape of the family", 1.0,
+                               "King, about 1; recalled"}};
+  }
+  double finer(double ratio, double, double told) const {  // (frg.3)
+    if (ratio >= 1) return 1;
+    return -std::expm1(std::log1p(-of(told)) * std::pow(9 * ratio / (1 - ratio), alpha));
+  }
+  template <class Draw>
+  double drawn(double parent, double told, Draw& uniform) const {
+    const double n = std::pow(std::log(uniform()) / std::log1p(-of(told)), 1 / alpha) / 9;
+    return parent * n / (1 + n);
+  }
+  bool operator==(const T10Fragments&) const = default;
+
+ private:
+  double of(double told) const { return t10 > 0 ? t10 : told; }
+};
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "mahlwerk/base/field.hpp"
+
+namespace mahlwerk::powder {
+
+/// Vogel's breakage function: a power of the size, cut off below a smallest fragment.
+struct VogelFragments {
+  static constexpr std::string_view name = "vogel";
+  static constexpr std::string_view about = "(x/y)^q (1 + tanh((x - x_min)/x_min))/2, scaled to 1";
+  double q = 0;      ///< [1] > 0
+  double x_min = 0;  ///< [m] > 0
+  static constexpr auto fields() {
+    using M = VogelFragments;
+    return std::array{Field<M>{"q", "", &M::q, positive, "exponent of the fragments' sizes, q"},
+                      Field<M>{"x_min", "m", &M::x_min, positive,
+                               "size below which there are few fragments, x'"}};
+  }
+  double finer(double ratio, double parent, double) const {  // (frg.1)
+    return std::pow(ratio, q) * above(ratio * parent) / above(parent);
+  }
+  /// The larger of two sizes, each by one factor of `finer`.
+  template <class Draw>
+  double drawn(double parent, double, Draw& uniform) const {
+    const double one = parent * std::pow(uniform(), 1 / q);
+    const double share = uniform() * above(parent);
+    return std::max(one, share > above(0) ? x_min * (1 + std::atanh(2 * share - 1)) : 0);
+  }
+  bool operator==(const VogelFragments&) const = default;
+
+ private:
+  double above(double x) const { return 0.5 * (1 + std::tanh((x - x_min) / x_min)); }
+};
+
+}  // namespace mahlwerk::powder
