@@ -114,7 +114,7 @@ class Assembly {
     if (below - 1 != level) made_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
   }
 
-  /// Two like grains become one of twice the volume. Returns the share that does.
+  /// Two like grains become one of twice the volume (pbm.6). Returns the share that does.
   double weld(int i, int level, const Hit& h, double survivors) {
     const int to = i - grid_.per_octave() / 3;
     if (!(process_.welding > 0) || h.energy < process_.welding_energy || to < 0) return 0;

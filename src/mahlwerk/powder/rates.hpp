@@ -18,8 +18,8 @@ struct Levels {
 };
 Levels levels(const AnyBreakage& breakage, int count = 16);
 
-/// What collisions do to the mass of each state (pbm.1): state `class * levels + level`. Grains of
-/// the last class do not break. `mean_size` [m] is that of the powder, for a mixed bed.
+/// What collisions do to the mass of each state (pbm.1), (pbm.2): state `class * levels + level`.
+/// Grains of the last class do not break. `mean_size` [m] is that of the powder, for a mixed bed.
 Rates rates(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
             const Levels& levels, double mean_size);
 

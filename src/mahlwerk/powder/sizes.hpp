@@ -9,7 +9,7 @@
 // Sizes of grains in classes, and what a distribution over them says. Shares are of the mass.
 namespace mahlwerk::powder {
 
-/// Classes of size from coarse to fine, each the same factor below the last.
+/// Classes of size from coarse to fine, each the same factor below the last (siz.1).
 class SizeGrid {
  public:
   SizeGrid() = default;
