@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case says of grinding: sizes of the powder, [capture], [breakage], [fragments],
-// [grinding], [kinetics].
+// What a case says of grinding: [capture], [breakage], [fragments], [grinding], [kinetics].
 #include "mahlwerk/cases/grinding.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
-#include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/grinding_fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
@@ -22,12 +18,6 @@ namespace {
 using namespace sample;
 using tests::states;
 
-/// A vial with some powder.
-const std::string powdered = vial + R"([powder]
-mass = "0.15 g"
-density = "1280 kg/m3"
-size = "1.3 mm"
-)";
 const std::string capture = R"([capture]
 model = "trapped-volume"
 thickness = "1.3 mm"
@@ -55,101 +45,9 @@ a = 0.5
 b = 0.03
 )";
 
-/// The one fault as "what|remedy|code"; all of them if there are several.
-std::string wrong(const std::string& text, const std::vector<Override>& overrides = {}) {
-  const std::vector<Fault> found = faults_of(text, overrides);
-  return found.size() == 1 ? found[0].what + "|" + found[0].remedy + "|" + found[0].code
-                           : fault_of(text, overrides);
-}
-void expect_says(const std::string& part, const std::string& text,
-                 const std::vector<Override>& overrides = {}) {
-  const std::string said = wrong(text, overrides);
-  EXPECT_NE(said.find(part), std::string::npos) << "expected: " << part << "\nsaid: " << said;
-}
-
 bool assumed(const Case& c, std::string_view key) {
   const auto at = std::ranges::find(c.origins, key, &Origin::key);
   return at != c.origins.end() && at->assumed;
-}
-powder::Feed feed_of(const std::string& lines) {
-  return read_sample(with(powdered, "size", lines)).powder->feed;
-}
-
-TEST(ReadFeed, of_one_size_unless_said_otherwise) {
-  const Case c = read_sample(powdered);
-  EXPECT_EQ(c.powder->feed, (powder::Feed{powder::Feed::Law::equal, 1.3e-3}));
-  EXPECT_EQ(c.powder->size, 1.3e-3);
-  EXPECT_TRUE(read_sample(with(powdered, "size", "size = \"1.3 mm\"\ndistribution = \"equal\"")) ==
-              c);
-  EXPECT_FALSE(read_sample(with(powdered, "size", "")).powder->size.has_value());
-}
-
-TEST(ReadFeed, distributions_by_mass) {
-  using Law = powder::Feed::Law;
-  const std::string sieves = "distribution = \"sieves\"\n";
-  const std::string passing = sieves +
-                              "passing = [[\"1 mm\", \"0 %\"], [\"2 mm\", \"50 %\"], "
-                              "[\"4 mm\", \"100 %\"]]";
-  EXPECT_EQ(feed_of(passing),
-            (powder::Feed{.law = Law::sieves, .passing = {{1e-3, 0}, {2e-3, 0.5}, {4e-3, 1}}}));
-  EXPECT_EQ(feed_of(sieves + "retained = [[\"1 mm\", \"50 %\"], [\"2 mm\", \"50 %\"], "
-                             "[\"4 mm\", \"0 %\"]]"),
-            feed_of(passing));
-  states("median of sieves [m]",
-         read_sample(with(powdered, "size", passing)).powder->size.value_or(0), 2e-3, 1e-15,
-         "half passes 2 mm");
-  EXPECT_EQ(feed_of("distribution = \"lognormal\"\nsize = \"1 mm\"\nspread = 1.5"),
-            (powder::Feed{Law::lognormal, 1e-3, 1.5}));
-  const std::string rosin = "distribution = \"rosin-rammler\"\nsize = \"1 mm\"\nspread = 2";
-  EXPECT_EQ(feed_of(rosin), (powder::Feed{Law::rosin_rammler, 1e-3, 2}));
-  states("median of Rosin-Rammler [m]",
-         read_sample(with(powdered, "size", rosin)).powder->size.value_or(0),
-         1e-3 * std::sqrt(std::log(2)), 1e-15, "1 - exp(-(x/1 mm)^2) = 1/2");
-}
-
-TEST(ReadFeed, faults) {
-  const auto feed = [](const std::string& lines) { return with(powdered, "size", lines); };
-  const std::string sieves = "distribution = \"sieves\"\n";
-  expect_says("there is no distribution = \"normal\"", feed("distribution = \"normal\""));
-  expect_says("|sieve-shares", feed(sieves + "retained = [[\"1 mm\", \"40 %\"], [\"2 mm\", "
-                                             "\"0 %\"]]"));
-  expect_says("sum to 40 %, not to 100 %",
-              feed(sieves + "retained = [[\"1 mm\", \"40 %\"], [\"2 mm\", \"0 %\"]]"));
-  expect_says("90 % of the mass pass the largest sieve",
-              feed(sieves + "passing = [[\"1 mm\", \"0 %\"], [\"2 mm\", \"90 %\"]]"));
-  expect_says("the openings of `passing` do not rise|",
-              feed(sieves + "passing = [[\"2 mm\", \"0 %\"], [\"1 mm\", \"100 %\"]]"));
-  expect_says("[powder] lacks `passing`", feed(sieves));
-  expect_says("size has no meaning under distribution = \"sieves\"",
-              feed(sieves + "size = \"1 mm\"\npassing = [[\"1 mm\", 0], [\"2 mm\", 1]]"));
-  expect_says("passing has no meaning under distribution = \"equal\"",
-              feed("passing = [[\"1 mm\", 0], [\"2 mm\", 1]]"));
-  expect_says("spread has no meaning under distribution = \"equal\"", powdered + "spread = 2\n");
-  expect_says("lacks `spread`: geometric standard deviation",
-              feed("distribution = \"lognormal\"\nsize = \"1 mm\""));
-  expect_says("lacks `size`: grain size that 63.2 % of the mass pass",
-              feed("distribution = \"rosin-rammler\"\nspread = 1"));
-  expect_says("|out-of-range", feed("distribution = \"lognormal\"\nsize = \"1 mm\"\nspread = 0.5"));
-  expect_says("lacks `grain_size`",
-              feed("distribution = \"lognormal\"\nsize = \"1 mm\"\nspread = 2\nas = \"grains\""));
-}
-
-TEST(PowderFaults, more_than_the_jar_holds) {
-  expect_says(
-      "the powder's solid (4.922 ml) and the balls (0.2681 ml) are more than the jar holds "
-      "(5 ml)|give less powder, fewer balls or a larger jar|powder-too-much",
-      with(powdered, "mass", "mass = \"6.3 g\""));
-  EXPECT_EQ(wrong(with(powdered, "mass", "mass = \"6 g\"")), "");
-}
-
-TEST(PowderWarnings, loose_powder_that_has_no_room) {
-  // Free are 5 ml - 0.268 ml = 4.732 ml, which 3.634 g of 1280 kg/m3 fill at 60 %.
-  const auto warnings = [](const std::string& mass) {
-    return jar_warnings(read_sample(with(powdered, "mass", "mass = \"" + mass + "\"")));
-  };
-  EXPECT_TRUE(warnings("3.63 g").empty());
-  ASSERT_EQ(warnings("3.64 g").size(), 1U);
-  EXPECT_NE(warnings("3.64 g")[0].find("packed to 60 % of solid"), std::string::npos);
 }
 
 TEST(ReadCapture, models_and_defaults) {
@@ -273,8 +171,9 @@ TEST(ReadGrinding, faults) {
               with(with(all, "f_mat", ""), "density = \"1280", "material = \"tic\""));
   expect_says("[fragments] lacks `t10`, and [breakage] model = \"vogel-peukert\" tells none|",
               with(all, "model = \"binary", "model = \"t10\""));
-  EXPECT_EQ(wrong(with(all, "model = \"binary", "model = \"t10\"\nt10 = 0.3")), "");
-  EXPECT_EQ(wrong(powdered + capture + tavares + "[fragments]\nmodel = \"t10\"\n" + grinding), "");
+  EXPECT_EQ(one_fault(with(all, "model = \"binary", "model = \"t10\"\nt10 = 0.3")), "");
+  EXPECT_EQ(one_fault(powdered + capture + tavares + "[fragments]\nmodel = \"t10\"\n" + grinding),
+            "");
   expect_says(
       "smallest (2 mm) is not below the largest grains as fed (1.3 mm)|write smallest = "
       "\"0.32 um\" or so, or leave it out|out-of-range",
@@ -295,7 +194,7 @@ TEST(ReadGrinding, faults) {
 
 TEST(ReadGrinding, too_many_classes_name_a_size_that_is_not) {
   const std::string fine = all + "classes_per_octave = 12\nsmallest = ";
-  const std::string said = wrong(fine + "\"0.1 um\"\n");
+  const std::string said = one_fault(fine + "\"0.1 um\"\n");
   EXPECT_NE(said.find("12 classes in each of the 13.7 octaves from 0.1 um to 1.3 mm are 164, more "
                       "than 150"),
             std::string::npos)
@@ -303,7 +202,7 @@ TEST(ReadGrinding, too_many_classes_name_a_size_that_is_not) {
   const auto at = said.find("smallest = \"");
   ASSERT_NE(at, std::string::npos) << said;
   const std::string size = said.substr(at + 12, said.find('"', at + 12) - at - 12);
-  EXPECT_EQ(wrong(fine + "\"" + size + "\"\n"), "") << size;
+  EXPECT_EQ(one_fault(fine + "\"" + size + "\"\n"), "") << size;
   expect_says("are 72, more than 48|",
               powdered + capture + tavares + fragments + grinding + "classes_per_octave = 6\n");
 }
@@ -342,7 +241,7 @@ TEST(ReadKinetics, laws_doses_and_properties) {
               "time = \"1 h\"\nproperty = \"amorphous content\"\ninitial = 5\nfinal = 100"),
       (Kinetics{{5e6, 2, 1000}, Kinetics::Dose::captured, 3600, "amorphous content", 5, 100}));
   const auto fault = [](const std::string& lines) {
-    return wrong(powdered + "[kinetics]\ntime = \"1 h\"\n" + lines);
+    return one_fault(powdered + "[kinetics]\ntime = \"1 h\"\n" + lines);
   };
   const std::string dose = "dose_constant = \"5 kJ/g\"\n";
   EXPECT_NE(fault("").find("lacks `dose_constant`"), std::string::npos) << fault("");
