@@ -107,7 +107,7 @@ void read_classes(Section& in, Grinding& g, const Case& c, bool remembering) {
     g.smallest = c.powder && c.powder->size ? in.value(Wanted(smallest_size)) : unread;
   } else {
     g.smallest = c.powder->feed.largest() / octaves_below;
-    in.note_default("smallest", show(g.smallest, "m"), "twelve octaves below the feed");
+    in.note_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
   }
   if (!in.gives("classes_per_octave")) {
     g.classes_per_octave = remembering ? size_step : 2 * size_step;
