@@ -33,6 +33,7 @@ inline std::vector<Row> beside_peers() {
 std::vector<Row> cost_curve();
 std::vector<Row> mixing();
 std::vector<Row> observers();
+std::vector<Row> grinding();
 
 struct Benchmark {
   std::string_view name, about;
@@ -47,6 +48,8 @@ inline constexpr std::array benchmarks{
     Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
     Benchmark{"observers", "what everything that is observed costs, beside bare engines",
               observers},
+    Benchmark{"grinding", "sizes after 20 hours from 2 s of a run; hits on a sample of grains",
+              grinding},
     Benchmark{"peers",
               "beside LAMMPS, LIGGGHTS, YADE: five balls, then crowd; a quarter of an hour",
               beside_peers},

@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/making.hpp"
 #include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/tables.hpp"
@@ -58,7 +59,10 @@ class Replica::Ears final : public scene::Observer {
   explicit Ears(Replica& replica) : replica_(replica) {}
   void collisions(std::span<const scene::Collision> finished) override {
     if (replica_.stretch_ == 0) return;
-    replica_.result_.tally.collisions(finished);
+    results::Replicate& r = replica_.result_;
+    r.tally.collisions(finished);
+    if (replica_.streams_)
+      r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.what_));
     if (replica_.keeper_) replica_.keeper_->collisions(finished);
   }
 
@@ -102,6 +106,7 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
       frame_times_(what),
       result_(results::empty_replicate(what)),
       window_(first_window(what)),
+      streams_(what.grinding && what.grinding->method != cases::Grinding::Method::balance),
       engine_(engine(what, index, threads)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
   for (const cases::BallSet& set : what.balls) balls_ += set.count;
@@ -219,13 +224,18 @@ results::Replicate Replica::result() const {
   results::Replicate given = result_;
   given.complete = over() && given.stopped.empty();
   given.sure = !what_->run.until || enough_;
-  if (given.complete) return given;
+  if (!given.complete) end_early(given);
+  results::grind(*what_, given, index_);
+  return given;
+}
+
+/// What was counted of the stretch that did not end.
+void Replica::end_early(results::Replicate& given) const {
   if (stretch_ == 0)
     given.at_settled = given.account;
   else if (given.account.time > last_.time)
     given.windows.push_back(window(given.account.time - what_->run.settle, last_, given.account,
                                    all_, above_, given.tally));
-  return given;
 }
 
 void Replica::carry(Archive& archive) {
@@ -233,6 +243,7 @@ void Replica::carry(Archive& archive) {
   r.tally.carry(archive);
   r.charge.carry(archive);
   r.replay.carry(archive);
+  r.stream.carry(archive);
   archive(r.windows)(r.account)(r.at_settled)(r.stopped)(r.at_stop)(r.cpu_seconds);
   archive(stretch_)(last_)(all_)(above_)(window_)(enough_)(looks_)(looked_)(looked_ever_);
   engine_->carry(archive);

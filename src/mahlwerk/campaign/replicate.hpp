@@ -36,6 +36,7 @@ class Replica {
   class Ears;
   double end_of(int stretch) const;  // [s]
   bool over() const;
+  void end_early(results::Replicate& given) const;
   void advance(double time);
   void look();
   void end_stretch();
@@ -49,6 +50,7 @@ class Replica {
   results::FrameTimes frame_times_;
   results::Replicate result_;
   double window_;        // [s] length of a stretch
+  bool streams_;         // energies are kept for a sample of the powder
   bool enough_ = false;  // it is as sure as was asked for
   int looks_ = 4;        // at the charge in this stretch
   int looked_ = 0;       // of them

@@ -8,7 +8,7 @@
 // What a dose of energy does that sizes do not tell: a reaction, a property.
 namespace mahlwerk::powder {
 
-/// Conversion by dose (kin.1): first-order with the exponent 1, Avrami-like with others.
+/// Conversion by dose (dos.1): first-order with the exponent 1, Avrami-like with others.
 struct Conversion {
   double dose_constant = 0;  ///< [J/kg] > 0 dose beyond the onset that converts 63.2 %
   double exponent = 1;       ///< [1] > 0

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +10,9 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/charge.hpp"
 #include "mahlwerk/observe/replay.hpp"
+#include "mahlwerk/observe/stress_stream.hpp"
 #include "mahlwerk/observe/tally.hpp"
+#include "mahlwerk/powder/milling.hpp"
 #include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
@@ -30,14 +33,28 @@ struct Window {
   double kinetic = 0;               ///< [J] at its end
 };
 
+/// What a replicate's collisions do to the powder.
+struct Ground {
+  powder::StressSpectrum stresses;
+  double dose_rate = 0;                    ///< [W/kg] of [kinetics], or of what is caught
+  std::optional<powder::Milling> balance;  ///< with [grinding] method = "balance" or "both"
+  std::optional<powder::Milling> sample;   ///< with "statistical" or "both"
+
+  /// The one that counts where there are both.
+  const powder::Milling& milling() const { return balance ? *balance : *sample; }
+  bool grinds() const { return balance || sample; }
+};
+
 /// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
                      const observe::WallGrid& wall = {})
       : tally(threshold, std::move(kinds), wall) {}
   observe::Tally tally;
-  observe::Charge charge;  ///< how it lies in the jar
-  observe::Replay replay;  ///< of the first replicate
+  observe::Charge charge;        ///< how it lies in the jar
+  observe::Replay replay;        ///< of the first replicate
+  observe::StressStream stream;  ///< for a sample of the powder
+  std::optional<Ground> ground;  ///< with [capture] or [kinetics], once the run has ended
   std::vector<Window> windows;
   scene::Account account;            ///< at the end
   scene::Account at_settled;         ///< when counting began

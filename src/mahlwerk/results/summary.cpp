@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/milling.hpp"
 #include "mahlwerk/results/regime.hpp"
@@ -280,6 +281,9 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   gathering.add(regime_measures(outcome.what));
   gathering.add(wear_measures(outcome.what));
   gathering.add(heat_measures(outcome.what));
+  gathering.add(capture_measures(outcome.what));
+  gathering.add(grinding_measures(outcome.what));
+  gathering.add(kinetics_measures(outcome.what));
   gathering.add(grains(outcome.what));
   gathering.add(checks());
   return gathering.found();

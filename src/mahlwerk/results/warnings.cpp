@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
@@ -69,6 +70,7 @@ std::vector<std::string> warnings(const Outcome& outcome) {
         "shorter run.time_step help.",
         deepest));
   if (const std::string words = not_steady(quantities); !words.empty()) list.push_back(words);
+  for (std::string& warning : grinding_warnings(outcome)) list.push_back(std::move(warning));
   if (!std::ranges::all_of(averaged(outcome), &Replicate::sure))
     list.push_back(fmt::format(
         "{} is not known within {:.3g} % at the longest time allowed: a longer run.longest helps.",

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/result_file.hpp"
@@ -58,6 +59,12 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("fields", "where the charge is and how it moves", fields(outcome));
   unless_empty("wear", "what balls and jar lose", wear(outcome));
   unless_empty("temperature", "of balls and jar over milling and pauses", temperatures(outcome));
+  unless_empty("capture", "powder caught per bin of energy, by kind of pair", capture(outcome));
+  unless_empty("captured_grains", "collisions by grains caught", captured_grains(outcome));
+  unless_empty("grinding", "sizes of the powder over the time of milling", grinding(outcome));
+  unless_empty("size_distribution", "sizes of the powder at some times",
+               size_distribution(outcome));
+  unless_empty("conversion", "what the dose has done", conversion(outcome));
   unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
   if (const auto* measured = std::get_if<kinematics::Tabulated>(&outcome.what.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});

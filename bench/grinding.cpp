@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How long a prediction of sizes takes once a mill has run, and how many hits a sample of grains
+// takes in a second.
+#include "mahlwerk/cases/grinding.hpp"
+
+#include <cmath>
+
+#include "benchmarks.hpp"
+#include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/powder/sample.hpp"
+#include "mahlwerk/results/grinding.hpp"
+
+namespace mahlwerk::bench {
+namespace {
+
+constexpr int runs = 7;
+constexpr double hour = 3600;
+
+/// Seven balls in a planetary mill, a gram of a quartz-like powder of half a millimetre, 20 hours.
+cases::Case planetary() {
+  const cases::Catalogue catalogue(std::filesystem::path(MAHLWERK_HOME) / "catalogue");
+  cases::Case what = cases::read(
+      std::filesystem::path(MAHLWERK_HOME) / "examples/03-planetary-mill/case.toml", catalogue, {});
+  what.run.engine = "event";
+  what.run.settle = 0.5;
+  what.run.time = 2;
+  what.run.until.reset();
+  what.powder = cases::Powder{.material = "", .mass = 1e-3, .size = 0.5e-3, .density = 2650};
+  what.powder->feed = {powder::Feed::Law::rosin_rammler, 0.5e-3, 1.2};
+  what.capture = cases::Capture{.model = powder::Barrios{300}};
+  what.grinding = cases::Grinding{.breakage = powder::VogelPeukert{1, 0.1},
+                                  .fragments = powder::AustinFragments{0.4, 0.8, 3},
+                                  .time = 20 * hour,
+                                  .smallest = 0.5e-6};
+  return what;
+}
+
+results::Replicate run_of(const cases::Case& what) {
+  campaign::Replica replica(what, 0);
+  while (!replica.done()) replica.go_on();
+  return replica.result();
+}
+
+Row prediction(const std::string& name, const cases::Case& what, const results::Replicate& run) {
+  std::vector<double> seconds;
+  for (int i = 0; i < runs; ++i) {
+    const double began = cpu_seconds();
+    const powder::Milling milling = results::milled(what, results::stresses(what, {&run}));
+    seconds.push_back(cpu_seconds() - began);
+    if (!(milling.shares.back().back() >= 0)) return {};
+  }
+  return {"grinding", name, "mahlwerk", "seconds", median(seconds)};
+}
+
+Row sample(const std::string& name, const cases::Case& what, const powder::AnyBreakage& breakage,
+           const results::Replicate& run) {
+  powder::Process process = cases::process(what);
+  process.breakage = breakage;
+  const powder::StressSpectrum all = results::stresses(what, {&run});
+  std::vector<double> rates;
+  for (int i = 0; i < runs; ++i) {
+    powder::Sample grains(process, all.nips, results::size_grid(what), what.powder->feed, 10'000,
+                          static_cast<std::uint64_t>(i));
+    const double began = cpu_seconds();
+    while (cpu_seconds() - began < 0.5)
+      for (const auto& hit : run.stream.hits())
+        if (hit.energy > 0) grains.hit(hit.pair, hit.energy);
+    rates.push_back(static_cast<double>(grains.grain_hits()) / (cpu_seconds() - began) / 1e6);
+  }
+  return {"grinding", name, "mahlwerk", "million_grain_hits_per_s", median(rates)};
+}
+
+}  // namespace
+
+std::vector<Row> grinding() {
+  cases::Case what = planetary();
+  what.grinding->method = cases::Grinding::Method::both;
+  what.grinding->time = 1;  // what the run itself grinds is not timed
+  const results::Replicate run = run_of(what);
+  what.grinding->time = 20 * hour;
+  std::vector<Row> rows{prediction("20 h from 2 s, beds by size", what, run)};
+  what.grinding->bed = powder::Bed::mixed;
+  rows.push_back(prediction("20 h from 2 s, mixed bed", what, run));
+  what.grinding->bed = powder::Bed::by_size;
+  rows.push_back(sample("sample of 10 000, vogel-peukert", what, what.grinding->breakage, run));
+  const powder::Tavares tavares{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
+  rows.push_back(sample("sample of 10 000, tavares", what, tavares, run));
+  what.grinding->breakage = tavares;
+  what.grinding->classes_per_octave = 3;
+  rows.push_back(prediction("20 h from 2 s, tavares", what, run));
+  what.grinding->classes_per_octave = 6;
+  what.grinding->breakage = powder::VogelPeukert{1, 0.1};
+  what.grinding->welding = 0.01;
+  rows.push_back(prediction("20 h from 2 s, welding", what, run));
+  return rows;
+}
+
+}  // namespace mahlwerk::bench

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/powder/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mahlwerk::powder {
+
+Balance::Balance(Process process, StressSpectrum stresses, SizeGrid grid,
+                 const std::vector<double>& feed)
+    : process_(std::move(process)),
+      stresses_(std::move(stresses)),
+      grid_(grid),
+      levels_(levels(process_.breakage)) {
+  for (const double share : feed)
+    for (const double fresh : levels_.fresh) states_.push_back(share * fresh);
+}
+
+std::vector<double> Balance::shares() const {
+  std::vector<double> found(static_cast<std::size_t>(grid_.classes()));
+  const auto each = static_cast<std::size_t>(levels_.count());
+  for (std::size_t i = 0; i < states_.size(); ++i) found[i / each] += states_[i];
+  return found;
+}
+
+Rates Balance::rates_at(double mean_size) const {
+  return rates(process_, stresses_, grid_, levels_, mean_size);
+}
+
+void Balance::advance(double time) {
+  if (process_.bed == Bed::mixed) return advance_mixed(time);
+  if (!rates_) rates_ = rates_at(0);
+  if (step_ && time == 2 * step_->first) {
+    step_ = {time, product(step_->second, step_->second)};
+    keep_mass(step_->second);
+  } else if (!step_ || time != step_->first) {
+    step_ = {time, step(*rates_, time)};
+  }
+  states_ = product(step_->second, states_);
+}
+
+// The midpoint rule: rates at the size half way, which a first guess of the step finds.
+void Balance::advance_mixed(double time) {
+  constexpr double most_change = 0.02;
+  double left = time, next = time;
+  const auto mean = [&] { return mean_size(grid_, shares()); };
+  while (left > 0) {
+    next = std::min(next, left);
+    const std::vector<double> before = states_;
+    const double from = mean();
+    const Rates now = rates_at(from);
+    double to = from;
+    for (;; next *= 0.5) {
+      states_ = product(step(now, next), before);
+      to = mean();
+      if (std::abs(std::log(to / from)) <= most_change) break;
+    }
+    if (to != from) states_ = product(step(rates_at(std::sqrt(from * to)), next), before);
+    left -= next;
+    next *= 2;
+  }
+}
+
+}  // namespace mahlwerk::powder

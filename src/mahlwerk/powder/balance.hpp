@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mahlwerk/powder/rates.hpp"
+
+namespace mahlwerk::powder {
+
+/// The population balance: the mass in each class of size as collisions break it down. Exact in
+/// time where rates do not hang on the powder, as in beds by size; in a mixed bed they are taken
+/// anew whenever its mean size has changed by 2 % (pbm.5).
+class Balance {
+ public:
+  /// `feed`: shares of each class of the grid.
+  Balance(Process process, StressSpectrum stresses, SizeGrid grid, const std::vector<double>& feed);
+
+  void advance(double time);           ///< [s] >= 0 further
+  std::vector<double> shares() const;  ///< of each class of size
+  const SizeGrid& grid() const { return grid_; }
+
+ private:
+  Rates rates_at(double mean_size) const;
+  void advance_mixed(double time);
+
+  Process process_;
+  StressSpectrum stresses_;
+  SizeGrid grid_;
+  Levels levels_;
+  std::vector<double> states_;
+  std::optional<Rates> rates_;                     // where they stay as they are
+  std::optional<std::pair<double, Matrix>> step_;  // the last time asked for [s], and its step
+};
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mahlwerk/powder/process.hpp"
+#include "mahlwerk/powder/sizes.hpp"
+
+namespace mahlwerk::powder {
+
+/// How fine the powder is over the time of milling.
+struct Milling {
+  SizeGrid grid;
+  std::vector<double> time;                 ///< [s] from 0 on, rising; closer at the start
+  std::vector<std::vector<double>> shares;  ///< of the mass in each class, at each time
+
+  std::vector<double> at(double time) const;  ///< shares then, between two times in proportion
+};
+
+/// Times [s] at which it is told: 0, then twelve doublings up to `time`, 16 steps in each.
+std::vector<double> telling_times(double time);
+
+/// By the population balance.
+Milling mill_by_balance(const Process& process, const StressSpectrum& stresses,
+                        const SizeGrid& grid, const Feed& feed, double time);
+
+/// A collision of the stream.
+struct StreamHit {
+  float energy = 0;      ///< [J] > 0
+  std::int32_t nip = 0;  ///< of the spectrum's
+};
+/// Collisions in the order of time, each for `each` of its like, over `span` [s]; then again.
+struct Stream {
+  std::vector<StreamHit> hits;
+  double each = 1, span = 0;
+};
+
+/// Hit by hit on a sample of so many grains; `start` of its random numbers. Hits that can do
+/// nothing are left out; where the others are more than some ten million, each stands for several.
+Milling mill_a_sample(const Process& process, const std::vector<Nip>& nips, const Stream& stream,
+                      const SizeGrid& grid, const Feed& feed, double time, int grains,
+                      std::uint64_t start);
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/powder/rates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace mahlwerk::powder {
+namespace {
+
+/// Values of t10 between which what breaks is shared out, so that pieces are found once for each.
+constexpr int finenesses = 33;
+
+/// What breaks of one class [1/s], by fineness; only the first where the model tells none.
+using Broken = std::array<double, finenesses>;
+
+void add(Broken& broken, double rate, double t10) {
+  const double place = std::clamp(t10, 0.0, 1.0) * (finenesses - 1);
+  const int low = std::min(static_cast<int>(place), finenesses - 2);
+  const double high_share = place - low;
+  broken[static_cast<std::size_t>(low)] += rate * (1 - high_share);
+  broken[static_cast<std::size_t>(low) + 1] += rate * high_share;
+}
+
+/// One kind of hit on one class of size.
+struct Hit {
+  double rate = 0;    ///< [1/s] of a grain of it
+  double energy = 0;  ///< [J/kg]
+};
+
+/// Fills the columns of the matrix, a class at a time.
+class Assembly {
+ public:
+  Assembly(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+           const Levels& levels, double mean_size)
+      : process_(process),
+        stresses_(stresses),
+        grid_(grid),
+        levels_(levels),
+        made_(grid.classes() * levels.count(), !(process.welding > 0) && levels.count() == 1) {
+    if (process.bed == Bed::mixed)
+      for (const Stress& s : stresses.stresses) mixed_.push_back(hit(s, mean_size));
+  }
+
+  Rates made() {
+    for (int i = 0; i < grid_.classes(); ++i)
+      std::visit([&](const auto& model) { fill(i, model); }, process_.breakage);
+    return std::move(made_);
+  }
+
+ private:
+  Hit hit(const Stress& s, double size) const {
+    const Catch c =
+        process_.caught(stresses_.nips[static_cast<std::size_t>(s.nip)], s.energy, size);
+    const double mass = c.grains * process_.grain(size).mass();
+    return {s.rate * c.chance * mass / process_.mass, process_.energy_share * s.energy / mass};
+  }
+
+  template <class Model>
+  void fill(int i, const Model& model) {
+    const double size = grid_.middle(i);
+    const double reached = size <= process_.sticking_size ? 1 - process_.sticking : 1;
+    std::vector<Broken> broken(static_cast<std::size_t>(levels_.count()), Broken{});
+    for (std::size_t n = 0; n < stresses_.stresses.size(); ++n) {
+      Hit h = process_.bed == Bed::mixed ? mixed_[n] : hit(stresses_.stresses[n], size);
+      h.rate *= reached;
+      if (!(h.rate > 0)) continue;
+      if constexpr (Model::remembers)
+        for (int level = 0; level < levels_.count(); ++level) strike(i, level, h, model, broken);
+      else
+        strike(i, h, model, broken[0]);
+    }
+    for (int level = 0; level < levels_.count(); ++level)
+      break_up(i, level, broken[static_cast<std::size_t>(level)]);
+  }
+
+  /// On grains that are all alike.
+  template <class Model>
+  void strike(int i, const Hit& h, const Model& model, Broken& broken) {
+    const double size = grid_.middle(i), chance = model.chance(size, h.energy);
+    if constexpr (Model::tells_fineness)
+      add(broken, h.rate * chance, model.t10(size, h.energy));
+    else
+      broken[0] += h.rate * chance;
+    weld(i, 0, h, 1 - chance);
+  }
+
+  /// On grains of one strength.
+  template <class Model>
+  void strike(int i, int level, const Hit& h, const Model& model, std::vector<Broken>& broken) {
+    const double size = grid_.middle(i),
+                 strength = levels_.strength[static_cast<std::size_t>(level)];
+    const double load = h.energy / (strength * model.median(size));
+    if (load >= 1) {
+      add(broken[static_cast<std::size_t>(level)], h.rate, model.t10(size, h.energy));
+      return;
+    }
+    const double welded = weld(i, level, h, 1);
+    weaken(i, level, h.rate * (1 - welded), strength * (1 - model.damage(load)));
+  }
+
+  /// To a strength that lies between two levels: to both, so that its mean logarithm is right.
+  void weaken(int i, int level, double rate, double strength) {
+    const std::vector<double>& all = levels_.strength;
+    int below = level;
+    while (below + 1 < levels_.count() && all[static_cast<std::size_t>(below)] > strength) ++below;
+    if (below == level) return;
+    const double high = all[static_cast<std::size_t>(below) - 1],
+                 low = all[static_cast<std::size_t>(below)];
+    const double share = std::min(1.0, std::log(high / strength) / std::log(high / low));
+    made_.at(state(i, below), state(i, level)) += rate * share;
+    if (below - 1 != level) made_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
+  }
+
+  /// Two like grains become one of twice the volume (pbm.6). Returns the share that does.
+  double weld(int i, int level, const Hit& h, double survivors) {
+    const int to = i - grid_.per_octave() / 3;
+    if (!(process_.welding > 0) || h.energy < process_.welding_energy || to < 0) return 0;
+    made_.at(state(to, level), state(i, level)) += h.rate * survivors * process_.welding;
+    return process_.welding;
+  }
+
+  /// Pieces go where the fragments say; those that are as large as their class stay there.
+  void break_up(int i, int level, const Broken& broken) {
+    const int last = grid_.classes() - 1;
+    if (i == last) return;
+    const double size = grid_.middle(i);
+    for (std::size_t n = 0; n < broken.size(); ++n) {
+      if (!(broken[n] > 0)) continue;
+      const double t10 = static_cast<double>(n) / (finenesses - 1);
+      const auto finer = [&](double x) {
+        return x >= size ? 1
+                         : std::visit([&](const auto& f) { return f.finer(x / size, size, t10); },
+                                      process_.fragments);
+      };
+      double above = 1;
+      for (int j = i; j <= last; ++j) {
+        const double below = j < last ? finer(grid_.lower(j)) : 0;
+        for (int fresh = 0; fresh < levels_.count(); ++fresh)
+          if (state(j, fresh) != state(i, level))
+            made_.at(state(j, fresh), state(i, level)) +=
+                broken[n] * (above - below) * levels_.fresh[static_cast<std::size_t>(fresh)];
+        above = below;
+      }
+    }
+  }
+
+  int state(int i, int level) const { return i * levels_.count() + level; }
+
+  const Process& process_;
+  const StressSpectrum& stresses_;
+  const SizeGrid& grid_;
+  const Levels& levels_;
+  Rates made_;
+  std::vector<Hit> mixed_;  // of each stress
+};
+
+}  // namespace
+
+Levels levels(const AnyBreakage& breakage, int count) {
+  const auto* model = std::get_if<Tavares>(&breakage);
+  if (model == nullptr) return {};
+  // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a twentieth of what
+  // as many fall short of: below that a grain breaks as good as always.
+  constexpr double deviations = 3, weakest = 20;
+  const double high = std::log(model->relative_strength(deviations));
+  const double low = std::log(model->relative_strength(-deviations) / weakest);
+  const double apart = (high - low) / (count - 1);
+  const auto finer = [&](double log_strength) {
+    return 0.5 * std::erfc(-model->deviations(std::exp(log_strength)) / std::numbers::sqrt2);
+  };
+  Levels made{{}, {}};
+  double above = 1;
+  for (int k = 0; k < count; ++k) {
+    const double at = high - k * apart;
+    const double below = k + 1 < count ? finer(at - 0.5 * apart) : 0;
+    made.strength.push_back(std::exp(at));
+    made.fresh.push_back(above - below);
+    above = below;
+  }
+  return made;
+}
+
+Rates rates(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+            const Levels& levels, double mean_size) {
+  return Assembly(process, stresses, grid, levels, mean_size).made();
+}
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/powder/sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mahlwerk::powder {
+
+SizeGrid::SizeGrid(double middle, double largest, double smallest, int per_octave)
+    : per_octave_(per_octave) {
+  constexpr double rounding = 1e-9;  // an end that lies on an edge needs no further class
+  const double half = 0.5 / per_octave;
+  const auto above = static_cast<int>(
+      std::ceil(std::max(0.0, (std::log2(largest / middle) - half) * per_octave - rounding)));
+  const auto below = static_cast<int>(
+      std::ceil(std::max(0.0, (std::log2(middle / smallest) - half) * per_octave - rounding)));
+  top_ = middle * std::exp2(half + static_cast<double>(above) / per_octave);
+  classes_ = above + 1 + below;
+}
+
+double SizeGrid::upper(int i) const {
+  return top_ * std::exp2(-static_cast<double>(i) / per_octave_);
+}
+
+double SizeGrid::middle(int i) const {
+  return top_ * std::exp2(-(static_cast<double>(i) + 0.5) / per_octave_);
+}
+
+int SizeGrid::class_of(double size) const {
+  const double place = std::log2(top_ / size) * per_octave_;
+  return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(classes_ - 1)));
+}
+
+std::vector<double> SizeGrid::shares(const Feed& feed) const {
+  std::vector<double> found(static_cast<std::size_t>(classes_));
+  if (feed.law == Feed::Law::equal) {
+    found[static_cast<std::size_t>(class_of(feed.size))] = 1;
+    return found;
+  }
+  double above = 1;  // share finer than the upper edge; what is coarser still is in the first
+  for (int i = 0; i < classes_; ++i) {
+    const double below = i + 1 < classes_ ? feed.finer(lower(i)) : 0;
+    found[static_cast<std::size_t>(i)] = above - below;
+    above = below;
+  }
+  return found;
+}
+
+double quantile(const SizeGrid& grid, const std::vector<double>& shares, double share) {
+  double below = 0;
+  for (int i = grid.classes() - 1; i >= 0; --i) {
+    const double here = shares[static_cast<std::size_t>(i)];
+    if (here > 0 && below + here >= share) {
+      const double part = std::clamp((share - below) / here, 0.0, 1.0);
+      return grid.lower(i) * std::exp2(part / grid.per_octave());
+    }
+    below += here;
+  }
+  return grid.upper(0);
+}
+
+double finer(const SizeGrid& grid, const std::vector<double>& shares, double size) {
+  double below = 0;
+  for (int i = grid.classes() - 1; i >= 0 && size > grid.lower(i); --i) {
+    const double part = std::min(1.0, std::log2(size / grid.lower(i)) * grid.per_octave());
+    below += part * shares[static_cast<std::size_t>(i)];
+  }
+  return below;
+}
+
+double specific_surface(const SizeGrid& grid, const std::vector<double>& shares, double density) {
+  double sum = 0;
+  for (int i = 0; i < grid.classes(); ++i)
+    sum += shares[static_cast<std::size_t>(i)] / grid.middle(i);
+  return 6 / density * sum;
+}
+
+double mean_size(const SizeGrid& grid, const std::vector<double>& shares) {
+  double sum = 0;
+  for (int i = 0; i < grid.classes(); ++i)
+    sum += shares[static_cast<std::size_t>(i)] * grid.middle(i);
+  return sum;
+}
+
+}  // namespace mahlwerk::powder

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/powder/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "mahlwerk/powder/milling.hpp"
+#include "models.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::powder {
+namespace {
+
+using tests::states;
+using tests::stays_below;
+
+const Nip nip{0.004, 110e9};
+
+/// A gram of quartz-like powder under ten kinds of hits.
+Process process(AnyBreakage breakage = VogelPeukert{2, 0.05},
+                AnyFragments fragments = BinaryFragments{}, AnyCapture capture = FixedMass{2e-6}) {
+  Process p{.capture = capture, .breakage = breakage, .fragments = fragments};
+  p.density = 2650;
+  p.mass = 1e-3;
+  return p;
+}
+StressSpectrum spectrum() {
+  StressSpectrum s{{nip}, {}};
+  for (int k = 0; k < 10; ++k)
+    s.stresses.push_back({0, 1e-5 * std::exp2(k), 300 / std::exp2(0.7 * k)});
+  return s;
+}
+double sum(const std::vector<double>& all) {
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
+/// Reid's closed form of a chain without equal rates, in long double.
+std::vector<long double> reid(const Rates& rates, const std::vector<double>& start, double time) {
+  const auto n = static_cast<std::size_t>(rates.size);
+  std::vector<long double> leaves(n), now(n);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = j + 1; i < n; ++i)
+      leaves[j] += rates.at(static_cast<int>(i), static_cast<int>(j));
+  std::vector<std::vector<long double>> a(n, std::vector<long double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    long double rest = start[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      long double in = 0;
+      for (std::size_t k = j; k < i; ++k)
+        in += rates.at(static_cast<int>(i), static_cast<int>(k)) * a[k][j];
+      a[i][j] = in / (leaves[i] - leaves[j]);
+      rest -= a[i][j];
+    }
+    a[i][i] = rest;
+    for (std::size_t j = 0; j <= i; ++j) now[i] += a[i][j] * std::exp(-leaves[j] * time);
+  }
+  return now;
+}
+
+TEST(Balance, StepIsReidsClosedForm) {
+  Rates rates(6);
+  std::vector<double> start(6, 0.0);
+  start[0] = 1;
+  for (int j = 0; j < 6; ++j)
+    for (int i = j + 1; i < 6; ++i) rates.at(i, j) = (7.0 - j) / (1 + i - j + 0.3 * i);
+  for (const double time : {1e-3, 0.1, 1.0, 5.0}) {
+    const std::vector<double> found = product(step(rates, time), start);
+    const std::vector<long double> expected = reid(rates, start, time);
+    for (std::size_t i = 0; i < 6; ++i)
+      states("state " + std::to_string(i) + " after " + std::to_string(time) + " s", found[i],
+             static_cast<double>(expected[i]), 1e-14, "Reid 1965; a few roundings");
+  }
+}
+
+TEST(Balance, TwoShortStepsAreOneLong) {
+  Rates rates(40);
+  for (int j = 0; j < 40; ++j)
+    for (int i = j + 1; i < 40; ++i) rates.at(i, j) = std::exp2(-j) * (1 + (i * 7 + j) % 5);
+  const Matrix half = step(rates, 50), whole = step(rates, 100), twice = product(half, half);
+  double worst = 0;
+  for (std::size_t k = 0; k < whole.values.size(); ++k)
+    worst = std::max(worst, std::abs(whole.values[k] - twice.values[k]));
+  stays_below("largest difference", worst, 1e-13, "exp(A 2t) = exp(A t)^2; doublings of roundings");
+}
+
+TEST(Balance, FirstOrderGrindingIsGaudinAndMeloys) {
+  // S = k x as long as hits break hardly ever, B = x/y: what is coarser than x decays at S(x).
+  constexpr double f = 1e-12;
+  Process p = process(VogelPeukert{f, 0}, AustinFragments{1, 1, 1});
+  const StressSpectrum hits{{nip}, {{0, 1e-3, 100}}};
+  const SizeGrid grid(1e-3, 1e-3, 1e-6, 6);
+  Feed feed{Feed::Law::rosin_rammler, 0.4e-3, 1.1};
+  const double energy = 1e-3 / 2e-6, rate = 100 * 2e-6 / 1e-3;  // [J/kg], [1/s] of a grain
+  const double unit = f * energy * rate;                        // S over x [1/(m s)]
+  const double time = 3 / (unit * 0.4e-3);
+  Balance balance(p, hits, grid, grid.shares(feed));
+  balance.advance(time);
+  const std::vector<double> before = grid.shares(feed), after = balance.shares();
+  double coarser_before = 0, coarser_after = 0;
+  for (int i = 0; i + 1 < grid.classes(); ++i) {
+    coarser_before += before[static_cast<std::size_t>(i)];
+    coarser_after += after[static_cast<std::size_t>(i)];
+    if (i % 8 != 0) continue;
+    const double expected = coarser_before * std::exp(-unit * grid.lower(i) * time);
+    states("coarser than " + std::to_string(1e6 * grid.lower(i)) + " um", coarser_after, expected,
+           1e-8, "R(x, 0) exp(-S(x) t); chance 1 - exp(-z), z < 1e-9, is z to 1e-9 of it");
+  }
+}
+
+TEST(Balance, RandomBinaryBreakageIsZiffAndMcGradys) {
+  // Rate proportional to volume, pieces uniform in volume, from one size: the share of the mass in
+  // grains of less than v is 1 - exp(-t v) (1 + t (1 - v) + ... ) as below, v over that at the
+  // start.
+  const auto finer = [](double v, double t) {
+    // Integral of u n(u) from 0 to v with n = exp(-t u) (2 t + t^2 (1 - u)).
+    const auto antiderivative = [t](double u) {
+      const double e = std::exp(-t * u);
+      // u (2 t + t^2) e: -(2 + t)(u + 1/t) e; -t^2 u^2 e: (t u^2 + 2 u + 2/t) e
+      return e * (-(2 + t) * (u + 1 / t) + t * u * u + 2 * u + 2 / t);
+    };
+    return antiderivative(v) - antiderivative(0);
+  };
+  const double t = 4;
+  std::vector<double> errors;
+  for (const int per_octave : {6, 12, 24, 48}) {
+    // The start on an edge, v = 1 the upper edge of the first class.
+    const SizeGrid grid(std::exp2(-0.5 / per_octave), std::exp2(-0.5 / per_octave), 0.05,
+                        per_octave);
+    Rates rates(grid.classes());
+    const BinaryFragments binary;
+    for (int j = 0; j + 1 < grid.classes(); ++j)
+      for (int i = j + 1; i < grid.classes(); ++i) {
+        const double y = grid.middle(j);
+        const double low = i + 1 < grid.classes() ? binary.finer(grid.lower(i) / y, y, 0) : 0;
+        rates.at(i, j) = y * y * y * (binary.finer(std::min(1.0, grid.upper(i) / y), y, 0) - low);
+      }
+    // Grains of exactly v = 1 are kept apart from the classes: they decay by themselves.
+    std::vector<double> state(static_cast<std::size_t>(grid.classes()), 0.0);
+    constexpr int slices =
+        4000;  // Duhamel's integral over when a grain of the start broke, midpoint
+    const Matrix slice = step(rates, t / slices), half = step(rates, 0.5 * t / slices);
+    for (int s = 0; s < slices; ++s) {
+      const double broke = std::exp(-t * s / slices) * -std::expm1(-t / slices);
+      std::vector<double> born(state.size());
+      for (int i = 0; i < grid.classes(); ++i) {
+        const double low = i + 1 < grid.classes() ? std::pow(grid.lower(i), 6) : 0;
+        born[static_cast<std::size_t>(i)] = broke * (std::pow(grid.upper(i), 6) - low);
+      }
+      state = product(slice, state);
+      const std::vector<double> grown = product(half, born);
+      for (std::size_t i = 0; i < state.size(); ++i) state[i] += grown[i];
+    }
+    double worst = 0, below = 0;
+    for (int i = grid.classes() - 1; i > 0; --i) {
+      below += state[static_cast<std::size_t>(i)];
+      const double v = std::pow(grid.upper(i), 3);
+      worst = std::max(worst, std::abs(below - finer(v, t)));
+    }
+    errors.push_back(worst);
+    std::printf("    %d classes an octave: off by %.2g\n", per_octave, worst);
+  }
+  // A class counts as its middle: of second order. Halving it three times leaves a sixty-fourth.
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    stays_below("error over that of classes twice as wide", errors[i] / errors[i - 1], 0.3,
+                "second order: a quarter");
+  stays_below("largest error at 48 an octave", errors.back(), errors.front() / 40,
+              "a sixty-fourth");
+}
+
+TEST(Balance, MassIsKeptAndSizesNeverGrowUnderEveryModel) {
+  const Feed feed{Feed::Law::lognormal, 0.5e-3, 1.5};
+  for (const AnyBreakage& breakage : tests::every_breakage())
+    for (const AnyFragments& fragments : tests::every_fragments())
+      for (const AnyCapture& capture : tests::every_capture()) {
+        const bool many = std::holds_alternative<Tavares>(breakage);  // states
+        const SizeGrid grid(0.5e-3, feed.largest(), many ? 100e-6 : 4e-6, 3);
+        Balance balance(process(breakage, fragments, capture), spectrum(), grid, grid.shares(feed));
+        std::vector<double> last = balance.shares();
+        for (const double time : {1.0, 60.0, 72000.0}) {
+          balance.advance(time);
+          const std::vector<double> now = balance.shares();
+          EXPECT_NEAR(sum(now), 1, 1e-12);
+          double coarser_before = 0, coarser_now = 0;
+          for (std::size_t i = 0; i < now.size(); ++i) {
+            EXPECT_GE(now[i], 0);
+            coarser_before += last[i];
+            coarser_now += now[i];
+            EXPECT_LE(coarser_now, coarser_before + 1e-13);
+          }
+          last = now;
+        }
+      }
+}
+
+TEST(Balance, WeldingAloneDoublesVolumesAndKeepsMass) {
+  Process p = process(Threshold{1e12, 1e-3, 0}, Halves{});  // nothing breaks
+  p.welding = 0.1;
+  const StressSpectrum hits{{nip}, {{0, 1e-3, 100}}};
+  const SizeGrid grid(10e-6, 1e-3, 10e-6, 6);
+  Balance balance(p, hits, grid, grid.shares({Feed::Law::equal, 10e-6}));
+  const double rate = 0.1 * 100 * 2e-6 / 1e-3, time = 2 / rate;  // two welds a grain, by Poisson
+  balance.advance(time);
+  const std::vector<double> shares = balance.shares();
+  double expected = std::exp(-2.0);
+  for (int n = 0; n < 8; ++n) {
+    states("welded " + std::to_string(n) + " times",
+           shares[static_cast<std::size_t>(grid.class_of(10e-6 * std::exp2(n / 3.0)))], expected,
+           1e-13, "Poisson's law with mean 2");
+    expected *= 2.0 / (n + 1);
+  }
+  states("mass", sum(shares), 1, 1e-13, "kept");
+}
+
+TEST(Balance, StuckGrainsSlowGrindingDownByTheirShare) {
+  const SizeGrid grid(1e-3, 1e-3, 10e-6, 6);
+  const Feed feed{Feed::Law::equal, 1e-3};
+  Process free = process(), stuck = process();
+  stuck.sticking = 0.25;
+  Balance one(free, spectrum(), grid, grid.shares(feed)),
+      other(stuck, spectrum(), grid, grid.shares(feed));
+  one.advance(300);
+  other.advance(400);
+  for (std::size_t i = 0; i < one.shares().size(); ++i)
+    EXPECT_NEAR(one.shares()[i], other.shares()[i], 1e-13);
+}
+
+TEST(Balance, MixedBedIsOfSecondOrderInItsSteps) {
+  // Against steps a hundred times shorter than those it takes by itself.
+  Process p = process(VogelPeukert{2, 0.05}, BinaryFragments{}, Barrios{300});
+  p.bed = Bed::mixed;
+  const Feed feed{Feed::Law::equal, 1e-3};
+  const SizeGrid grid(1e-3, 1e-3, 20e-6, 6);
+  Balance coarse(p, spectrum(), grid, grid.shares(feed)),
+      fine(p, spectrum(), grid, grid.shares(feed));
+  coarse.advance(600);
+  for (int i = 0; i < 6000; ++i) fine.advance(0.1);
+  double worst = 0;
+  for (std::size_t i = 0; i < coarse.shares().size(); ++i)
+    worst = std::max(worst, std::abs(coarse.shares()[i] - fine.shares()[i]));
+  stays_below("largest difference of a share", worst, 4e-4,
+              "steps change the size by 2 %: (0.02)^2 of a share");
+}
+
+}  // namespace
+}  // namespace mahlwerk::powder
