@@ -62,13 +62,26 @@ Row sample(const std::string& name, const cases::Case& what, const powder::AnyBr
   const powder::StressSpectrum all = results::stresses(what, {&run});
   std::vector<double> rates;
   for (int i = 0; i < runs; ++i) {
-    powder::Sample grains(process, all.nips, results::size_grid(what), what.powder->feed, 10'000,
-                          static_cast<std::uint64_t>(i));
-    const double began = cpu_seconds();
-    while (cpu_seconds() - began < 0.5)
+    double seconds = 0, hits = 0;
+    while (seconds < 0.5) {  // fresh powder again and again, until its median is a fifth
+      powder::Sample grains(process, all.nips, results::size_grid(what), what.powder->feed, 10'000,
+                            static_cast<std::uint64_t>(hits) + 1);
+      struct Event {
+        int kind;
+        double energy;
+      };
+      std::vector<Event> events;
       for (const auto& hit : run.stream.hits())
-        if (hit.energy > 0) grains.hit(hit.pair, hit.energy);
-    rates.push_back(static_cast<double>(grains.grain_hits()) / (cpu_seconds() - began) / 1e6);
+        if (hit.energy > 0)
+          if (const int kind = grains.kind(hit.pair, hit.energy); grains.matters(kind))
+            events.push_back({kind, hit.energy});
+      const double began = cpu_seconds(), feed = median(grains.sizes());
+      for (std::size_t n = 0; n % 4096 != 0 || median(grains.sizes()) > feed / 5; ++n)
+        grains.hit(events[n % events.size()].kind, events[n % events.size()].energy);
+      seconds += cpu_seconds() - began;
+      hits += static_cast<double>(grains.grain_hits());
+    }
+    rates.push_back(hits / seconds / 1e6);
   }
   return {"grinding", name, "mahlwerk", "million_grain_hits_per_s", median(rates)};
 }

@@ -104,10 +104,54 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// "J/(kg K)" as "J/kg/K": what a bracket that is divided by multiplies, divides.
+std::string without_brackets(std::string_view text) {
+  std::string out;
+  bool inside = false, divided = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '(' || c == ')') {
+      const std::string_view next = trimmed(text.substr(i + 1));
+      const bool ends = next.empty() || next.front() == '*' || next.front() == '/';
+      if (inside == (c == '(') || (inside && !ends))
+        throw UnitError(
+            fmt::format("the brackets of \"{}\" say nothing; write for instance "
+                        "\"J/kg/K\" or \"J/(kg K)\"",
+                        text));
+      inside = c == '(';
+      divided = inside && trimmed(out).ends_with('/');
+    } else if (inside && divided && (c == '*' || c == '/')) {
+      out += c == '*' ? '/' : '*';
+    } else {
+      out += c;
+    }
+  }
+  if (inside) throw UnitError(fmt::format("a bracket of \"{}\" is not closed", text));
+  return out;
+}
+
+/// Blanks between factors as products: "J m/kg" as "J*m/kg".
+std::string with_products(std::string_view text) {
+  const auto joins = [](char c) { return c == '*' || c == '/' || c == '('; };
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ' ') {
+      out += text[i];
+      continue;
+    }
+    const std::size_t next = std::min(text.find_first_not_of(' ', i), text.size() - 1);
+    const bool between = !out.empty() && !joins(out.back()) && text[next] != '*' &&
+                         text[next] != '/' && text[next] != ')';
+    if (between) out += '*';
+    i = next - 1;
+  }
+  return out;
+}
+
 }  // namespace
 
 Measure parse_unit(std::string_view given) {
-  const std::string text = plain(given);
+  const std::string text = without_brackets(with_products(trimmed(plain(given))));
   Measure m;
   if (text.empty()) return m;
   if (text == "1/min") return parse_unit("rpm");  // a turn a minute, as on a type plate
@@ -115,7 +159,7 @@ Measure parse_unit(std::string_view given) {
   int sign = 1;
   for (bool first = true;; first = false) {
     const std::size_t to = std::min(text.find_first_of("*/", from), text.size());
-    const std::string_view factor = trimmed(std::string_view(text).substr(from, to - from));
+    const std::string_view factor = std::string_view(text).substr(from, to - from);
     if (!(first && factor == "1" && to < text.size())) multiply_factor(m, factor, sign);
     if (to == text.size()) return m;
     sign = text[to] == '/' ? -1 : 1;

@@ -81,7 +81,8 @@ constexpr Shown shown[] = {
     {"Pa", {"GPa", "MPa", "kPa", "Pa"}},
     {"J", {"J", "mJ", "uJ", "nJ", "kJ"}},
     {"W", {"W", "mW", "uW", "kW"}},
-    {"J/kg", {"J/kg", "kJ/kg"}},
+    {"J/kg", {"J/kg", "kJ/kg", "kJ/g"}},
+    {"kg/m2", {"kg/m2", "g/m2"}},
 };
 
 }  // namespace

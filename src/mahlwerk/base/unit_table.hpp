@@ -35,7 +35,7 @@ std::span<const Unit> all_units();
 /// The multiples a value kept in `unit` is shown in, the one people like best first.
 std::span<const std::string_view> shown_in(std::string_view unit);
 
-/// Reads "mm", "kg/m3", "1/min". Throws UnitError.
+/// Reads "mm", "kg/m3", "1/min", "J m/kg", "J/(kg K)". Throws UnitError.
 Measure parse_unit(std::string_view text);
 
 }  // namespace mahlwerk

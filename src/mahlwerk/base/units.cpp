@@ -106,6 +106,10 @@ std::string_view kind_of(std::string_view unit) {
       {"W/m/K", "a thermal conductivity"},
       {"J/kg/K", "a specific heat capacity"},
       {"W/m2/K", "a heat transfer coefficient"},
+      {"J/kg", "an energy by mass"},
+      {"kg/m2", "a mass by area"},
+      {"kg/J/m", "a strength f_mat, in kg/(J m)"},
+      {"J m/kg", "an energy by mass times a size"},
       {"", "a number without a unit"}};
   for (const auto& [u, kind] : kinds)
     if (u == unit) return kind;
@@ -165,6 +169,9 @@ std::string example_of(std::string_view unit) {
                                                                         {"W/m/K", "15 W/m/K"},
                                                                         {"J/kg/K", "500 J/kg/K"},
                                                                         {"W/m2/K", "15 W/m2/K"},
+                                                                        {"J/kg", "100 J/kg"},
+                                                                        {"kg/m2", "0.1 kg/m2"},
+                                                                        {"J m/kg", "0.1 J m/kg"},
                                                                         {"", "0.5"}};
   for (const auto& [u, example] : examples)
     if (u == unit) return std::string(example);

@@ -20,7 +20,8 @@ std::vector<SizeClass> BallSet::sizes() const {
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&
-         wear == o.wear && heat == o.heat && gravity == o.gravity && sweep == o.sweep;
+         wear == o.wear && heat == o.heat && capture == o.capture && grinding == o.grinding &&
+         kinetics == o.kinetics && gravity == o.gravity && sweep == o.sweep && fit == o.fit;
 }
 
 }  // namespace mahlwerk::cases

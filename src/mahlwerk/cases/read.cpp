@@ -18,62 +18,21 @@ namespace mahlwerk::cases {
 namespace {
 
 constexpr std::string_view no_such_key = "unknown-key";
-using Sweep = std::map<std::string, std::vector<std::string>>;
-
-/// [sweep] as dotted keys with their values as text.
-class SweepReader {
- public:
-  SweepReader(Findings& findings, std::map<std::string, std::string>& places)
-      : findings_(findings), places_(places) {}
-
-  Sweep read(const Node* table) {
-    if (table != nullptr && table->kind == Node::Kind::table) read_table(*table, "");
-    return std::move(sweep_);
-  }
-
- private:
-  void read_table(const Node& table, const std::string& prefix) {
-    for (const auto& [key, node] : table.members) {
-      if (node.kind == Node::Kind::table)
-        read_table(node, prefix + key + ".");
-      else
-        read_values(prefix + key, node);
-    }
-  }
-  void read_values(const std::string& key, const Node& node) {
-    std::vector<std::string> values;
-    bool sound = node.kind == Node::Kind::list && !node.items.empty();
-    for (const Node& item : node.items) {
-      sound = sound && (item.kind == Node::Kind::text || item.kind == Node::Kind::number ||
-                        item.kind == Node::Kind::boolean);
-      values.push_back(item.text);
-    }
-    if (!sound)
-      findings_.faults.push_back(
-          {node.where, fmt::format("\"{}\" must be a list of values", key),
-           fmt::format("write \"{}\" = [\"...\", \"...\"], texts or numbers", key), "wrong-type"});
-    else
-      sweep_.emplace(key, std::move(values));
-    places_.emplace(key, node.where);
-  }
-
-  Findings& findings_;
-  std::map<std::string, std::string>& places_;
-  Sweep sweep_;
-};
 
 /// Whether the engine looks at a value: what it does not is no assumption of its results. "auto"
 /// may look at all.
-bool matters(std::string_view dotted, std::string_view engine) {
+bool matters(std::string_view dotted, const Case& c) {
   static const std::vector<std::string_view> of_soft{
       "law",       "rolling",        "rolling_damping",    "stiffness_speed",    "damping",
       "softening", "curved_walls",   "rescaled_unloading", "time_step_fraction", "damping_depth",
       "hop",       "youngs_modulus", "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  if (engine != "event" && engine != "soft") return true;
-  const auto& of_other = engine == "event" ? of_soft : of_event;
+  if (c.run.engine != "event" && c.run.engine != "soft") return true;
+  const auto& of_other = c.run.engine == "event" ? of_soft : of_event;
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
+  const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
+  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
   return std::ranges::find(of_other, key) == of_other.end();
 }
 
@@ -93,14 +52,17 @@ class CaseReader {
   Case read(const std::vector<Override>& overrides) {
     apply(overrides);
     c_.file = file_.generic_string();
-    std::map<std::string, std::string> places;
-    c_.sweep = SweepReader(findings_, places).read(section("sweep", false));
-    fill_from_sweep(places);
+    DottedLists sweep = read_sweep(section("sweep", false), findings_);
+    c_.sweep = std::move(sweep.values);
+    fill_from_sweep(sweep.places);
+    const DottedLists fit = read_fit(section("fit", false), findings_);
+    await(fit);
     read_top();
     read_sections();
+    check_fit(c_, fit.places, findings_);
     for (Origin& origin : findings_.origins) {
       const bool asked = asked_for(origin.key, c_);
-      origin.assumed = origin.assumed && asked && matters(origin.key, c_.run.engine);
+      origin.assumed = origin.assumed && asked && matters(origin.key, c_);
       origin.unverified = origin.unverified && asked;
     }
     c_.origins = std::move(findings_.origins);
@@ -138,6 +100,14 @@ class CaseReader {
     }
   }
 
+  /// What [fit] may choose, and what it must, as nobody else gives it.
+  void await(const DottedLists& fit) {
+    for (const auto& [key, ends] : fit.values) {
+      c_.fit.emplace(key, FitRange{ends.front(), ends.back()});
+      if (!holds(root_, key)) findings_.awaited.insert(key);
+    }
+  }
+
   /// The table of a section, or null; one that is no table is a fault.
   const Node* section(std::string_view name, bool needed) {
     const Node* found = root_.find(name);
@@ -155,7 +125,8 @@ class CaseReader {
   void read_top() {
     Section in(&root_, "", findings_);
     for (const std::string_view name :
-         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "sweep"})
+         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "capture",
+          "breakage", "fragments", "grinding", "kinetics", "sweep", "fit"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -205,6 +176,13 @@ class CaseReader {
     c_.observe = read_observe(section("observe", false), findings_);
     if (const Node* wear = section("wear", false)) c_.wear = read_wear(wear, findings_);
     if (const Node* heat = section("heat", false)) c_.heat = read_heat(heat, findings_);
+    read_grinding({.capture = section("capture", false),
+                   .breakage = section("breakage", false),
+                   .fragments = section("fragments", false),
+                   .grinding = section("grinding", false)},
+                  c_, catalogue_, findings_);
+    if (const Node* kinetics = section("kinetics", false))
+      c_.kinetics = read_kinetics(kinetics, c_, findings_);
   }
 
   /// By line, so that a user mends the file from top to bottom; what is not in the file last.
@@ -227,10 +205,7 @@ class CaseReader {
   Case c_;
 };
 
-}  // namespace
-
-Case read(const std::filesystem::path& file, const Catalogue& catalogue,
-          const std::vector<Override>& overrides) {
+std::string text_of(const std::filesystem::path& file) {
   std::error_code trouble;
   const auto status = std::filesystem::status(file, trouble);
   const auto fault = [&](std::string what, std::string remedy) {
@@ -242,14 +217,36 @@ Case read(const std::filesystem::path& file, const Catalogue& catalogue,
   if (!std::filesystem::is_regular_file(status))
     throw fault("this is not a file", "name the case file in it: case.toml");
   std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw fault("the case file cannot be read", "check that you may read it");
-  return read_text(text, file, catalogue, overrides);
+  return text;
+}
+
+}  // namespace
+
+Case read(const std::filesystem::path& file, const Catalogue& catalogue,
+          const std::vector<Override>& overrides) {
+  return read_text(text_of(file), file, catalogue, overrides);
 }
 
 Case read_text(const std::string& text, const std::filesystem::path& file,
                const Catalogue& catalogue, const std::vector<Override>& overrides) {
   return CaseReader(parse_tree(text, file.generic_string()), file, catalogue).read(overrides);
+}
+
+std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file) {
+  const Node root = parse_tree(text_of(file), file.generic_string());
+  Findings findings;
+  const Node* table = root.find("fit");
+  if (table != nullptr && table->kind != Node::Kind::table)
+    findings.faults.push_back({table->where, "`fit` must be a section",
+                               "write [fit] and its values below", "wrong-type"});
+  const DottedLists lists = read_fit(table, findings);
+  if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
+  std::map<std::string, FitRange> ranges;
+  for (const auto& [key, ends] : lists.values)
+    ranges.emplace(key, FitRange{ends.front(), ends.back()});
+  return ranges;
 }
 
 }  // namespace mahlwerk::cases

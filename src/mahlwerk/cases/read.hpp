@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ Case read(const std::filesystem::path& file, const Catalogue& catalogue,
 /// The same from text; `file` is the name faults cite and the folder other files are relative to.
 Case read_text(const std::string& text, const std::filesystem::path& file,
                const Catalogue& catalogue, const std::vector<Override>& overrides = {});
+
+/// What [fit] of a case file says, nothing else of it read; empty without [fit]. Throws InputError.
+/// To read the whole case before these have values, give each one as an override.
+std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file);
 
 /// The resolved case as TOML: every value, its origin as a comment behind it. read_text(write(c))
 /// == c.

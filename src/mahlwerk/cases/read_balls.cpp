@@ -134,6 +134,13 @@ double balls_mass(const std::vector<BallSet>& balls) {
   return mass;
 }
 
+double balls_volume(const std::vector<BallSet>& balls) {
+  double volume = 0;
+  for (const BallSet& set : balls)
+    if (!set.grains) volume += static_cast<double>(set.count) * ball_volume(set);
+  return volume;
+}
+
 std::int64_t balls_count(const std::vector<BallSet>& balls) {
   std::int64_t count = 0;
   for (const BallSet& set : balls) count += set.count;
@@ -145,6 +152,15 @@ double largest_ball(const std::vector<BallSet>& balls) {
   for (const BallSet& set : balls) {
     if (std::isnan(set.diameter)) return unread;
     for (const SizeClass& size : set.sizes()) diameter = std::max(diameter, size.diameter);
+  }
+  return diameter;
+}
+
+double smallest_ball(const std::vector<BallSet>& balls) {
+  double diameter = std::numeric_limits<double>::infinity();
+  for (const BallSet& set : balls) {
+    if (set.grains) continue;
+    for (const SizeClass& size : set.sizes()) diameter = std::min(diameter, size.diameter);
   }
   return diameter;
 }

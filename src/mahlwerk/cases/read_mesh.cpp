@@ -189,16 +189,4 @@ void read_mesh(Section& in, Jar& jar, const std::string& folder) {
   MeshReader(in, jar, folder).read();
 }
 
-std::vector<std::string> jar_warnings(const Case& c) {
-  const auto* mesh = std::get_if<Mesh>(&c.jar.shape);
-  if (mesh == nullptr) return {};
-  const double bend = mesh->tightest_bend(), ball = 0.5 * largest_ball(c.balls);
-  if (!(ball > bend * (1 + 1e-3))) return {};
-  return {fmt::format(
-      "A ball of radius {} is larger than the tightest hollow of a smooth face of the jar, radius "
-      "{}. It may touch such a face at two places, and only the nearest counts. A smaller "
-      "jar.crease_angle makes two faces of it.",
-      show_rounded(ball, "m"), show_rounded(bend, "m"))};
-}
-
 }  // namespace mahlwerk::cases

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,9 @@ Mill read_mill(const Node* table, const Case& c, const std::string& folder,
                const Catalogue& catalogue, Findings& findings);
 /// How the sizes of a set's balls spread; false after a fault.
 bool read_distribution(Section& in, Distribution& d);
+/// `passing`, or `retained`, of up to `most` sieves and the opening that everything passes, as
+/// rows of Distribution::passing; empty after a fault.
+std::vector<std::array<double, 2>> read_sieves(Section& in, std::int64_t most);
 /// The classes that `count` balls make; chooses how many classes where nobody said it.
 std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count);
 /// Into `c`, which has its jar and balls already; grains become its last ball set.
@@ -71,6 +75,28 @@ Run read_run(const Node* table, Findings& findings);
 Observe read_observe(const Node* table, Findings& findings);
 Wear read_wear(const Node* table, Findings& findings);
 Heat read_heat(const Node* table, Findings& findings);
+/// The sections of grinding; null where left out.
+struct GrindingTables {
+  const Node *capture, *breakage, *fragments, *grinding;
+};
+/// Into `c`, which has its powder and heat already.
+void read_grinding(const GrindingTables& tables, Case& c, const Catalogue& catalogue,
+                   Findings& findings);
+/// `c` has its grinding and heat already.
+Kinetics read_kinetics(const Node* table, const Case& c, Findings& findings);
+/// How long it is milled; unless said, as long as [grinding] or [heat] says.
+double read_milling_time(Section& in, const Wanted& wanted, const Case& c);
+
+/// [sweep] or [fit]: dotted keys, each with its values as text and its place.
+struct DottedLists {
+  std::map<std::string, std::vector<std::string>> values;
+  std::map<std::string, std::string> places;
+};
+/// `table` may be null.
+DottedLists read_sweep(const Node* table, Findings& findings);
+DottedLists read_fit(const Node* table, Findings& findings);  ///< of two values each
+/// What [fit] asks of a case that was read: keys it has, ranges they may have, and `given` values.
+void check_fit(const Case& c, const std::map<std::string, std::string>& places, Findings& findings);
 
 /// A measured motion, its rows checked one by one. Faults cite the file's lines.
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
@@ -83,14 +109,22 @@ std::string place_of(const Case& c, const std::string& key);
 /// otherwise.
 void bad_places(const Case& c, std::vector<Fault>& found);
 
+/// Values out of range, for a case that no reader has seen.
+std::vector<Fault> bad_values(const Case& c);
+/// Of the powder and the sections of grinding, within misfits().
+void bad_powder(const Case& c, std::vector<Fault>& found);
+void bad_grinding(const Case& c, std::vector<Fault>& found);
 /// Faults of parts that were read but do not go together; silent about what is `unread`.
 std::vector<Fault> misfits(const Case& c);
 
-double jar_volume(const Jar& jar);                     ///< [m3]
-double ball_volume(const BallSet& set);                ///< [m3] of one ball
-double balls_mass(const std::vector<BallSet>& balls);  ///< [kg] of all but grains of powder
+double jar_volume(const Jar& jar);                       ///< [m3]
+double ball_volume(const BallSet& set);                  ///< [m3] of one ball
+double balls_mass(const std::vector<BallSet>& balls);    ///< [kg] of all but grains of powder
+double balls_volume(const std::vector<BallSet>& balls);  ///< [m3] of all but grains of powder
 std::int64_t balls_count(const std::vector<BallSet>& balls);
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter
+/// [m] Diameter, of all but grains of powder; infinite without balls.
+double smallest_ball(const std::vector<BallSet>& balls);
 /// [rad/s] at which the largest ball is pinned to the wall of a tumbling jar (kin.11).
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity);
 

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/grinding_fields.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
@@ -68,13 +69,42 @@ double read_grain_size(Section& in, const Powder& powder) {
   const Wanted wanted("grain_size", "m", positive,
                       "diameter of the spheres that stand for the powder");
   if (in.gives("grain_size")) return in.value(wanted);
-  if (powder.size) {
+  if (powder.size && powder.feed.law == powder::Feed::Law::equal) {
     in.note_default("grain_size", show(*powder.size, "m"), "each grain for itself");
     return *powder.size;
   }
   in.missing("grain_size", wanted.about,
              "write for instance grain_size = \"1 mm\", or give `size`");
   return unread;
+}
+
+/// The feed's law with its numbers; of the one size, unread, after a fault.
+powder::Feed read_feed(Section& in) {
+  using Law = powder::Feed::Law;
+  constexpr std::string_view remedy = "remove it, or choose another distribution";
+  const auto word = in.gives("distribution") ? in.choice({"distribution", feed_words(), ""}) : "";
+  const Law law = word.empty() ? Law::equal : word_of<Law>(word, feed_words());
+  const std::string why =
+      fmt::format("under distribution = \"{}\"", feed_words()[static_cast<std::size_t>(law)]);
+  powder::Feed feed{.law = law};
+  if (law == Law::sieves) {
+    in.refuse({"size", "spread"}, why, std::string(remedy));
+    feed.passing = read_sieves(in, most_powder_sieves);
+    return feed.passing.empty() ? powder::Feed{.size = unread} : feed;
+  }
+  in.refuse({"passing", "retained"}, why, std::string(remedy));
+  if (law == Law::equal) {
+    in.refuse({"spread"}, why, std::string(remedy));
+    feed.size = in.maybe({"size", "m", positive, "grain size of the powder as fed"}).value_or(0);
+    return feed;
+  }
+  const bool normal = law == Law::lognormal;
+  feed.size =
+      in.value({"size", "m", positive,
+                normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"});
+  feed.spread = in.value({"spread", "", feed_spreads(law),
+                          normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"});
+  return feed;
 }
 
 /// How many grains there are; 0 after a fault.
@@ -136,7 +166,9 @@ void read_powder(const Node* table, Case& c, const Catalogue& catalogue, Finding
   powder.density = read_density(in, {"density", "kg/m3", positive, "density of the solid"},
                                 powder.material, catalogue);
   powder.mass = read_powder_mass(in, powder, c);
-  powder.size = in.maybe({"size", "m", positive, "grain size of the powder as fed"});
+  powder.feed = read_feed(in);
+  if (powder.feed.law != powder::Feed::Law::equal || powder.feed.size != 0)
+    powder.size = powder.feed.quantile(0.5);
   const bool grains = in.gives("as") && in.choice({"as", powder_words(), ""}) == "grains";
   if (grains) {
     c.balls.push_back(read_grains(in, powder, catalogue));

@@ -15,123 +15,12 @@ namespace mahlwerk::cases {
 namespace {
 
 using Law = Distribution::Law;
-constexpr std::string_view form =
-    "write rows of opening and share of the mass: [[\"8 mm\", \"0 %\"], [\"10 mm\", \"40 %\"], "
-    "[\"12 mm\", \"100 %\"]]";
-constexpr std::size_t most_rows = static_cast<std::size_t>(most_classes) + 1;
-
-/// Opening and share of one row; nothing after a fault.
-std::optional<std::array<double, 2>> read_row(Section& in, std::string_view key, const Node& row) {
-  if (row.kind != Node::Kind::list || row.items.size() != 2) {
-    in.fault(row, fmt::format("a row of `{}` must be an opening and a share of the mass", key),
-             std::string(form), "wrong-type");
-    return std::nullopt;
-  }
-  constexpr Range shares{.least = 0, .most = 1};
-  const double opening = in.quantity(row.items[0], {key, "m", positive, "opening of a sieve"});
-  const double share = in.quantity(row.items[1], {key, "", shares, "share of the mass"});
-  if (std::isnan(opening) || std::isnan(share)) return std::nullopt;
-  return std::array{opening, share};
-}
-
-/// Rows with rising openings; none after a fault.
-std::vector<std::array<double, 2>> read_rows(Section& in, std::string_view key, const Node& at) {
-  std::vector<std::array<double, 2>> rows;
-  if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > most_rows) {
-    in.fault(at, fmt::format("`{}` must be a list of 2 to {} rows", key, most_rows),
-             std::string(form), "wrong-type");
-    return rows;
-  }
-  bool sound = true;
-  for (const Node& item : at.items) {
-    const auto row = read_row(in, key, item);
-    sound = sound && row;
-    if (!row) continue;
-    if (!rows.empty() && row->at(0) <= rows.back()[0]) {
-      in.fault(item, fmt::format("the openings of `{}` do not rise", key),
-               "sort the rows by opening, each once", "unsorted-sieves");
-      sound = false;
-    }
-    rows.push_back(*row);
-  }
-  if (!sound) rows.clear();
-  return rows;
-}
-
-/// Shares retained by each sieve as shares that pass it.
-std::vector<std::array<double, 2>> passing_of(Section& in, const Node& at,
-                                              std::vector<std::array<double, 2>> rows) {
-  constexpr double rounding = 1e-9;
-  if (rows.empty()) return rows;
-  double sum = 0;
-  for (auto& [opening, share] : rows) {
-    const double kept = share;
-    share = sum;
-    sum += kept;
-  }
-  if (std::abs(sum - 1) > rounding) {
-    in.fault(at,
-             fmt::format("the shares of `retained` sum to {} %, not to 100 %",
-                         show_rounded(100 * sum, "")),
-             "give the share of the mass that each sieve keeps; together they are all of it",
-             "sieve-shares");
-    return {};
-  }
-  if (rows.back()[1] < sum) {
-    in.fault(at, "the largest sieve of `retained` keeps balls, of which none has a largest size",
-             "add a row with a larger opening and \"0 %\"", "sieve-shares");
-    return {};
-  }
-  rows.back()[1] = 1;
-  return rows;
-}
-
-/// Whether shares rise from 0 to 1.
-bool cumulative(Section& in, const Node& at, const std::vector<std::array<double, 2>>& rows) {
-  const auto fault = [&](std::string what, std::string remedy) {
-    in.fault(at, std::move(what), std::move(remedy), "sieve-shares");
-    return false;
-  };
-  if (rows.empty()) return false;
-  if (rows.back()[1] != 1)
-    return fault(fmt::format("{} % of the mass pass the largest sieve of `passing`, not 100 %",
-                             show_rounded(100 * rows.back()[1], "")),
-                 "add a row with the opening that everything passes and \"100 %\"");
-  if (rows.front()[1] != 0)
-    return fault("what passes the smallest sieve of `passing` has no smallest size",
-                 "add a row with a smaller opening and \"0 %\"");
-  if (!std::ranges::is_sorted(rows, {}, [](const auto& row) { return row[1]; }))
-    return fault("the shares of `passing` fall", "give the whole mass that passes each sieve");
-  return true;
-}
-
-/// Of sieves; empty after a fault.
-std::vector<std::array<double, 2>> read_sieves(Section& in) {
-  const std::string_view key = in.one_of({"passing", "retained"});
-  if (key.empty()) {
-    in.missing("passing", "openings of sieves with the share of the mass that passes them",
-               fmt::format("write passing = ..., or retained: {}", form));
-    return {};
-  }
-  const Node& at = *in.find(key);
-  auto rows = read_rows(in, key, at);
-  if (key == "retained") rows = passing_of(in, at, std::move(rows));
-  if (!rows.empty() && !cumulative(in, at, rows)) rows.clear();
-  if (!rows.empty()) {
-    Distribution noted;
-    noted.passing = rows;
-    in.note("passing", passing_text(noted), &at, key == "retained" ? "from `retained`" : "");
-  }
-  return rows;
-}
 
 /// Keys that a law has no use for.
 void refuse(Section& in, Law law, std::initializer_list<std::string_view> keys) {
   const std::string& word = distribution_words()[static_cast<std::size_t>(law)];
-  for (const std::string_view key : keys)
-    if (const Node* at = in.find(key); at != nullptr)
-      in.fault(*at, fmt::format("{} has no meaning under distribution = \"{}\"", key, word),
-               "remove it, or choose another distribution", "too-much");
+  in.refuse(keys, fmt::format("under distribution = \"{}\"", word),
+            "remove it, or choose another distribution");
 }
 
 /// The numbers of normal, lognormal or uniform. False after a fault.
@@ -176,7 +65,7 @@ bool read_distribution(Section& in, Distribution& d) {
   }
   if (d.law == Law::sieves) {
     refuse(in, d.law, {"diameter", "spread", "smallest", "largest", "classes"});
-    d.passing = read_sieves(in);
+    d.passing = read_sieves(in, most_classes);
     sound = !d.passing.empty();
   } else {
     refuse(in, d.law, {"passing", "retained"});

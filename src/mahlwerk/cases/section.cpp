@@ -21,7 +21,8 @@ std::string said(std::string_view key, const Node& node) {
                 : fmt::format("{} = {}", key, node.text);
 }
 
-/// "from 0 to 1", "above 0".
+}  // namespace
+
 std::string in_words(const Range& range, std::string_view unit) {
   const auto end = [&](double v) { return show(v, unit); };
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
@@ -32,8 +33,6 @@ std::string in_words(const Range& range, std::string_view unit) {
     return fmt::format("{} {}", range.without_least ? "above" : "at least", end(range.least));
   return fmt::format("{} {}", range.without_most ? "below" : "at most", end(range.most));
 }
-
-}  // namespace
 
 std::string listed(const std::vector<std::string>& words) {
   std::string line;
@@ -103,11 +102,19 @@ void Section::fault(const Node& at, std::string what, std::string remedy, std::s
 }
 
 void Section::missing(std::string_view key, std::string_view about, std::string remedy) {
+  if (findings_.awaited.contains(dotted(key))) return;
   const Node nowhere;
   fault(table_ ? *table_ : nowhere,
         about.empty() ? fmt::format("{} lacks `{}`", heading(), key)
                       : fmt::format("{} lacks `{}`: {}", heading(), key, about),
         std::move(remedy), "missing-value");
+}
+
+void Section::refuse(std::initializer_list<std::string_view> keys, std::string_view why,
+                     const std::string& remedy) {
+  for (const std::string_view key : keys)
+    if (const Node* at = find(key); at != nullptr)
+      fault(*at, fmt::format("{} has no meaning {}", key, why), remedy, "too-much");
 }
 
 void Section::note(std::string_view key, std::string value, const Node* from,
@@ -198,16 +205,19 @@ std::string Section::choice(const Choice& choice) {
   return {};
 }
 
-std::optional<std::int64_t> Section::whole(std::string_view key, std::int64_t most) {
+std::optional<std::int64_t> Section::whole(std::string_view key, std::int64_t most,
+                                           std::int64_t least) {
   const Node* node = find(key);
   if (node == nullptr) return std::nullopt;
   std::int64_t n = 0;
   const char* end = node->text.data() + node->text.size();
   const bool loose = node->loose() && node->kind == Node::Kind::text;
   const auto [stop, error] = std::from_chars(node->text.data(), end, n);
-  if (!(node->whole || loose) || error != std::errc{} || stop != end || n < 1 || n > most) {
-    fault(*node, fmt::format("{} must be a whole number from 1 to {}", said(key, *node), most),
-          fmt::format("write for instance {} = 5", key), "out-of-range");
+  if (!(node->whole || loose) || error != std::errc{} || stop != end || n < least || n > most) {
+    fault(*node,
+          fmt::format("{} must be a whole number from {} to {}", said(key, *node), least, most),
+          fmt::format("write for instance {} = {}", key, std::max<std::int64_t>(least, 5)),
+          "out-of-range");
     return 0;
   }
   note(key, std::to_string(n), node);

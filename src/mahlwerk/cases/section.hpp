@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,7 @@ namespace mahlwerk::cases {
 struct Findings {
   std::vector<Fault> faults;
   std::vector<Origin> origins;
+  std::set<std::string, std::less<>> awaited;  ///< dotted keys that only [fit] gives
 };
 
 /// A number a section may or must give; a Field without the place where it lives.
@@ -76,7 +79,8 @@ class Section {
   std::optional<double> maybe(const Wanted& wanted);  ///< nothing if it is not given
   std::optional<std::string> text(std::string_view key);
   std::string choice(const Choice& choice);  ///< empty after a fault
-  std::optional<std::int64_t> whole(std::string_view key, std::int64_t most);  ///< 1 to `most`
+  std::optional<std::int64_t> whole(std::string_view key, std::int64_t most,
+                                    std::int64_t least = 1);
   bool flag(std::string_view key, bool standard, std::string_view source);
 
   /// Notes where a value came from. `how` is put behind the source: "volume = \"5 ml\"".
@@ -84,7 +88,11 @@ class Section {
   void note_default(std::string_view key, std::string value, std::string_view source);
 
   void fault(const Node& at, std::string what, std::string remedy, std::string_view code);
+  /// Silent about what [fit] is to choose.
   void missing(std::string_view key, std::string_view about, std::string remedy);
+  /// Keys that have no meaning `why`: "under distribution = ...".
+  void refuse(std::initializer_list<std::string_view> keys, std::string_view why,
+              const std::string& remedy);
   /// What `at` says as a quantity in `wanted`'s unit and range, or `unread` after a fault.
   double quantity(const Node& at, const Wanted& wanted);
 
@@ -106,6 +114,8 @@ class Section {
   std::vector<std::string> known_;
 };
 
+/// "above 0 mm and at most 1 m".
+std::string in_words(const Range& range, std::string_view unit);
 /// "a", "b" or "c".
 std::string listed(const std::vector<std::string>& words);
 

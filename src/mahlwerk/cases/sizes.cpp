@@ -149,9 +149,9 @@ const std::vector<std::string>& distribution_words() {
   return words;
 }
 
-std::string passing_text(const Distribution& of) {
+std::string passing_text(const std::vector<std::array<double, 2>>& passing) {
   std::string rows;
-  for (const auto& [opening, share] : of.passing)
+  for (const auto& [opening, share] : passing)
     rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(show(opening, "m")),
                         shortest(share));
   return "[" + rows + "]";

@@ -63,6 +63,7 @@ std::int64_t classes_that_fill(Distribution of, std::int64_t count);
 
 /// "equal", "normal", ... in the order of Distribution::Law.
 const std::vector<std::string>& distribution_words();
-std::string passing_text(const Distribution& of);  ///< as a case writes it
+/// Rows of opening and share as a case writes them.
+std::string passing_text(const std::vector<std::array<double, 2>>& passing);
 
 }  // namespace mahlwerk::cases

@@ -10,54 +10,10 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/writer.hpp"
 
 namespace mahlwerk::cases {
 namespace {
-
-/// A comment's text on one line.
-std::string one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-  return text;
-}
-
-/// Lines of a case file, with the origin of each value behind it.
-class Writer {
- public:
-  explicit Writer(const Case& c) : c_(c) {}
-
-  void section(std::string_view heading, std::string prefix) {
-    text_ += fmt::format("\n{}\n", heading);
-    prefix_ = std::move(prefix);
-  }
-  void line(std::string_view key, std::string_view value) {
-    const auto origin = std::ranges::find(c_.origins, prefix_ + std::string(key), &Origin::key);
-    const std::string said = fmt::format("{} = {}", key, value);
-    if (origin == c_.origins.end() || origin->source.empty()) {
-      text_ += said + "\n";
-      return;
-    }
-    text_ += fmt::format("{:<36} # {}{}\n", said, one_line(origin->source),
-                         origin->unverified ? " (unverified)" : "");
-  }
-  void word(std::string_view key, std::string_view value) { line(key, in_quotes(value)); }
-  void name(std::string_view key, std::string_view value) {
-    if (!value.empty()) word(key, value);
-  }
-  void number(std::string_view key, double value, std::string_view unit) {
-    line(key, unit.empty() ? shortest(value) : in_quotes(show(value, unit)));
-  }
-  template <class Model, class Fields>
-  void fields(const Model& model, const Fields& all) {
-    for (const auto& f : all) number(f.key, model.*f.value, f.unit);
-  }
-  void plain(std::string_view text) { text_ += text; }
-  std::string text() { return std::move(text_); }
-
- private:
-  const Case& c_;
-  std::string text_, prefix_;
-};
 
 void write_mill(Writer& out, const Mill& mill) {
   out.section("[mill]", "mill.");
@@ -92,7 +48,7 @@ void write_distribution(Writer& out, const Distribution& d) {
   using Law = Distribution::Law;
   out.word("distribution", distribution_words()[static_cast<std::size_t>(d.law)]);
   if (d.law == Law::sieves) {
-    out.line("passing", passing_text(d));
+    out.line("passing", passing_text(d.passing));
     return;
   }
   if (d.law == Law::uniform) {
@@ -128,7 +84,7 @@ void write_powder(Writer& out, const Powder& powder, const std::vector<BallSet>&
   out.section("[powder]", "powder.");
   out.name("material", powder.material);
   out.number("mass", powder.mass, "kg");
-  if (powder.size) out.number("size", *powder.size, "m");
+  write_feed(out, powder);
   if (powder.density) out.number("density", *powder.density, "kg/m3");
   if (!powder.grain_size) return;
   out.word("as", "grains");
@@ -220,10 +176,12 @@ void write_heat(Writer& out, const Heat& heat) {
   out.fields(heat, heat_fields());
 }
 
-void write_sweep(Writer& out, const std::map<std::string, std::vector<std::string>>& sweep) {
-  if (sweep.empty()) return;
-  out.section("[sweep]", "sweep.");
-  for (const auto& [key, values] : sweep) {
+/// [sweep] or [fit].
+template <class Lists>
+void write_lists(Writer& out, const std::string& name, const Lists& lists) {
+  if (lists.empty()) return;
+  out.section(fmt::format("[{}]", name), name + ".");
+  for (const auto& [key, values] : lists) {
     std::string list;
     for (const std::string& value : values) list += (list.empty() ? "" : ", ") + in_quotes(value);
     out.plain(fmt::format("{} = [{}]\n", in_quotes(key), list));
@@ -251,7 +209,9 @@ std::string write(const Case& c) {
   out.word("frames_format", frames_formats()[static_cast<std::size_t>(c.observe.frames_format)]);
   if (c.wear) write_wear(out, *c.wear);
   if (c.heat) write_heat(out, *c.heat);
-  write_sweep(out, c.sweep);
+  write_grinding(out, c);
+  write_lists(out, "sweep", c.sweep);
+  write_lists(out, "fit", c.fit);
   return out.text();
 }
 

@@ -60,14 +60,15 @@ Milling mill_a_sample(const Process& process, const std::vector<Nip>& nips, cons
   Sample sample(process, nips, grid, feed, grains, start);
   struct Event {
     double time, energy;
-    int nip;
+    int kind;
   };
   std::vector<Event> events;  // of one span, those that matter
   for (std::size_t i = 0; i < stream.hits.size(); ++i) {
     const StreamHit& h = stream.hits[i];
     const double when =
         stream.span * (static_cast<double>(i) + 0.5) / static_cast<double>(stream.hits.size());
-    if (sample.matters(h.nip, h.energy)) events.push_back({when, h.energy, h.nip});
+    if (const int kind = sample.kind(h.nip, h.energy); sample.matters(kind))
+      events.push_back({when, h.energy, kind});
   }
   constexpr double most = 1e7;
   const double wanted = static_cast<double>(events.size()) * time / stream.span;
@@ -83,7 +84,7 @@ Milling mill_a_sample(const Process& process, const std::vector<Nip>& nips, cons
       ++told;
     }
     if (events.empty()) continue;
-    sample.hit(events[at].nip, events[at].energy, stream.each * static_cast<double>(stride));
+    sample.hit(events[at].kind, events[at].energy, stream.each * static_cast<double>(stride));
     for (at += stride; at >= events.size(); at -= events.size()) began += stream.span;
   }
   return milling;

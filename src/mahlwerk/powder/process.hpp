@@ -31,10 +31,10 @@ enum class Bed {
 
 /// How hits become broken grains. Energies of collisions are those the case chose.
 struct Process {
-  AnyCapture capture;
+  AnyCapture capture = {};
   double energy_share = 1;  ///< [1] of a collision's energy that the caught grains get
-  AnyBreakage breakage;
-  AnyFragments fragments;
+  AnyBreakage breakage = {};
+  AnyFragments fragments = {};
   Bed bed = Bed::by_size;
   double sticking = 0;  ///< [1] share of the grains up to `sticking_size` that lie out of reach
   double sticking_size = std::numeric_limits<double>::infinity();  ///< [m]

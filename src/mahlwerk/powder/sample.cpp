@@ -25,8 +25,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
     : process_(std::move(process)),
       nips_(std::move(nips)),
       grid_(grid),
-      classes_(static_cast<std::size_t>(grid.classes())),
-      rows_(nips_.size()),
+      groups_(static_cast<std::size_t>((grid.classes() - 1) / grid.per_octave() + 1)),
       draw_(start),
       grains_(grains) {
   const auto* tavares = std::get_if<Tavares>(&process_.breakage);
@@ -38,60 +37,84 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
     // One from each equal share of the feed: it is met as closely as so many grains can.
     const double size = feed.quantile((i + draw_()) / grains);
     const double strength = tavares == nullptr ? 1 : tavares->relative_strength(normal(draw_));
-    classes_[static_cast<std::size_t>(grid_.class_of(size))].push_back({size, strength});
+    const int at = grid_.class_of(size);
+    groups_[static_cast<std::size_t>(group_of(at))].push_back(
+        {size, static_cast<float>(strength), at});
+    ++count_[static_cast<std::size_t>(group_of(at))];
   }
   mean_size_ = mean_size(grid_, shares());
 }
 
-const Sample::Row& Sample::row(int nip, std::int64_t energy_step) {
-  const auto [at, is_new] = rows_[static_cast<std::size_t>(nip)].try_emplace(energy_step);
-  Row& made = at->second;
-  if (!is_new) return made;
-  const double energy = std::exp2(static_cast<double>(energy_step) / steps_per_octave);
+int Sample::kind(int nip, double energy) {
+  const int step = static_cast<int>(std::lround(std::log2(energy) * steps_per_octave));
+  const auto [at, is_new] = known_.try_emplace({nip, step}, static_cast<int>(kinds_.size()));
+  if (is_new) {
+    Kind made;
+    made.nip = nip;
+    made.energy = std::exp2(static_cast<double>(step) / steps_per_octave);
+    work_out(made);
+    kinds_.push_back(std::move(made));
+  }
+  return at->second;
+}
+
+void Sample::work_out(Kind& kind) const {
+  const auto caught = [&](double bed) {
+    return process_.caught(nips_[static_cast<std::size_t>(kind.nip)], kind.energy, bed);
+  };
+  const bool mixed = process_.bed == Bed::mixed;
+  Catch c = mixed ? caught(mean_size_) : Catch{};
+  kind.reach.clear();
+  kind.most.fill(0);
+  kind.idle = true;
   for (int i = 0; i < grid_.classes(); ++i) {
     const double size = grid_.middle(i);
-    const double bed = process_.bed == Bed::mixed ? mean_size_ : size;
-    const Catch c = process_.caught(nips_[static_cast<std::size_t>(nip)], energy, bed);
-    const double mass = c.grains * process_.grain(bed).mass();
+    if (!mixed) c = caught(size);
+    const double mass = c.grains * process_.grain(mixed ? mean_size_ : size).mass();
     const double reached = size <= process_.sticking_size ? 1 - process_.sticking : 1;
-    made.share.push_back(reached * c.chance * mass / process_.mass);
-    made.per_energy.push_back(process_.energy_share / mass);
-    const double given = energy * made.per_energy.back();
+    kind.reach.push_back({static_cast<float>(reached * c.chance * mass / process_.mass),
+                          static_cast<float>(process_.energy_share / mass)});
+    const double given = kind.energy * process_.energy_share / mass;
     const bool welds = process_.welding > 0 && given >= process_.welding_energy;
     const bool breaks = std::visit(
         [&](const auto& model) {
           return std::decay_t<decltype(model)>::remembers || model.chance(size, given) > 0;
         },
         process_.breakage);
-    if (welds || breaks) made.idle = false;
+    if (welds || breaks) kind.idle = false;
+    double& most = kind.most[static_cast<std::size_t>(group_of(i))];
+    most = std::max<double>(most, kind.reach.back().share);
   }
-  return made;
 }
 
-bool Sample::matters(int nip, double energy) {
-  const auto low = static_cast<std::int64_t>(std::floor(std::log2(energy) * steps_per_octave));
-  return !row(nip, low).idle || !row(nip, low + 1).idle;
-}
-
-void Sample::hit(int nip, double energy, double times) {
-  const double place = std::log2(energy) * steps_per_octave;
-  const auto low = static_cast<std::int64_t>(std::floor(place));
-  const Row &one = row(nip, low), &other = row(nip, low + 1);
-  if (one.idle && other.idle) return;
-  const double part = place - static_cast<double>(low);
+// As many candidates as if all grains of a group were hit as often as the class of it that is hit
+// most, or one more; spread evenly over the groups. Each is then hit, or not.
+void Sample::hit(int of_kind, double energy, double times) {
+  const Kind& k = kinds_[static_cast<std::size_t>(of_kind)];
+  if (k.idle) return;
+  double due = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) due += count_[g] * k.most[g];
+  const auto candidates = static_cast<std::int64_t>(times * due + draw_());
+  if (candidates == 0) return;
+  const double apart = due / static_cast<double>(candidates);
   std::visit(
       [&](const auto& model) {
-        // Hits are dealt out evenly: a class gets as many as it is due, or one more. Fine grains
-        // first, so that a piece is not hit by what made it.
-        double due = 0, next = draw_();
-        for (int i = grid_.classes() - 1; i >= 0; --i) {
-          const auto c = static_cast<std::size_t>(i);
-          if (classes_[c].empty()) continue;
-          due += times * static_cast<double>(classes_[c].size()) *
-                 std::lerp(one.share[c], other.share[c], part);
-          if (!(next < due)) continue;
-          const double given = energy * std::lerp(one.per_energy[c], other.per_energy[c], part);
-          for (; next < due && !classes_[c].empty(); next += 1) strike(model, i, given);
+        // Counts change as grains move: what was there at the start is what candidates are spread
+        // over, fine grains first, so that none is hit for what it has just come from.
+        std::size_t g = groups_.size() - 1;
+        double below = 0, here = count_[g] * k.most[g];
+        for (std::int64_t i = 0; i < candidates; ++i) {
+          const double place = apart * (static_cast<double>(i) + draw_());
+          while (place >= below + here && g > 0) {
+            below += here;
+            --g;
+            here = count_[g] * k.most[g];
+          }
+          const auto which = static_cast<std::size_t>((place - below) / k.most[g]);
+          if (which >= groups_[g].size()) continue;  // what has moved on since
+          const Reach reach = k.reach[static_cast<std::size_t>(groups_[g][which].at)];
+          if (draw_() * k.most[g] < reach.share)
+            strike(model, static_cast<int>(g), which, energy * reach.per_energy);
         }
       },
       process_.breakage);
@@ -99,13 +122,11 @@ void Sample::hit(int nip, double energy, double times) {
 }
 
 template <class Model>
-void Sample::strike(const Model& model, int at, double energy) {
-  std::vector<One>& here = classes_[static_cast<std::size_t>(at)];
+void Sample::strike(const Model& model, int group, std::size_t which, double energy) {
+  One& here = groups_[static_cast<std::size_t>(group)][which];
+  One grain = here;
   ++grain_hits_;
-  const auto which = static_cast<std::size_t>(draw_() * static_cast<double>(here.size()));
-  One grain = here[which];
   bool breaks = false;
-  double t10 = 0;
   if constexpr (Model::remembers) {
     const double load = energy / (grain.strength * model.median(grain.size));
     breaks = load >= 1;
@@ -115,59 +136,66 @@ void Sample::strike(const Model& model, int at, double energy) {
       const double damage =
           std::lerp(damage_[low], damage_[std::min<std::size_t>(low + 1, damage_steps)],
                     place - static_cast<double>(low));
-      here[which].strength = grain.strength *= 1 - damage;
+      here.strength = grain.strength *= static_cast<float>(1 - damage);
     }
+  } else if constexpr (requires { model.breaks(1.0, 1.0, 0.5); }) {
+    breaks = model.breaks(grain.size, energy, draw_());
   } else {
-    const double chance = model.chance(grain.size, energy);
-    breaks = chance >= 1 || (chance > 0 && draw_() < chance);
+    breaks = draw_() < model.chance(grain.size, energy);
   }
-  if (breaks && at + 1 == grid_.classes()) return;  // as fine as is told apart
   if (breaks) {
+    if (grain.at + 1 == grid_.classes()) return;  // as fine as is told apart
+    double t10 = 0;
     if constexpr (Model::tells_fineness) t10 = model.t10(grain.size, energy);
     grain.size = std::visit([&](const auto& f) { return f.drawn(grain.size, t10, draw_); },
                             process_.fragments);
-    if constexpr (Model::remembers) grain.strength = model.relative_strength(normal(draw_));
-    return move(at, which, grain);
+    if constexpr (Model::remembers)
+      grain.strength = static_cast<float>(model.relative_strength(normal(draw_)));
+    return move(group, which, grain);
   }
-  if (process_.welding > 0 && energy >= process_.welding_energy && at >= grid_.per_octave() / 3 &&
-      draw_() < process_.welding) {
+  if (process_.welding > 0 && energy >= process_.welding_energy &&
+      grain.at >= grid_.per_octave() / 3 && draw_() < process_.welding) {
     grain.size *= std::cbrt(2.0);
-    move(at, which, grain);
+    move(group, which, grain);
   }
 }
 
-void Sample::move(int from, std::size_t which, One grain) {
-  const int to = grid_.class_of(grain.size);
-  std::vector<One>& old = classes_[static_cast<std::size_t>(from)];
-  if (to == from) {
+void Sample::move(int group, std::size_t which, One grain) {
+  grain.at = grid_.class_of(grain.size);
+  const int to = group_of(grain.at);
+  std::vector<One>& old = groups_[static_cast<std::size_t>(group)];
+  if (to == group) {
     old[which] = grain;
     return;
   }
   old[which] = old.back();
   old.pop_back();
-  classes_[static_cast<std::size_t>(to)].push_back(grain);
+  groups_[static_cast<std::size_t>(to)].push_back(grain);
+  --count_[static_cast<std::size_t>(group)];
+  ++count_[static_cast<std::size_t>(to)];
 }
 
-/// A mixed bed is as high as the powder's mean size, whose rows go with it (pbm.5).
+/// A mixed bed is as high as the powder's mean size, and what is caught goes with it (pbm.5).
 void Sample::refresh() {
   constexpr double much = 0.02;
   since_refresh_ = grain_hits_;
   const double now = mean_size(grid_, shares());
   if (std::abs(std::log(now / mean_size_)) < much) return;
   mean_size_ = now;
-  for (auto& rows : rows_) rows.clear();
+  for (Kind& kind : kinds_) work_out(kind);
 }
 
 std::vector<double> Sample::shares() const {
-  std::vector<double> found;
-  for (const auto& some : classes_)
-    found.push_back(static_cast<double>(some.size()) / static_cast<double>(grains_));
+  std::vector<double> found(static_cast<std::size_t>(grid_.classes()));
+  for (const auto& some : groups_)
+    for (const One& grain : some)
+      found[static_cast<std::size_t>(grain.at)] += 1 / static_cast<double>(grains_);
   return found;
 }
 
 std::vector<double> Sample::sizes() const {
   std::vector<double> found;
-  for (const auto& some : classes_)
+  for (const auto& some : groups_)
     for (const One& grain : some) found.push_back(grain.size);
   return found;
 }

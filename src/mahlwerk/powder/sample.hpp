@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/powder/process.hpp"
@@ -33,48 +34,57 @@ class Draws {
 /// the balance (pbm.7).
 class Sample {
  public:
-  /// `grains` sizes drawn from the feed. Capture is worked out class by class of the grid; the
-  /// process must be of beds by size, or mixed.
+  /// `grains` sizes drawn from the feed; `start` of the random numbers. What a collision catches is
+  /// worked out for each class of the grid, and for energies an eighth of an octave apart.
   Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed& feed, int grains,
          std::uint64_t start);
 
-  /// A collision in that nip, of `energy` [J], that stands for `times` of its like.
-  void hit(int nip, double energy, double times = 1);
+  /// Which kind of collision one in that nip and of that `energy` [J] > 0 is.
+  int kind(int nip, double energy);
+  /// Whether such a collision can do anything to any grain of the grid.
+  bool matters(int kind) const { return !kinds_[static_cast<std::size_t>(kind)].idle; }
+  /// A collision of that kind and `energy` [J], which stands for `times` of its like.
+  void hit(int kind, double energy, double times = 1);
 
   std::vector<double> shares() const;  ///< of the mass, in each class of size
   std::int64_t grain_hits() const { return grain_hits_; }
-  std::int64_t grains() const { return grains_; }
-  /// [m] of all grains, in no order.
-  std::vector<double> sizes() const;
-  /// Whether a collision of that energy can do anything to any grain of the grid.
-  bool matters(int nip, double energy);
+  std::vector<double> sizes() const;  ///< [m] of all grains, in no order
 
  private:
+  static constexpr int most_groups = 32;
   struct One {
     double size = 0;
-    double strength = 1;  // over the median, of models that remember
+    float strength = 1;   // over the median, of models that remember
+    std::int32_t at = 0;  // its class
   };
-  /// Of a collision with each class: the share of the class's mass that it hits, and the energy
-  /// that a caught grain gets over that of the collision [1/kg].
-  struct Row {
-    std::vector<double> share, per_energy;
-    bool idle = true;  // nothing that is hit breaks, is weakened or welds
+  /// What a kind of collision does to the classes: the share of a class's mass that it hits, and
+  /// the energy that a caught grain gets over that of the collision [1/kg].
+  struct Kind {
+    std::array<double, most_groups> most{};  // largest share of each group of classes
+    std::vector<Reach> reach;                // of each class
+    int nip = 0;
+    double energy = 0;  // [J]
+    bool idle = true;   // nothing that is hit breaks, is weakened or welds
   };
-  const Row& row(int nip, std::int64_t energy_step);
+  void work_out(Kind& kind) const;
   template <class Model>
-  void strike(const Model& model, int at, double energy);
-  void move(int from, std::size_t which, One grain);
+  void strike(const Model& model, int group, std::size_t which, double energy);
+  void move(int group, std::size_t which, One grain);
   void refresh();
+  int group_of(int at) const { return at / grid_.per_octave(); }
 
   Process process_;
   std::vector<Nip> nips_;
   SizeGrid grid_;
-  std::vector<std::vector<One>> classes_;
-  std::vector<std::map<std::int64_t, Row>> rows_;  // of each nip
-  std::vector<double> damage_;                     // by load, of models that remember
+  /// Grains by octaves of size, of which a collision hits about the same share each.
+  std::vector<std::vector<One>> groups_;
+  std::array<double, most_groups> count_{};  // in each
+  std::vector<Kind> kinds_;
+  std::map<std::pair<int, int>, int> known_;  // kinds by nip and step of energy
+  std::vector<double> damage_;                // by load, of models that remember
   Draws draw_;
   std::int64_t grains_ = 0, grain_hits_ = 0, since_refresh_ = 0;
-  double mean_size_ = 0;  // [m] that the rows of a mixed bed were made for
+  double mean_size_ = 0;  // [m] that a mixed bed was worked out for
 };
 
 }  // namespace mahlwerk::powder

@@ -126,6 +126,23 @@ TEST(Units, an_angle_is_a_dimension) {
   EXPECT_TRUE(contains(fault_of("10 1/s", "Hz"), "not a frequency"));  // no angle, so no cycles
 }
 
+TEST(Units, products_by_blanks_and_brackets) {
+  EXPECT_EQ(parse_in("0.1 J m/kg", "J m/kg"), 0.1);
+  EXPECT_EQ(parse_in("0.1 J*m/kg", "J m/kg"), 0.1);
+  EXPECT_EQ(parse_in("2 mJ mm / g", "J m/kg"), 2e-3);
+  EXPECT_EQ(parse_in("3 kg/J/m", "kg/J/m"), 3);
+  EXPECT_EQ(parse_in("3 kg/(J m)", "kg/J/m"), 3);
+  EXPECT_EQ(parse_in("3 kg / ( J*m )", "kg/J/m"), 3);
+  EXPECT_EQ(parse_in("460 J/(kg K)", "J/kg/K"), 460);
+  EXPECT_EQ(parse_in("460 J/(kg/K)", "J K/kg"), 460);
+  EXPECT_EQ(parse_in("460 (J/kg)/K", "J/kg/K"), 460);
+  EXPECT_EQ(parse_in("15 W/(m2 K)", "W/m2/K"), 15);
+  EXPECT_EQ(parse_in("5 kJ/g", "J/kg"), 5e6);
+  for (const char* text : {"1 J/(kg", "1 J/kg)", "1 J/((kg K))", "1 J/(kg K)2", "1 J()", "1 J/()"})
+    EXPECT_THROW(parse_in(text, "J/kg/K"), UnitError) << text;
+  EXPECT_TRUE(contains(fault_of("1 J/((kg K))", "J/kg/K"), "write for instance \"J/kg/K\""));
+}
+
 TEST(Units, a_missing_unit_comes_with_the_users_own_number) {
   EXPECT_EQ(fault_of("12", "m"), "the unit is missing; write for instance \"12 mm\"");
   EXPECT_EQ(fault_of("-400", "rad/s"), "the unit is missing; write for instance \"-400 rpm\"");
@@ -187,6 +204,9 @@ TEST(Units, show_prefers_what_people_read) {
   EXPECT_EQ(show(0.07, "kg"), "70 g");
   EXPECT_EQ(show(0.9, ""), "0.9");
   EXPECT_EQ(show(3, "kg/m2"), "3 kg/m2");
+  EXPECT_EQ(show(3e-3, "kg/m2"), "3 g/m2");
+  EXPECT_EQ(show(5e6, "J/kg"), "5 kJ/g");
+  EXPECT_EQ(show(0.1, "J m/kg"), "0.1 J m/kg");
   EXPECT_EQ(show_rounded(5.0 / 3 * 1e-3, "J"), "1.667 mJ");
   EXPECT_EQ(show_rounded(41.887902047863905, "rad/s"), "41.89 rad/s");
   EXPECT_EQ(show_rounded(123456.7, ""), "123500");
@@ -203,9 +223,9 @@ void expect_round_trip(double value, std::string_view unit) {
 TEST(Units, show_reads_back_to_the_last_bit) {
   Random random(7, 1);
   for (const std::string_view unit :
-       {"m",   "kg",   "s",    "Hz",   "rad/s", "rad",    "m/s",   "m3", "N",
-        "Pa",  "J",    "W",    "J/kg", "kg/m3", "K",      "m/s2",  "%",  "",
-        "N/m", "J/m2", "J/m3", "s/m",  "W/m/K", "J/kg/K", "W/m2/K"}) {
+       {"m",    "kg",  "s",     "Hz",     "rad/s",  "rad",   "m/s",    "m3",    "N",   "Pa",
+        "J",    "W",   "J/kg",  "kg/m3",  "K",      "m/s2",  "%",      "",      "N/m", "J/m2",
+        "J/m3", "s/m", "W/m/K", "J/kg/K", "W/m2/K", "kg/m2", "kg/J/m", "J m/kg"}) {
     for (int i = 0; i < 2000; ++i) {
       const double any = std::pow(10, random.uniform(-12, 12)) * (random.uniform() < 0.2 ? -1 : 1);
       expect_round_trip(any, unit);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -98,6 +100,18 @@ inline std::string fault_of(const std::string& text, const std::vector<Override>
   return all;
 }
 
+/// The one fault as "what|remedy|code"; all of them if there are several.
+inline std::string one_fault(const std::string& text, const std::vector<Override>& overrides = {}) {
+  const std::vector<Fault> found = faults_of(text, overrides);
+  return found.size() == 1 ? found[0].what + "|" + found[0].remedy + "|" + found[0].code
+                           : fault_of(text, overrides);
+}
+inline void expect_says(const std::string& part, const std::string& text,
+                        const std::vector<Override>& overrides = {}) {
+  const std::string said = one_fault(text, overrides);
+  EXPECT_NE(said.find(part), std::string::npos) << "expected: " << part << "\nsaid: " << said;
+}
+
 /// `text` with the first line that begins with `key` exchanged for `line`.
 inline std::string with(std::string text, std::string_view key, const std::string& line) {
   const auto at = text.find(std::string("\n").append(key));
@@ -136,6 +150,13 @@ engine = "event"
 time = "60 s"
 [observe]
 threshold = "0.1 m/s"
+)";
+
+/// The vial with some powder, from line 24 on.
+inline const std::string powdered = vial + R"([powder]
+mass = "0.15 g"
+density = "1280 kg/m3"
+size = "1.3 mm"
 )";
 
 inline const std::string planetary = R"([mill]

@@ -235,7 +235,7 @@ TEST(SizeFaults, sieves_that_do_not_hold_the_whole) {
   const std::string sieves = "distribution = \"sieves\"\n";
   EXPECT_SAYS("the shares of `retained` sum to 90 %, not to 100 %",
               sieves + "retained = [[\"5 mm\", 0.3], [\"8 mm\", 0.6], [\"9 mm\", 0]]");
-  EXPECT_SAYS("the largest sieve of `retained` keeps balls",
+  EXPECT_SAYS("the largest sieve of `retained` keeps something",
               sieves + "retained = [[\"5 mm\", 0.4], [\"8 mm\", 0.6]]");
   EXPECT_SAYS("90 % of the mass pass the largest sieve",
               sieves + "passing = [[\"5 mm\", 0], [\"8 mm\", 0.9]]");

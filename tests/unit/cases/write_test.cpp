@@ -138,6 +138,13 @@ class AnyCase {
     if (flip())
       c.heat = {size(), size(), flip() ? 0 : size(), whole(1000),
                 size(), size(), random_.uniform()};
+    draw_grinding(c);
+    if (c.powder && flip()) draw_kinetics(c.kinetics.emplace());
+    if (c.kinetics && flip()) {
+      c.kinetics->dose =
+          c.capture && flip() ? Kinetics::Dose::captured : Kinetics::Dose::dissipated;
+      c.fit["kinetics.onset"] = {"0.5 J/kg", "3 kJ/g"};
+    }
     if (c.contact.rule.restitution.points().empty() && flip())
       c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
     if (flip()) c.sweep["title"] = {"12 mm", "a \"b\"", "true"};
@@ -171,12 +178,54 @@ class AnyCase {
     return m;
   }
   void draw_powder(Powder& powder) {
-    powder.mass = size();
-    if (flip()) powder.size = size();
+    powder.mass = 1e-6 * size();
+    if (flip()) draw_feed(powder.feed);
+    if (powder.feed.size > 0 || !powder.feed.passing.empty())
+      powder.size = powder.feed.quantile(0.5);
     if (flip()) {
-      powder.density = size();
+      powder.density = random_.uniform(500, 16000);
       powder.material = "tic";
     }
+  }
+  void draw_feed(powder::Feed& feed) {
+    using Law = powder::Feed::Law;
+    feed.law = static_cast<Law>(whole(5) - 1);
+    if (feed.law != Law::sieves) feed.size = 1e-6 * size();
+    if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler)
+      feed.spread = random_.uniform(1.1, 3);
+    if (feed.law != Law::sieves) return;
+    const double low = 1e-6 * size(), share = random_.uniform();
+    feed.passing = {{low, 0}, {low * 1.1, share}, {low * random_.uniform(1.2, 9), 1}};
+  }
+  /// Classes that are too many or too few make faults, and no round trip.
+  void draw_grinding(Case& c) {
+    if (!c.powder || !c.powder->size || !c.powder->density) return;
+    Capture& capture = c.capture.emplace();
+    pick(capture.model);
+    capture.energy = static_cast<Capture::Energy>(whole(4) - 1);
+    capture.energy_share = random_.uniform();
+    if (flip()) return;
+    Grinding& g = c.grinding.emplace();
+    pick(g.breakage);
+    pick(g.fragments);
+    g.method = static_cast<Grinding::Method>(whole(4) - 1);
+    g.time = size();
+    g.bed = flip() ? powder::Bed::by_size : powder::Bed::mixed;
+    g.smallest = c.powder->feed.largest() / random_.uniform(2, 9000);
+    g.classes_per_octave = 3 * whole(5);
+    if (g.method != Grinding::Method::balance) g.sample = 99 + whole(900'000);
+    g.sticking = random_.uniform();
+    if (flip()) g.sticking_size = size();
+    g.welding = random_.uniform();
+    g.welding_energy = size();
+  }
+  void draw_kinetics(Kinetics& k) {
+    k.conversion = {size(), flip() ? 1 : random_.uniform(0.5, 4), flip() ? 0 : size()};
+    k.time = size();
+    if (!flip()) return;
+    k.property = "a \"property\"";
+    k.initial = -size();
+    k.final = size();
   }
   contact::Restitution draw_restitution() {
     if (flip()) return random_.uniform();
@@ -234,15 +283,17 @@ class AnyCase {
 };
 
 TEST(WriteCase, random_cases_over_the_registers_are_read_back) {
-  int tried = 0;
-  for (std::uint32_t i = 0; i < 500; ++i) {
+  int tried = 0, ground = 0;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
     const Case c = AnyCase(i).draw();
     if (std::holds_alternative<kinematics::Tabulated>(c.mill.motion)) continue;  // has its own test
     if (!faults(c).empty()) continue;
     expect_round_trip(c);
     ++tried;
+    ground += c.grinding.has_value();
   }
-  EXPECT_GT(tried, 300);
+  EXPECT_GT(tried, 600);
+  EXPECT_GT(ground, 10);
 }
 
 }  // namespace

@@ -40,6 +40,16 @@ TEST(Breakage, VogelAndPeukertsChanceIsTheirFormula) {
   EXPECT_EQ(model.chance(2e-3, 50), 0);  // at the threshold
 }
 
+TEST(Breakage, VogelAndPeukertsShortcutDecidesAsTheChanceDoes) {
+  const VogelPeukert model{2, 0.1};
+  Draws draw(3);
+  for (int i = 0; i < 1000000; ++i) {
+    const double size = 1e-3 * (0.1 + draw()), energy = 3000 * draw() * draw(), drawn = draw();
+    ASSERT_EQ(model.breaks(size, energy, drawn), drawn < model.chance(size, energy))
+        << size << " m, " << energy << " J/kg, " << drawn;
+  }
+}
+
 TEST(Breakage, ThresholdOfFinerGrainsIsHigherByItsExponent) {
   const Threshold model{200, 1e-3, 0.5};
   EXPECT_EQ(model.chance(0.25e-3, 399.9), 0);

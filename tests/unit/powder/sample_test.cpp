@@ -45,7 +45,8 @@ Mean many(const Process& p, const SizeGrid& grid, const Feed& feed) {
     Sample sample(p, s.nips, grid, feed, grains, static_cast<std::uint64_t>(k));
     for (int second = 0; second < static_cast<int>(duration); ++second)
       for (const Stress& hit : s.stresses)
-        for (int i = 0; i < static_cast<int>(hit.rate); ++i) sample.hit(hit.nip, hit.energy);
+        for (int i = 0; i < static_cast<int>(hit.rate); ++i)
+          sample.hit(sample.kind(hit.nip, hit.energy), hit.energy);
     const std::vector<double> shares = sample.shares();
     for (std::size_t i = 0; i < n; ++i) {
       sum[i] += shares[i];
@@ -170,7 +171,7 @@ TEST(Sample, SizesNeverGrowWithoutWeldingAndMassIsKept) {
       double coarsest = std::ranges::max(sample.sizes()), mean = 0;
       for (const double x : sample.sizes()) mean += x;
       for (int round = 0; round < 20; ++round) {
-        for (int i = 0; i < 200; ++i) sample.hit(0, 3e-3);
+        for (int i = 0; i < 200; ++i) sample.hit(sample.kind(0, 3e-3), 3e-3);
         const std::vector<double> sizes = sample.sizes();
         double now = 0;
         for (const double x : sizes) now += x;

@@ -28,6 +28,12 @@ struct VogelPeukert {
     const double above = size * energy - x_w_min;
     return above > 0 ? -std::expm1(-f_mat * above) : 0;
   }
+  /// Whether a hit breaks, by a number drawn in (0, 1): as `chance`, whose bounds mostly decide.
+  bool breaks(double size, double energy, double drawn) const {
+    const double z = f_mat * (size * energy - x_w_min);
+    if (drawn >= z) return false;
+    return drawn * (1 + z) < z || drawn < -std::expm1(-z);
+  }
   bool operator==(const VogelPeukert&) const = default;
 };
 

@@ -14,12 +14,13 @@ namespace mahlwerk::powder {
 struct Barrios {
   static constexpr std::string_view name = "barrios";
   static constexpr std::string_view about = "a bed one grain high, pressed by the collision";
-  /// [J/kg] > 0; 0: that of the breakage model, which must know one
+  /// [J/kg] >= 0; 0: that of the breakage model, which must know one
   double fracture_energy = 0;
   static constexpr auto fields() {
     return std::array{
-        Field<Barrios>{"fracture_energy", "J/kg", &Barrios::fracture_energy, positive,
-                       "median specific energy that breaks grains of the bed, E_50b"}};
+        Field<Barrios>{"fracture_energy", "J/kg", &Barrios::fracture_energy, not_negative,
+                       "median specific energy that breaks grains of the bed, E_50b; 0: that of "
+                       "the breakage model"}};
   }
 
   /// `energy` [J] >= 0 of the collision. The bed yields by the energy its own mass gets, which
