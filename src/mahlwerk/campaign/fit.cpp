@@ -88,9 +88,11 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
   return found;
 }
 
-void fill_times(Measurements& data, const cases::Case& what) {
-  for (Measurement& m : data.values)
+void fill_times(Measurements& data, const std::vector<cases::Case>& conditions) {
+  for (Measurement& m : data.values) {
+    const cases::Case& what = conditions[m.condition];
     if (std::isnan(m.time)) m.time = of_sizes(m.what) ? what.grinding->time : what.kinetics->time;
+  }
 }
 
 cases::Case for_fit(cases::Case what, std::size_t condition, const Measurements& data,

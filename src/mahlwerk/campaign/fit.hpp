@@ -26,8 +26,8 @@ std::vector<FreeParameter> free_numbers(const cases::Case& what,
 std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
                               const std::vector<FreeParameter>& numbers, const std::string& file);
 
-/// Measurements that say no time get that of the case.
-void fill_times(Measurements& data, const cases::Case& what);
+/// Measurements that say no time get that of the case under their condition.
+void fill_times(Measurements& data, const std::vector<cases::Case>& conditions);
 
 /// A case as a fit runs its mill: nothing is kept but what the powder needs, which mills by the
 /// balance as long as its longest measurement says, with each number in the middle of its range.

@@ -41,13 +41,13 @@ struct FitCurve {
 
 struct FitReport {
   std::string title, case_file, data_file;
-  std::vector<FitNumber> numbers;
-  std::vector<std::vector<double>> correlation;
-  std::vector<std::string> conditions;  ///< "mill.frequency = 16 Hz"; empty: the case as it is
-  std::vector<FitPoint> points;
-  std::vector<FitCurve> curves;
-  std::vector<std::string> remarks;  ///< on all of it
-  double scatter = 0;                ///< of the residuals; NaN without freedom
+  std::vector<FitNumber> numbers = {};
+  std::vector<std::vector<double>> correlation = {};
+  std::vector<std::string> conditions = {};  ///< "mill.frequency = 16 Hz"; empty: as the case is
+  std::vector<FitPoint> points = {};
+  std::vector<FitCurve> curves = {};
+  std::vector<std::string> remarks = {};  ///< on all of it
+  double scatter = 0;                     ///< of the residuals; NaN without freedom
   int freedom = 0, evaluations = 0;
   bool errors_known = false;
 
