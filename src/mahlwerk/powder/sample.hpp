@@ -57,8 +57,12 @@ class Sample {
     float strength = 1;   // over the median, of models that remember
     std::int32_t at = 0;  // its class
   };
-  /// What a kind of collision does to the classes: the share of a class's mass that it hits, and
-  /// the energy that a caught grain gets over that of the collision [1/kg].
+  /// Of a class: the share of its mass that a collision hits, and the energy that a caught grain
+  /// gets over that of the collision [1/kg]. In few bytes: reading them is much of a hit's time.
+  struct Reach {
+    float share = 0, per_energy = 0;
+  };
+  /// What a kind of collision does to the classes.
   struct Kind {
     std::array<double, most_groups> most{};  // largest share of each group of classes
     std::vector<Reach> reach;                // of each class

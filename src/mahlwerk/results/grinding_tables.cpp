@@ -228,9 +228,10 @@ std::vector<std::string> grinding_warnings(const Outcome& outcome) {
   std::vector<std::string> list;
   if (chosen.empty() || !what.capture) return list;
   const double size = *what.powder->size;
-  double nip = INFINITY;
-  for (const powder::Nip& n : stresses(what, chosen).nips)
-    if (n.radius > 0) nip = std::min(nip, n.radius);
+  double nip = INFINITY;  // the narrowest where anything collides
+  const powder::StressSpectrum hits = stresses(what, chosen);
+  for (const powder::Stress& s : hits.stresses)
+    nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
   constexpr double large = 0.25;
   if (std::holds_alternative<powder::Barrios>(what.capture->model) && size > large * nip)
     list.push_back(fmt::format(
