@@ -43,6 +43,10 @@ class GrindingCheck {
             "write size = \"1 mm\" or so in [powder], or a distribution");
     else
       feed();
+    if (c_.powder->grain_size)
+      fault("powder.as", "powder that takes part as grains cannot be caught by [capture] as well",
+            "leave out `as`: collisions of the balls then tell what is caught",
+            "grains-and-capture");
     const auto* barrios = std::get_if<powder::Barrios>(&c_.capture->model);
     const bool known =
         c_.grinding && std::holds_alternative<powder::Tavares>(c_.grinding->breakage);

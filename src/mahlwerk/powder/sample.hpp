@@ -51,7 +51,7 @@ class Sample {
   std::vector<double> sizes() const;  ///< [m] of all grains, in no order
 
  private:
-  static constexpr int most_groups = 32;
+  static constexpr int most_groups = 64;
   struct One {
     double size = 0;
     float strength = 1;   // over the median, of models that remember

@@ -45,7 +45,9 @@ void add_stresses(const Case& what, const Replicate& r, int pair, double share,
 std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Replicate*>& of) {
   std::vector<powder::Nip> mean;
   for (const Replicate* r : of) {
-    const std::vector<powder::Nip> own = nips(what, r->tally);
+    const std::vector<powder::Nip> own = r->ground && !r->ground->stresses.nips.empty()
+                                             ? r->ground->stresses.nips
+                                             : nips(what, r->tally);
     if (mean.empty()) mean.resize(own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
       mean[i].radius += own[i].radius / static_cast<double>(of.size());

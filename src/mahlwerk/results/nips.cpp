@@ -29,42 +29,61 @@ struct WallBit {
   }
 };
 
+/// The bit of wall nearest to `near`.
 template <class Shape>
-WallBit wall_bit(const Shape& shape, const Vec3& at, double area, const observe::WallGrid& grid) {
+WallBit wall_bit(const Shape& shape, const Vec3& near, double area, const observe::WallGrid& grid) {
   WallBit bit;
-  double nearest = std::numeric_limits<double>::infinity();
+  geometry::Gap gap{.distance = std::numeric_limits<double>::infinity(), .inward = {}};
   for (int face = 0; face < shape.faces; ++face)
-    if (const double far = std::abs(shape.gap(face, at).distance); far < nearest) {
-      nearest = far;
+    if (const geometry::Gap one = shape.gap(face, near);
+        std::abs(one.distance) < std::abs(gap.distance)) {
+      gap = one;
       bit.face = face;
     }
-  const Vec3 inward = shape.gap(bit.face, at).inward;
-  const Vec3 away = std::abs(inward.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 t = cross(inward, away) / norm(cross(inward, away)), u = cross(inward, t);
+  const Vec3 at = near - gap.inward * gap.distance;
+  const Vec3 away = std::abs(gap.inward.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  const Vec3 across = cross(gap.inward, away);
+  const Vec3 t = across / norm(across), u = cross(gap.inward, t);
   const auto bends = [&](const Vec3& along, const Vec3& of) {
     return -dot(of, shape.normal_rate(bit.face, at, along));
   };
   bit.area = area;
-  bit.cell = observe::cell_of(grid, at, -inward.z);
+  bit.cell = observe::cell_of(grid, at, -gap.inward.z);
   bit.one = bends(t, t);
   bit.both = bends(t, u);
   bit.other = bends(u, u);
   return bit;
 }
 
+/// Calls `visit(middle, area)` for pieces of a triangle that are no larger than `most` [m2].
+template <class Visit>
+void in_pieces(const Vec3& a, const Vec3& b, const Vec3& c, double most, const Visit& visit) {
+  const double area = 0.5 * norm(cross(b - a, c - a));
+  if (!(area > most)) return visit((a + b + c) / 3, area);
+  const double ab = norm(b - a), bc = norm(c - b), ca = norm(a - c);
+  // Halved at its longest side, which comes first.
+  if (bc > ab && bc >= ca) return in_pieces(b, c, a, most, visit);
+  if (ca > ab) return in_pieces(c, a, b, most, visit);
+  in_pieces(a, (a + b) / 2, c, most, visit);
+  in_pieces((a + b) / 2, b, c, most, visit);
+}
+
+/// The wall in some thousand bits, as fine as the cells of its map.
 std::vector<WallBit> wall_bits(const geometry::AnyShape& shape, const observe::WallGrid& grid) {
   constexpr std::uint32_t facets = 32;
+  constexpr double pieces = 4000;
+  const double most = wall_area(shape) / pieces;
   std::vector<WallBit> bits;
+  const auto add = [&](const Vec3& middle, double area) {
+    std::visit(
+        [&](const auto& s) {
+          if (s.faces > 0) bits.push_back(wall_bit(s, middle, area, grid));
+        },
+        shape);
+  };
   for (const JarMesh& mesh : jar_surface(shape, facets))
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
-      const double area = 0.5 * norm(cross(q - p, r - p));
-      std::visit(
-          [&](const auto& s) {
-            if (s.faces > 0) bits.push_back(wall_bit(s, (p + q + r) / 3, area, grid));
-          },
-          shape);
-    }
+    for (const auto& [a, b, c] : mesh.triangles)
+      in_pieces(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], most, add);
   return bits;
 }
 

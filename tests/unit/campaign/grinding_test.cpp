@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// From the collisions of a run to the sizes of its powder.
+#include "mahlwerk/results/grinding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "observed.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using results::Outcome;
+using tests::states;
+
+/// Five balls that are shaken, with a gram of grains that halve.
+cases::Case grinding_case(const std::string& engine = "event") {
+  cases::Case c = shaken(engine, 5);
+  c.run.time = 1;
+  c.run.replicates = 6;
+  c.powder = cases::Powder{.material = "", .mass = 1e-3, .size = 0.3e-3, .density = 2650};
+  c.powder->feed = {powder::Feed::Law::lognormal, 0.3e-3, 1.3};
+  c.capture = cases::Capture{.model = powder::Barrios{50}};
+  c.grinding = cases::Grinding{.breakage = powder::VogelPeukert{20, 1e-4},
+                               .fragments = powder::AustinFragments{0.4, 0.8, 3},
+                               .method = cases::Grinding::Method::both,
+                               .time = 600,
+                               .smallest = 1e-6,
+                               .sample = 5000};
+  c.kinetics = cases::Kinetics{.conversion = {2e3, 1, 0}, .time = 600, .property = ""};
+  return c;
+}
+
+double named(const Outcome& outcome, std::string_view name) {
+  for (const results::Quantity& q : results::summarise(outcome))
+    if (q.name == name) return q.value;
+  ADD_FAILURE() << "no quantity " << name;
+  return 0;
+}
+
+double column_sum(const results::Table& table, std::string_view name, std::string_view times = "") {
+  const auto place = [&](std::string_view which) {
+    std::size_t i = 0;
+    while (table.columns.at(i).name != which) ++i;
+    return i;
+  };
+  double sum = 0;
+  for (const auto& row : table.rows)
+    sum += row[place(name)] * (times.empty() ? 1 : row[place(times)]);
+  return sum;
+}
+
+class Ground : public ::testing::Test {
+ protected:
+  static const Outcome& outcome() {
+    static const Outcome made = run(grinding_case());
+    return made;
+  }
+};
+
+TEST_F(Ground, StressesAreTheCollisionsOfTheRun) {
+  const auto chosen = results::averaged(outcome());
+  const powder::StressSpectrum all = results::stresses(outcome().what, chosen);
+  double rate = 0, power = 0, expected_rate = 0, expected_power = 0;
+  for (const powder::Stress& s : all.stresses) rate += s.rate, power += s.rate * s.energy;
+  for (const auto* r : chosen) {
+    expected_rate += static_cast<double>(r->tally.all.count) / r->time() / 6;
+    expected_power += r->tally.all.energy_normal / r->time() / 6;
+  }
+  // Collisions below 2^-80 J press nothing; there are none.
+  states("collisions per second", rate, expected_rate, 1e-12 * expected_rate, "the tally's count");
+  states("power [W]", power, expected_power, 1e-12 * expected_power, "the tally's sum of energies");
+}
+
+TEST_F(Ground, TableOfTheCatchAddsUpToTheSummary) {
+  const results::Table table = results::capture(outcome());
+  const double rate = named(outcome(), "captured_mass_rate");
+  // The table takes bins of all replicates together, the summary each alone: a catch is not linear
+  // in the energy within a bin a quarter of an octave wide.
+  states("mass per second", column_sum(table, "rate", "mass"), rate, 1e-3 * rate, "the same catch");
+  states("share hit per second over mass per second",
+         named(outcome(), "captured_share_rate") / rate, 1e3, 1e-9, "a gram");
+}
+
+TEST_F(Ground, SampleOfTheStreamAgreesWithTheBalanceOfItsSpectrum) {
+  const results::Table table = results::grinding(outcome());
+  const auto chosen = results::averaged(outcome());
+  for (const double share : {0.1, 0.5, 0.9}) {
+    std::vector<double> apart;
+    for (const auto* r : chosen) {
+      const auto size = [&](const powder::Milling& m) {
+        return powder::quantile(m.grid, m.shares.back(), share);
+      };
+      apart.push_back(std::log(size(*r->ground->sample) / size(*r->ground->balance)));
+    }
+    const observe::Estimate e = observe::estimate(apart);
+    // Standard errors, and what halving the width of classes changes in the balance.
+    cases::Case finer = outcome().what;
+    finer.grinding->classes_per_octave = 12;
+    const auto spectrum = results::stresses(finer, {chosen.front()});
+    const powder::Milling twelve = results::milled(finer, spectrum);
+    const powder::Milling& six = *chosen.front()->ground->balance;
+    const double classes =
+        std::abs(std::log(powder::quantile(twelve.grid, twelve.shares.back(), share) /
+                          powder::quantile(six.grid, six.shares.back(), share)));
+    const double error = e.ci95 / 2.5706;  // Student's t of five degrees of freedom
+    states("ln of sample over balance, D" + std::to_string(static_cast<int>(100 * share)), e.mean,
+           0, 3 * error + 4.0 / 3 * classes, "three standard errors, and the error of classes");
+  }
+}
+
+TEST_F(Ground, MassIsKeptAndSizesFallWithTime) {
+  for (const auto& r : outcome().replicates)
+    for (const auto* m : {&*r.ground->balance, &*r.ground->sample}) {
+      double last = 1;
+      for (const auto& shares : m->shares) {
+        EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
+        const double now = powder::quantile(m->grid, shares, 0.9);
+        EXPECT_LE(now, last * (1 + 1e-12));
+        last = now;
+      }
+    }
+}
+
+TEST_F(Ground, ConversionIsThatOfTheDissipatedDose) {
+  const double dose = named(outcome(), "dissipated_power") / 1e-3 * 600;  // [J/kg]
+  states("dose [J/g]", named(outcome(), "milling_dose"), dose / 1000, 1e-9 * dose, "P t/m");
+  double expected = 0;
+  for (const auto* r : results::averaged(outcome()))
+    expected += -std::expm1(-results::dissipated_power(*r) / 1e-3 * 600 / 2e3) / 6;
+  states("conversion", named(outcome(), "conversion"), expected, 1e-12, "1 - exp(-D/D_0)");
+}
+
+TEST(GroundAnew, SameCaseGivesTheSameSampleOnAnyNumberOfThreads) {
+  cases::Case what = grinding_case();
+  what.run.replicates = 2;
+  Options one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const Outcome a = run(what, one), b = run(what, two);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(a.replicates[i].ground->sample->shares, b.replicates[i].ground->sample->shares);
+}
+
+TEST(GroundAnew, RunThatWasSavedAndGoneOnWithGrindsTheSame) {
+  cases::Case what = grinding_case();
+  Replica whole(what, 0), first(what, 0);
+  while (!whole.done()) whole.go_on();
+  for (int i = 0; i < 5; ++i) first.go_on();
+  Archive out;
+  first.carry(out);
+  Archive in(out.bytes());
+  Replica second(what, 0);
+  second.carry(in);
+  while (!second.done()) second.go_on();
+  EXPECT_EQ(whole.result().ground->sample->shares, second.result().ground->sample->shares);
+  EXPECT_EQ(whole.result().ground->balance->shares, second.result().ground->balance->shares);
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
