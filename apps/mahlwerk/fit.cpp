@@ -83,11 +83,18 @@ std::vector<cases::Case> under_conditions(const FitJob& job, const fs::path& fil
                                           const Overrides& anywhere) {
   std::vector<cases::Case> made;
   std::vector<Fault> wrong;
+  const auto add = [&](const std::vector<Fault>& faults) {  // conditions may share them
+    for (const Fault& fault : faults)
+      if (std::ranges::none_of(wrong, [&](const Fault& other) {
+            return other.where == fault.where && other.what == fault.what;
+          }))
+        wrong.push_back(fault);
+  };
   for (const Overrides& condition : job.data.conditions) try {
       made.push_back(read(file, known, set, anywhere, condition, job.data_file));
-      for (Fault& fault : campaign::run_faults(made.back())) wrong.push_back(std::move(fault));
+      add(campaign::run_faults(made.back()));
     } catch (const InputError& error) {
-      wrong.insert(wrong.end(), error.faults().begin(), error.faults().end());
+      add(error.faults());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   return made;

@@ -55,8 +55,13 @@ std::vector<FreeParameter> free_numbers(const cases::Case& what,
   for (const cases::Adjustable& one : cases::adjustables(what)) {
     const auto range = what.fit.find(one.key);
     if (range == what.fit.end() || std::ranges::find(held, one.key) != held.end()) continue;
-    numbers.push_back(
-        {one.key, parse_in(range->second[0], one.unit), parse_in(range->second[1], one.unit)});
+    const double least = parse_in(range->second[0], one.unit);
+    const double most = parse_in(range->second[1], one.unit);
+    numbers.push_back({.name = one.key,
+                       .least = least,
+                       .most = most,
+                       .ends_least = least == one.range.least,
+                       .ends_most = most == one.range.most});
   }
   return numbers;
 }
@@ -201,7 +206,7 @@ std::vector<double> scatter_of_mills(const std::vector<results::Outcome>& mills,
 
 /// Ends of intervals that are not open move away by what the mills' scatter adds (fit.11).
 void allow_for(double width, const FreeParameter& number, FittedParameter& p) {
-  if (!(width > 0)) return;
+  if (!(width > 0) || !p.determined) return;
   const double place = place_of(number, p.value);
   const double below = place - place_of(number, p.low), above = place_of(number, p.high) - place;
   const double low = place - std::hypot(below, width), high = place + std::hypot(above, width);

@@ -179,17 +179,19 @@ std::string others(const std::vector<std::size_t>& of, std::size_t i,
 }
 
 /// What there is to say of a parameter's interval.
-void remark(FittedParameter& p, double place) {
+void remark(const FreeParameter& range, double place, FittedParameter& p) {
   constexpr double at_end = 1e-6;
   if (p.open_low && p.open_high)
     p.remarks.push_back("any value of its range fits within the scatter of the data");
   else if (p.open_low || p.open_high)
     p.remarks.push_back(
         fmt::format("the data give no {} limit within its range", p.open_low ? "lower" : "upper"));
-  if (place < at_end || place > 1 - at_end)
+  const bool low = place<at_end, high = place> 1 - at_end;
+  if (low || high)
     p.remarks.push_back(
-        fmt::format("the best value lies at the {} end of its range; a wider range may fit better",
-                    place < at_end ? "lower" : "upper"));
+        fmt::format("the best value lies at the {} end of its range{}", low ? "lower" : "upper",
+                    (low ? range.ends_least : range.ends_most) ? ", beyond which it makes no sense"
+                                                               : "; a wider range may fit better"));
 }
 
 FittedParameter fitted(const Found& found, const Search& search,
@@ -215,7 +217,7 @@ FittedParameter fitted(const Found& found, const Search& search,
                                           others(flat, i, parameters)));
   }
   if (!p.remarks.empty()) return p;  // nothing else is to be said of it
-  remark(p, place);
+  remark(range, place, p);
   if (elsewhere) p.remarks.push_back("values far from the best one fit as well");
   return p;
 }

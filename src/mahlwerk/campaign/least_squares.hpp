@@ -15,6 +15,7 @@ struct FreeParameter {
   std::string name;
   double least = 0, most = 1;                  ///< finite, least < most
   std::optional<double> start = std::nullopt;  ///< between them; none: their middle
+  bool ends_least = false, ends_most = false;  ///< nothing lies beyond that it could be
 
   /// It is positive and may be ten times as large as another: searched in the logarithm.
   bool logarithmic() const { return least > 0 && most > 10 * least; }

@@ -46,7 +46,7 @@ std::string FitNumber::value_text() const {
 
 std::string FitNumber::interval_text() const {
   const int digits = digits_for(low, high);
-  if (open_low && open_high) return "not determined";
+  if (!determined) return "not determined";
   if (open_low) return "up to " + show_rounded(high, unit, digits);
   if (open_high) return show_rounded(low, unit, digits) + " or more";
   return show_rounded(low, unit, digits) + " to " + show_rounded(high, unit, digits);

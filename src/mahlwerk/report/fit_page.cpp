@@ -38,7 +38,9 @@ std::string remarks(const FitReport& fit) {
   std::string text;
   for (const FitNumber& n : fit.numbers) {
     std::string words;
-    for (const std::string& remark : n.remarks) words += " " + escaped(remark) + ".";
+    for (const std::string& remark : n.remarks)
+      words += (words.empty() ? " " : "; ") + escaped(remark);
+    if (!words.empty()) words += ".";
     if (!n.determined)
       text += box(
           fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(n.key), words),

@@ -245,6 +245,11 @@ TEST(LeastSquares, ABestValueAtABoundIsTold) {
   const Residuals residuals = decay(decay_data(8, 0.01, 2), 1);
   const Fitted fit = least_squares(residuals, {{"a", 0.1, 100}, {"b", 0.5, 2}}, Scatter::estimated);
   EXPECT_EQ(fit.parameters[1].value, 0.5);
+  EXPECT_TRUE(says(fit.parameters[1].remarks, "a wider range may fit better"));
+  const Fitted hard = least_squares(
+      residuals, {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .ends_least = true}},
+      Scatter::estimated);
+  EXPECT_TRUE(says(hard.parameters[1].remarks, "beyond which it makes no sense"));
   EXPECT_TRUE(says(fit.parameters[1].remarks, "at the lower end of its range"));
   EXPECT_TRUE(fit.parameters[1].open_low);
 }
