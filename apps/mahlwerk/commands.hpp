@@ -19,6 +19,7 @@ namespace mahlwerk::app {
 /// What the command line said.
 struct Request {
   std::string target;  ///< case, room or name
+  std::string data;    ///< the table of measurements, of fit
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
@@ -39,13 +40,14 @@ enum Exit : int {
 
 int run(const Request& request);
 int compare(const Request& request);
+int fit(const Request& request);
 int check(const Request& request);
 int list(const Request& request);
 int describe(const Request& request);
 int completion(const Request& request);
 
 /// Which options a command takes.
-enum class Takes { case_file, run, compare, room, name, shell };
+enum class Takes { case_file, run, compare, fit, room, name, shell };
 
 struct Command {
   std::string_view name, about;
@@ -57,6 +59,8 @@ inline constexpr std::array commands{
     Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
     Command{"compare", "run a case by both engines and show the results side by side",
             Takes::compare, compare},
+    Command{"fit", "find numbers of a case from what was measured of the powder, with intervals",
+            Takes::fit, fit},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},
     Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room,

@@ -19,11 +19,11 @@ _mahlwerk() {
   local cur=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words=''
   if [[ $COMP_CWORD -eq 1 ]]; then
     words='@WORDS@test bench --help --version'
-  elif [[ ($command == run || $command == compare) && $cur == -* ]]; then
+  elif [[ ($command == run || $command == compare || $command == fit) && $cur == -* ]]; then
     words='--set --seed --out --force --threads --quiet --json --help'
   elif [[ $command == check && $cur == -* ]]; then
     words='--set --seed --json --help'
-  elif [[ $command == run || $command == compare || $command == check ]]; then
+  elif [[ $command == run || $command == compare || $command == fit || $command == check ]]; then
     COMPREPLY=($(compgen -f -- "$cur"))
     return
   elif [[ $command == list ]]; then

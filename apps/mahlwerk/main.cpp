@@ -24,10 +24,13 @@ cases::Override override_of(const std::string& text) {
 void add_case_options(CLI::App& sub, const Command& command, Request& request,
                       std::vector<std::string>& set) {
   sub.add_option("CASE", request.target,
-                 command.takes == Takes::compare
+                 command.takes == Takes::compare || command.takes == Takes::fit
                      ? "a case file, or a folder with one case"
                      : "a case file, or a folder with a case.toml or several cases")
       ->required();
+  if (command.takes == Takes::fit)
+    sub.add_option("DATA", request.data, "a table of measurements: CSV, see docs/formats.md")
+        ->required();
   sub.add_option("--set", set, "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -38,7 +41,9 @@ void add_run_options(CLI::App& sub, const Command& command, Request& request) {
   sub.add_option(
       "--out", request.out,
       fmt::format("folder for the results (default: results/ and the name of the case{})",
-                  command.takes == Takes::compare ? ", with -compare" : ""));
+                  command.takes == Takes::compare ? ", with -compare"
+                  : command.takes == Takes::fit   ? ", with -fit"
+                                                  : ""));
   sub.add_flag("--force", request.force, "replace results that are there");
   sub.add_option("--threads", request.threads,
                  "how many replicates run at a time (default: all cores)")
@@ -62,7 +67,8 @@ void add_checkpoint_options(CLI::App& sub, Request& request) {
 
 void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
-  const bool runs = command.takes == Takes::run || command.takes == Takes::compare;
+  const bool runs =
+      command.takes == Takes::run || command.takes == Takes::compare || command.takes == Takes::fit;
   if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
   if (runs) add_run_options(sub, command, request);
   if (command.takes == Takes::run) add_checkpoint_options(sub, request);

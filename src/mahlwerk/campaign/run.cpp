@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <exception>
 #include <mutex>
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/engine_choice.hpp"
+#include "mahlwerk/campaign/parallel.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
@@ -28,29 +28,6 @@ struct Job {
   std::size_t point;
   int replicate;
 };
-
-/// Does `work(i)` for every i below `count`; the first failure ends it and is thrown again here.
-template <class Work>
-void in_parallel(int threads, std::size_t count, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failed;
-  const auto worker = [&] {
-    for (std::size_t i = next++; i < count; i = next++) try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(failed);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-  };
-  {
-    std::vector<std::jthread> team;
-    for (int i = 1; i < std::min(threads, static_cast<int>(count)); ++i) team.emplace_back(worker);
-    worker();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 /// Progress of all replicates together, told at most ten times a second.
 class Teller {

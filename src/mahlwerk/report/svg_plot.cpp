@@ -111,12 +111,13 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
       left_, top_, right_ - left_, bottom_ - top_);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
-    const std::string_view colour = colours[i % colours.size()];
+    const std::size_t number = s.colour.value_or(i);
+    const std::string_view colour = colours[number % colours.size()];
     if (s.mark == Mark::steps) {
       steps(s, colour, i == 0);
     } else {
-      line(s, colour, dashes[i / colours.size() % dashes.size()]);
-      if (s.mark == Mark::points) points(s, colour);
+      if (s.mark != Mark::dots) line(s, colour, dashes[number / colours.size() % dashes.size()]);
+      if (s.mark != Mark::line) points(s, colour);
     }
   }
   text_ += "</svg>\n</svg>\n";
@@ -132,8 +133,9 @@ void Canvas::measure() {
       y_.hold(s.y[i] + error);
     }
   }
-  const bool points = std::any_of(plot_.series.begin(), plot_.series.end(),
-                                  [](const Series& s) { return s.mark == Mark::points; });
+  const bool points = std::any_of(plot_.series.begin(), plot_.series.end(), [](const Series& s) {
+    return s.mark == Mark::points || s.mark == Mark::dots;
+  });
   x_.settle(plot_.x, points);
   y_.settle(plot_.y, true);
   std::size_t widest = 0;
@@ -197,11 +199,17 @@ void Canvas::grid() {
 void Canvas::legend() {
   for (const Entry& entry : entries_) {
     const Series& s = plot_.series[entry.series];
-    text_ += fmt::format(
-        "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
-        "stroke-dasharray=\"{}\"/>\n",
-        entry.x, entry.y - 4, colours[entry.series % colours.size()], s.mark == Mark::steps ? 3 : 2,
-        dashes[entry.series / colours.size() % dashes.size()]);
+    const std::size_t number = s.colour.value_or(entry.series);
+    const std::string_view colour = colours[number % colours.size()];
+    if (s.mark == Mark::dots)
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n",
+                           entry.x + 9, entry.y - 4, colour);
+    else
+      text_ += fmt::format(
+          "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
+          "stroke-dasharray=\"{}\"/>\n",
+          entry.x, entry.y - 4, colour, s.mark == Mark::steps ? 3 : 2,
+          dashes[number / colours.size() % dashes.size()]);
     words(entry.x + 24, entry.y, "start", s.name);
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,17 @@ namespace mahlwerk::report {
 enum class Mark {
   line,    ///< points joined
   points,  ///< dots with error bars, joined by a thin line
+  dots,    ///< the same, not joined
   steps    ///< a histogram: x holds the edges, one more than y
 };
 
 struct Series {
   std::string name;  ///< in the legend; empty: none
-  std::vector<double> x, y;
-  std::vector<double> error;  ///< half-widths of y, or empty
+  std::vector<double> x = {}, y = {};
+  std::vector<double> error = {};  ///< half-widths of y, or empty
   Mark mark = Mark::line;
+  /// Which of the colours, from 0; none: that of its place among the series.
+  std::optional<std::size_t> colour = std::nullopt;
 };
 
 struct Axis {

@@ -36,6 +36,11 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("fields.csv"),
                                std::string_view("wear.csv"),
                                std::string_view("temperature.csv"),
+                               std::string_view("capture.csv"),
+                               std::string_view("captured_grains.csv"),
+                               std::string_view("grinding.csv"),
+                               std::string_view("size_distribution.csv"),
+                               std::string_view("conversion.csv"),
                                std::string_view("sizes.csv"),
                                std::string_view("speeds.csv"),
                                std::string_view("angles.csv"),
@@ -47,6 +52,10 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("campaign.html"),
                                std::string_view("compare.csv"),
                                std::string_view("compare.html"),
+                               std::string_view("fit.json"),
+                               std::string_view("fit.csv"),
+                               std::string_view("fit.html"),
+                               std::string_view("fitted.toml"),
                                std::string_view("jar.stl"),
                                std::string_view("motion.csv")};
 
@@ -90,12 +99,13 @@ std::string beginning(const fs::path& file) {
   return text;
 }
 
-/// Ours is a folder with a summary, or a table of a campaign or a comparison, that begins as we
-/// write it.
+/// Ours is a folder with a summary, or a table of a campaign, a comparison or a fit, that begins
+/// as we write it.
 bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
-         beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft");
+         beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||
+         beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m");
 }
 
 /// Names inside a folder that no result of ours has.

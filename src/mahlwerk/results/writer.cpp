@@ -77,6 +77,22 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
 
 }  // namespace
 
+std::string write_case(const Folder& folder, cases::Case what, std::string_view name) {
+  const std::string below(name.substr(0, name.find_last_of('/') + 1));
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&what.mill.motion)) {
+    folder.write(below + std::string(motion_file), csv(samples(*measured)));
+    what.mill.motion_file = motion_file;
+  }
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&what.jar.shape)) {
+    folder.write(below + std::string(jar_file),
+                 cases::stl_text(mesh->surface()));  // in m, as moved
+    what.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
+  }
+  std::string text = cases::write(what);
+  folder.write(name, text);
+  return text;
+}
+
 void write(const Folder& folder, const Outcome& outcome, std::string_view version,
            std::string_view below) {
   const auto put = [&](std::string_view name, const std::string& text) {
@@ -84,15 +100,8 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   };
   const std::vector<NamedTable> all = tables(outcome);
   for (const NamedTable& t : all) put(t.name + ".csv", csv(t.table));
-  cases::Case resolved = outcome.what;
-  if (std::holds_alternative<kinematics::Tabulated>(resolved.mill.motion))
-    resolved.mill.motion_file = motion_file;
-  if (const auto* mesh = std::get_if<geometry::Mesh>(&resolved.jar.shape)) {
-    put(jar_file, cases::stl_text(mesh->surface()));  // in m, as it was moved
-    resolved.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
-  }
-  const std::string case_text = cases::write(resolved);
-  put("case.resolved.toml", case_text);
+  const std::string case_text =
+      write_case(folder, outcome.what, std::string(below) + "case.resolved.toml");
   const std::vector<Quantity> quantities = summarise(outcome);
   write_result_file(folder.file(std::string(below) + "result.h5"), all, {}, quantities, case_text,
                     version);

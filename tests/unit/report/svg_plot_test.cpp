@@ -40,7 +40,7 @@ TEST(Ticks, AreAFewWhateverTheRange) {
 /// Strange data must not put "nan" or "inf" into a path.
 TEST(Svg, SurvivesStrangeData) {
   for (const bool logarithmic : {false, true})
-    for (const Mark mark : {Mark::line, Mark::points, Mark::steps})
+    for (const Mark mark : {Mark::line, Mark::points, Mark::dots, Mark::steps})
       for (const std::vector<double>& y : std::vector<std::vector<double>>{{},
                                                                            {0, 0, 0},
                                                                            {5},
@@ -74,6 +74,24 @@ TEST(Svg, SeriesAreToldApart) {
   const std::string text = svg(plot);
   for (const char* colour : {"#0072B2", "#D55E00", "#009E73"})
     EXPECT_NE(text.find(colour), std::string::npos);
+}
+
+TEST(Svg, DotsAreNotJoinedAndMayShareTheColourOfALine) {
+  Plot plot{"",
+            {"x"},
+            {"y"},
+            {{"model", {0, 5, 10}, {0, 5, 10}, {}, Mark::line},
+             {"", {0, 5, 10}, {1, 5, 9}, {1, 1, 1}, Mark::dots, 0}}};
+  const std::string text = svg(plot);
+  EXPECT_EQ(text.find("#D55E00"), std::string::npos) << "the second colour";
+  std::size_t circles = 0, joined = 0;
+  for (auto at = text.find("<circle"); at != std::string::npos; at = text.find("<circle", at + 1))
+    ++circles;
+  for (auto at = text.find("stroke-linejoin"); at != std::string::npos;
+       at = text.find("stroke-linejoin", at + 1))
+    ++joined;
+  EXPECT_EQ(circles, 3U);
+  EXPECT_EQ(joined, 1U);
 }
 
 }  // namespace

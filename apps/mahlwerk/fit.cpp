@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// fit: numbers of a case, found from what was measured of the powder.
+#include "mahlwerk/campaign/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "fit_report.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/writer.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Overrides = std::vector<cases::Override>;
+
+InputError one_case(const std::string& where, std::string what, std::string remedy) {
+  return InputError(Fault{where, std::move(what), std::move(remedy), "fit-one-case"});
+}
+
+/// The one case file that is meant.
+fs::path case_file(const std::string& target) {
+  const std::vector<fs::path> files = case_files(target);
+  if (files.size() == 1) return files.front();
+  throw one_case(target, fmt::format("the folder holds {} cases, fit takes one", files.size()),
+                 "name one of its files");
+}
+
+/// What [fit] leaves open, but for what the command line gives.
+std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
+                                   Overrides& anywhere) {
+  std::vector<std::string> held;
+  for (const auto& [key, range] : cases::fit_ranges(file))
+    if (std::ranges::find(set, key, &cases::Override::key) != set.end())
+      held.push_back(key);
+    else
+      anywhere.push_back({key, range[1]});  // so that the case can be read
+  return held;
+}
+
+/// Faults of a value that stands in for one to be found are told of [fit], too; those of a
+/// condition are the table's.
+std::vector<Fault> told_by(std::vector<Fault> faults, const Overrides& anywhere,
+                           const Overrides& condition, const std::string& data_file) {
+  const auto of = [](const Fault& fault, const Overrides& set) {
+    return std::ranges::any_of(
+        set, [&](const cases::Override& o) { return fault.where == "--set " + o.key; });
+  };
+  for (Fault& fault : faults)
+    if (of(fault, condition))
+      fault.where = fmt::format("{}, column {}", data_file, fault.where.substr(6));
+  std::vector<Fault> left = faults;
+  std::erase_if(left, [&](const Fault& fault) { return of(fault, anywhere); });
+  return left.empty() ? faults : left;
+}
+
+cases::Case read(const fs::path& file, const cases::Catalogue& known, const Overrides& set,
+                 const Overrides& anywhere, const Overrides& condition,
+                 const std::string& data_file) {
+  Overrides all = set;
+  all.insert(all.end(), anywhere.begin(), anywhere.end());
+  all.insert(all.end(), condition.begin(), condition.end());
+  try {
+    return cases::read(file, known, all);
+  } catch (const InputError& error) {
+    throw InputError(told_by(error.faults(), anywhere, condition, data_file));
+  }
+}
+
+/// The case under each condition; each asks for no more than its engine can do.
+std::vector<cases::Case> under_conditions(const FitJob& job, const fs::path& file,
+                                          const cases::Catalogue& known, const Overrides& set,
+                                          const Overrides& anywhere) {
+  std::vector<cases::Case> made;
+  std::vector<Fault> wrong;
+  const auto add = [&](const std::vector<Fault>& faults) {  // conditions may share them
+    for (const Fault& fault : faults)
+      if (std::ranges::none_of(wrong, [&](const Fault& other) {
+            return other.where == fault.where && other.what == fault.what;
+          }))
+        wrong.push_back(fault);
+  };
+  for (const Overrides& condition : job.data.conditions) try {
+      made.push_back(read(file, known, set, anywhere, condition, job.data_file));
+      add(campaign::run_faults(made.back()));
+    } catch (const InputError& error) {
+      add(error.faults());
+    }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+FitJob prepare(const Request& request, const fs::path& file) {
+  const cases::Catalogue known = catalogue();
+  const Overrides set = overrides(request);
+  Overrides anywhere;
+  const std::vector<std::string> held = open_keys(file, set, anywhere);
+  FitJob job;
+  job.base = read(file, known, set, anywhere, {}, request.data);
+  job.data_file = request.data;
+  job.data = campaign::read_measurements(request.data);
+  if (!job.base.sweep.empty())
+    throw one_case(job.base.file, "the case has a [sweep], fit takes a single case",
+                   "take the section [sweep] away; columns of the data may change the case");
+  job.numbers = campaign::free_numbers(job.base, held);
+  if (auto wrong = campaign::fit_faults(job.base, job.data, job.numbers, job.data_file);
+      !wrong.empty())
+    throw InputError(std::move(wrong));
+  job.mills = under_conditions(job, file, known, set, anywhere);
+  campaign::fill_times(job.data, job.mills);
+  for (std::size_t i = 0; i < job.mills.size(); ++i)
+    job.mills[i] = campaign::for_fit(std::move(job.mills[i]), i, job.data, job.numbers);
+  return job;
+}
+
+/// Each mill, once; what it writes besides is not wanted.
+std::vector<results::Outcome> run_mills(const Request& request, const FitJob& job,
+                                        const results::Folder& folder) {
+  Streams streams;
+  for (const cases::Case& mill : job.mills) streams.add(mill, folder, "");
+  return compute(request, job.mills, streams, nullptr);
+}
+
+void write(results::Folder& folder, const FitJob& job, const report::FitReport& found) {
+  folder.write("fit.json", fit_json(found, version()));
+  folder.write("fit.csv", report::fit_csv(found));
+  folder.write("fit.html", report::fit_page(found, version()));
+  results::write_case(folder, fitted_case(job, found), "fitted.toml");
+  folder.commit();
+}
+
+void tell(const report::FitReport& found, const fs::path& place) {
+  fmt::print("{}\n\n{}\n", found.title, report::fit_table(found));
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "fit.html").string());
+  fmt::print("numbers:  {}\n", (place / "fit.json").string());
+  fmt::print("case:     {}\n", (place / "fitted.toml").string());
+}
+
+/// A fit needs all of its mills, to their ends.
+int cut_short(const std::vector<results::Outcome>& mills) {
+  if (std::ranges::all_of(mills, results::complete)) return fine;
+  for (const results::Outcome& mill : mills)
+    for (const results::Replicate& r : mill.replicates)
+      if (!r.stopped.empty()) {
+        fmt::print(stderr, "stopped: {}\nNothing was fitted.\n", r.stopped);
+        return stopped_by_physics;
+      }
+  fmt::print(stderr, "interrupted: nothing was fitted.\n");
+  return interrupted;
+}
+
+}  // namespace
+
+int fit(const Request& request) {
+  const fs::path file = case_file(request.target);
+  const FitJob job = prepare(request, file);
+  const fs::path usual = default_place(request.target, file, false).string() + "-fit";
+  results::Folder folder(request.out.value_or(usual), request.force);
+
+  catch_ctrl_c();
+  const std::vector<results::Outcome> mills = run_mills(request, job, folder);
+  if (const int code = cut_short(mills); code != fine) return code;
+  try {
+    const campaign::Fit found =
+        campaign::fit(mills, job.data, job.numbers, request.threads, &stop_wanted());
+    const report::FitReport report = fit_report(job, mills, found);
+    write(folder, job, report);
+    if (request.json) fmt::print("{}", fit_json(report, version()));
+    if (!request.json && !request.quiet) tell(report, folder.wanted());
+  } catch (const campaign::Interrupted&) {
+    fmt::print(stderr, "interrupted: nothing was fitted.\n");
+    return interrupted;
+  }
+  return fine;
+}
+
+}  // namespace mahlwerk::app

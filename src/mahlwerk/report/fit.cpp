@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/csv.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// Two numbers that differ keep differing when they are shown.
+int digits_for(double low, double high) {
+  const double apart = std::abs(high - low), size = std::fmax(std::abs(low), std::abs(high));
+  if (!(apart > 0) || !(size > 0)) return 4;
+  return std::clamp(2 + static_cast<int>(std::ceil(std::log10(size / apart))), 3, 8);
+}
+
+/// Columns under each other, the last as long as it is.
+std::string aligned(const std::vector<std::array<std::string, 4>>& lines) {
+  std::array<std::size_t, 4> widths{};
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string FitNumber::value_text() const {
+  return show_rounded(value, unit, digits_for(low, high));
+}
+
+std::string FitNumber::interval_text() const {
+  const int digits = digits_for(low, high);
+  if (!determined) return "not determined";
+  if (open_low) return "up to " + show_rounded(high, unit, digits);
+  if (open_high) return show_rounded(low, unit, digits) + " or more";
+  return show_rounded(low, unit, digits) + " to " + show_rounded(high, unit, digits);
+}
+
+bool FitReport::all_determined() const {
+  return std::ranges::all_of(numbers, &FitNumber::determined);
+}
+
+std::string how_to_read(const FitReport& fit) {
+  const char* residuals =
+      fit.errors_known
+          ? "Residuals are in units of the measurement errors; a good fit has a scatter of about 1."
+          : "No measurement errors are given: the data tell by themselves how they scatter. "
+            "Residuals of sizes and surfaces are relative, those of shares are differences.";
+  return fmt::format(
+      "How to read it: the interval of a number holds all values with which the data can live, the "
+      "other numbers chosen anew; in 95 of 100 such data sets it holds the truth, if the model "
+      "does. {} A number that is not determined is no result, whatever its value.",
+      residuals);
+}
+
+std::string fit_table(const FitReport& fit) {
+  std::vector<std::array<std::string, 4>> lines{{"number", "value", "95 % interval", ""}};
+  for (const FitNumber& n : fit.numbers)
+    lines.push_back(
+        {n.key, n.value_text(), n.interval_text(), n.determined ? "" : "NOT DETERMINED"});
+  std::string text = aligned(lines) + '\n';
+  for (const FitNumber& n : fit.numbers)
+    for (const std::string& remark : n.remarks) text += fmt::format("{}: {}.\n", n.key, remark);
+  for (const std::string& remark : fit.remarks) text += remark + ".\n";
+  text += fmt::format("{} values under {} condition{}, {} degree{} of freedom", fit.points.size(),
+                      fit.conditions.size(), fit.conditions.size() == 1 ? "" : "s", fit.freedom,
+                      fit.freedom == 1 ? "" : "s");
+  if (std::isfinite(fit.scatter))
+    text += fit.errors_known ? fmt::format(", scatter {:.3g} errors", fit.scatter)
+                             : fmt::format(", scatter {:.3g} %", 100 * fit.scatter);
+  return text + ".\n\n" + how_to_read(fit) + "\n";
+}
+
+std::string fit_csv(const FitReport& fit) {
+  std::string text = results::csv_line({"line", "condition", "what", "unit", "time_s", "size_m",
+                                        "measured", "error", "fitted", "residual"});
+  for (const FitPoint& p : fit.points) {
+    std::vector<std::string> cells{std::to_string(p.line),
+                                   results::csv_cell(std::string_view(fit.conditions[p.condition])),
+                                   results::csv_cell(std::string_view(p.what)),
+                                   results::csv_cell(std::string_view(p.unit)),
+                                   results::csv_cell(p.time),
+                                   p.size > 0 ? results::csv_cell(p.size) : ""};
+    for (const double number : {p.measured, p.error, p.fitted, p.residual})
+      cells.push_back(results::csv_cell(number));
+    text += results::csv_line(cells);
+  }
+  return text;
+}
+
+}  // namespace mahlwerk::report

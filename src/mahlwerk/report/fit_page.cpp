@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A fit as a page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/fit.hpp"
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+std::string number_rows(const FitReport& fit) {
+  std::string rows;
+  for (const FitNumber& n : fit.numbers)
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><code>{}</code><small>{}</small></th><td class=\"n\">{}</td><td "
+        "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} to {}</td></tr>\n",
+        escaped(n.key), escaped(n.about),
+        n.determined ? escaped(n.value_text()) : "<s>" + escaped(n.value_text()) + "</s>",
+        escaped(n.interval_text()),
+        std::isfinite(n.by_mills) ? "± " + escaped(show_rounded(n.by_mills, n.unit, 2)) : "-",
+        escaped(show_rounded(n.least, n.unit)), escaped(show_rounded(n.most, n.unit)));
+  return rows;
+}
+
+std::string box(const std::string& words, bool warns) {
+  return fmt::format("<section class=\"box{}\"><p>{}</p></section>\n", warns ? " warn" : "", words);
+}
+
+std::string remarks(const FitReport& fit) {
+  std::string text;
+  for (const FitNumber& n : fit.numbers) {
+    std::string words;
+    for (const std::string& remark : n.remarks)
+      words += (words.empty() ? " " : "; ") + escaped(remark);
+    if (!words.empty()) words += ".";
+    if (!n.determined)
+      text += box(
+          fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(n.key), words),
+          true);
+    else if (!words.empty())
+      text += box(fmt::format("<code>{}</code>:{}", escaped(n.key), words), false);
+  }
+  for (const std::string& remark : fit.remarks) text += box(escaped(remark) + ".", true);
+  return text;
+}
+
+/// What is drawn together: all of one kind, and how its axes are called.
+struct Drawn {
+  std::string what;
+  bool over_size = false, over_time = false;
+};
+
+std::vector<Drawn> drawn(const FitReport& fit) {
+  std::vector<Drawn> all;
+  for (const FitPoint& p : fit.points) {
+    if (std::ranges::find(all, p.what, &Drawn::what) != all.end()) continue;
+    Drawn d{p.what, p.what == "passing", false};
+    for (const FitPoint& other : fit.points)
+      d.over_time = d.over_time || (other.what == p.what && other.time != p.time);
+    all.push_back(d);
+  }
+  return all;
+}
+
+std::string name_of(const FitReport& fit, std::size_t condition) {
+  const std::string& name = fit.conditions[condition];
+  return name.empty() ? "the case" : name;
+}
+
+/// The largest number of a series decides the multiple of its unit.
+Multiple multiple_of(const FitReport& fit, const std::string& what, bool of_size) {
+  double most = 0;
+  std::string unit;
+  for (const FitPoint& p : fit.points)
+    if (p.what == what) {
+      most = std::fmax(most, of_size ? p.size : std::fmax(p.measured, p.fitted));
+      unit = of_size ? "m" : p.unit;
+    }
+  return multiple(most, unit);
+}
+
+/// Seconds where milling is short, else minutes or hours.
+Multiple of_times(const FitReport& fit) {
+  double most = 0;
+  for (const FitPoint& p : fit.points) most = std::fmax(most, p.time);
+  if (most > 4 * 3600) return {3600, "h"};
+  return most > 300 ? Multiple{60, "min"} : Multiple{1, "s"};
+}
+
+std::string axis_of(const std::string& what, const Multiple& m) {
+  return m.unit.empty() ? what : fmt::format("{} ({})", what, m.unit);
+}
+
+/// Dots where it was measured, lines as the models say; a colour for each condition, and of
+/// distributions for each time.
+Plot curves(const FitReport& fit, const Drawn& d) {
+  const Multiple across = d.over_size ? multiple_of(fit, d.what, true) : of_times(fit);
+  const Multiple up = multiple_of(fit, d.what, false);
+  std::map<std::pair<std::size_t, double>, std::size_t> colours;
+  Plot plot{.title = fmt::format("{}: measured and fitted", d.what),
+            .x = {axis_of(d.over_size ? "size" : "time of milling", across), d.over_size},
+            .y = {axis_of(d.what, up)},
+            .series = {}};
+  const auto colour = [&](std::size_t condition, double time) {
+    return colours.try_emplace({condition, d.over_size ? time : 0}, colours.size()).first->second;
+  };
+  for (const FitCurve& c : fit.curves) {
+    if (c.what != d.what) continue;
+    Series line{.name = name_of(fit, c.condition), .colour = colour(c.condition, c.time)};
+    if (d.over_size) line.name += ", " + show_rounded(c.time, "s", 3);
+    for (std::size_t i = 0; i < c.x.size(); ++i) {
+      line.x.push_back(c.x[i] / across.factor);
+      line.y.push_back(c.y[i] / up.factor);
+    }
+    plot.series.push_back(std::move(line));
+  }
+  for (const FitPoint& p : fit.points)
+    if (p.what == d.what)
+      plot.series.push_back({.name = "",
+                             .x = {(d.over_size ? p.size : p.time) / across.factor},
+                             .y = {p.measured / up.factor},
+                             .error = {1.96 * p.error / up.factor},
+                             .mark = Mark::dots,
+                             .colour = colour(p.condition, p.time)});
+  return plot;
+}
+
+/// Measured beside fitted, one condition after the other, where nothing is told over time.
+Plot beside(const FitReport& fit, const Drawn& d) {
+  const Multiple up = multiple_of(fit, d.what, false);
+  Series measured{.name = "measured", .mark = Mark::dots}, fitted{.name = "fitted"};
+  fitted.mark = Mark::points;
+  for (const FitPoint& p : fit.points) {
+    if (p.what != d.what) continue;
+    const auto x = static_cast<double>(p.condition + 1);
+    measured.x.push_back(x);
+    measured.y.push_back(p.measured / up.factor);
+    measured.error.push_back(1.96 * p.error / up.factor);
+    fitted.x.push_back(x);
+    fitted.y.push_back(p.fitted / up.factor);
+  }
+  return {.title = fmt::format("{}: measured and fitted", d.what),
+          .x = {"number of the condition"},
+          .y = {axis_of(d.what, up)},
+          .series = {fitted, measured}};
+}
+
+Plot residuals(const FitReport& fit) {
+  Plot plot{.title = "Residuals",
+            .x = {"line of the table of measurements"},
+            .y = {fit.errors_known ? "residual (measurement errors)" : "residual"},
+            .series = {},
+            .height = 280};
+  for (const Drawn& d : drawn(fit)) {
+    Series series{.name = d.what, .mark = Mark::dots};
+    for (const FitPoint& p : fit.points)
+      if (p.what == d.what) {
+        series.x.push_back(p.line);
+        series.y.push_back(p.residual);
+      }
+    plot.series.push_back(std::move(series));
+  }
+  Series zero{.name = "", .colour = 6};
+  for (const FitPoint& p : fit.points) {
+    zero.x.push_back(p.line);
+    zero.y.push_back(0);
+  }
+  plot.series.push_back(std::move(zero));
+  return plot;
+}
+
+std::string point_rows(const FitReport& fit) {
+  std::string rows;
+  for (const FitPoint& p : fit.points) {
+    const auto text = [&](double value) {
+      return escaped(readable(value, NAN, p.unit.empty() ? "1" : p.unit).text());
+    };
+    rows += fmt::format(
+        "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td>{}{}</td><td "
+        "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2g}</td></tr>\n",
+        p.line, escaped(name_of(fit, p.condition)), escaped(show_rounded(p.time, "s")),
+        escaped(p.what), p.size > 0 ? " " + escaped(show_rounded(p.size, "m")) : "",
+        text(p.measured), text(p.fitted), p.residual);
+  }
+  return rows;
+}
+
+std::string correlation(const FitReport& fit) {
+  if (fit.numbers.size() < 2) return "";
+  std::string head, rows;
+  for (std::size_t i = 0; i < fit.numbers.size(); ++i) {
+    const std::string key = escaped(fit.numbers[i].key);
+    head += fmt::format("<th class=\"n\"><code>{}</code></th>", key);
+    rows += fmt::format("<tr><th scope=\"row\"><code>{}</code></th>", key);
+    for (const double c : fit.correlation[i]) rows += fmt::format("<td class=\"n\">{:.3f}</td>", c);
+    rows += "</tr>\n";
+  }
+  return fmt::format(
+      "<h2>How the numbers hang together</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}"
+      "</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>Correlation: near 1 or -1 the "
+      "data hardly tell one from the other.</small></p>\n",
+      head, rows);
+}
+
+std::string condition_list(const FitReport& fit) {
+  if (fit.conditions.size() < 2) return "";
+  std::string items;
+  for (std::size_t i = 0; i < fit.conditions.size(); ++i)
+    items += fmt::format("<li>{}</li>\n", escaped(name_of(fit, i)));
+  return fmt::format("<h2>Conditions</h2>\n<ol>\n{}</ol>\n", items);
+}
+
+std::string figures(const FitReport& fit) {
+  std::string text;
+  for (const Drawn& d : drawn(fit)) {
+    const bool over = d.over_size || d.over_time || fit.conditions.size() < 2;
+    text += figure(over ? curves(fit, d) : beside(fit, d),
+                   fit.errors_known ? "Bars are 95 % of the measurement errors."
+                                    : "Dots were measured, without errors given.");
+  }
+  return text + figure(residuals(fit),
+                       "What is left: with a model that fits they lie about zero "
+                       "without an order.");
+}
+
+}  // namespace
+
+std::string fit_page(const FitReport& fit, std::string_view version) {
+  std::string body =
+      fmt::format("<p class=\"lead\">{} number{} of {}, found from {} measured values of {}.</p>\n",
+                  fit.numbers.size(), fit.numbers.size() == 1 ? "" : "s", escaped(fit.case_file),
+                  fit.points.size(), escaped(fit.data_file));
+  body += remarks(fit);
+  body += fmt::format(
+      "<h2>What was found</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
+      "class=\"n\">value</th><th class=\"n\">95 % interval</th><th class=\"n\">of that, by the "
+      "mill</th><th class=\"n\">looked "
+      "for</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+      number_rows(fit));
+  body += box(escaped(how_to_read(fit)), false);
+  body += figures(fit);
+  body += correlation(fit) + condition_list(fit);
+  body += fmt::format(
+      "<h2>Measured and fitted</h2>\n<div class=\"wide\"><table>\n<thead><tr><th "
+      "class=\"n\">line</th><th>condition</th><th class=\"n\">time</th><th></th><th "
+      "class=\"n\">measured</th><th class=\"n\">fitted</th><th "
+      "class=\"n\">residual</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+      point_rows(fit));
+  return page(
+      fit.title.empty() ? "A fit" : fit.title, body,
+      fmt::format("Mahlwerk {}. The numbers are in fit.json and fit.csv, the case with what "
+                  "was found in fitted.toml.",
+                  escaped(version)));
+}
+
+}  // namespace mahlwerk::report

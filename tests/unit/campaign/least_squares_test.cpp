@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/least_squares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/random.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using tests::states;
+using tests::stays_below;
+using Values = std::vector<double>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool says(const std::vector<std::string>& remarks, const std::string& words) {
+  for (const std::string& remark : remarks)
+    if (remark.find(words) != std::string::npos) return true;
+  return false;
+}
+
+/// a exp(-b t), measured at t = 0, 1, ...; what was measured is given in units of its error.
+Residuals decay(const Values& measured, double error) {
+  return [=](const Values& p) {
+    Values r;
+    for (std::size_t t = 0; t < measured.size(); ++t)
+      r.push_back((p[0] * std::exp(-p[1] * static_cast<double>(t)) - measured[t]) / error);
+    return r;
+  };
+}
+
+const std::vector<FreeParameter> decay_parameters{{"a", 0.1, 100}, {"b", 0, 2}};
+constexpr double true_a = 7, true_b = 0.35;
+
+Values decay_data(std::size_t count, double noise, std::uint32_t stream) {
+  Random random(1887, stream);
+  Values data;
+  for (std::size_t t = 0; t < count; ++t) {
+    const double size = std::sqrt(-2 * std::log(random.uniform()));
+    const double normal = size * std::cos(random.uniform(0, 2 * std::numbers::pi));
+    data.push_back(true_a * std::exp(-true_b * static_cast<double>(t)) + noise * normal);
+  }
+  return data;
+}
+
+TEST(LeastSquares, FindWhatPerfectDataWereMadeWith) {
+  const Fitted fit =
+      least_squares(decay(decay_data(8, 0, 0), 1), decay_parameters, Scatter::estimated);
+  // Data of norm 20 are rounded to eps; the slopes by places are as large, or a few times smaller.
+  const double rounding = 10 * std::sqrt(8 * 49.0) * std::numeric_limits<double>::epsilon();
+  states("a", fit.parameters[0].value, true_a, true_a * std::log(1000.0) * rounding, "as put in");
+  states("b", fit.parameters[1].value, true_b, 2 * rounding, "as put in");
+  for (const FittedParameter& p : fit.parameters) {
+    EXPECT_TRUE(p.determined);
+    EXPECT_TRUE(p.remarks.empty()) << p.remarks.front();
+    EXPECT_LE(p.low, p.value);
+    EXPECT_GE(p.high, p.value);
+    stays_below("width of the interval of " + p.name, p.high - p.low, 1e-7, "no scatter, no width");
+  }
+  EXPECT_EQ(fit.freedom, 6);
+}
+
+TEST(LeastSquares, FindTheLowerOfTwoValleys) {
+  // (x^2 - 1)^2 and a slope: the valley at -1 is the lower one, the start is in the other.
+  const Residuals valleys = [](const Values& p) {
+    return Values{p[0] * p[0] - 1, 0.3 * (p[0] + 2)};
+  };
+  const Fitted fit = least_squares(valleys, {{"x", -2, 2, 1}}, Scatter::estimated);
+  EXPECT_LT(fit.parameters[0].value, -0.9);
+  EXPECT_GT(fit.parameters[0].value, -1.1);
+}
+
+/// In how many of `sets` the interval of each parameter holds the truth.
+std::array<int, 2> covered(int sets, std::size_t count, double noise, Scatter scatter) {
+  std::array<int, 2> held{};
+  for (int set = 0; set < sets; ++set) {
+    const Values data = decay_data(count, noise, static_cast<std::uint32_t>(set + 1));
+    const Residuals residuals = decay(data, scatter == Scatter::known ? noise : 1);
+    const Fitted fit = least_squares(residuals, decay_parameters, scatter);
+    const std::array truth{true_a, true_b};
+    for (std::size_t i = 0; i < 2; ++i)
+      held[i] += fit.parameters[i].low <= truth[i] && truth[i] <= fit.parameters[i].high ? 1 : 0;
+  }
+  return held;
+}
+
+// The number that holds is binomial: 400 trials of 0.95, standard deviation 4.4. Beyond 3.3 of them
+// one honest fit in a thousand would fall.
+constexpr int trials = 400;
+const double spread = 3.3 * std::sqrt(trials * 0.95 * 0.05);
+
+TEST(LeastSquares, IntervalsHoldTheTruthInNineteenOfTwentyDataSets) {
+  const std::array held = covered(trials, 8, 0.2, Scatter::estimated);
+  states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
+  states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
+}
+
+TEST(LeastSquares, IntervalsHoldTheTruthWhereNoiseIsStrongAndDataAreFew) {
+  // Slopes at the best place alone would say too little here: the curve bends within the noise.
+  const std::array held = covered(trials, 4, 0.8, Scatter::estimated);
+  states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
+  states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
+}
+
+TEST(LeastSquares, KnownErrorsGiveIntervalsThatHoldNoLessOften) {
+  // They take the wider of the known and the seen scatter, so they hold more often than 95 %.
+  for (const int held : covered(trials, 8, 0.2, Scatter::known))
+    EXPECT_GE(held, 0.95 * trials - spread);
+}
+
+TEST(LeastSquares, KnownErrorsGiveTheWidthOfAMean) {
+  // n values of error e: the mean is sure to 1.96 e/sqrt(n), however little they happen to scatter.
+  const Values data{4.1, 4.0, 4.1, 4.0};
+  const double error = 0.5;
+  const Residuals residuals = [&](const Values& p) {
+    Values r;
+    for (const double d : data) r.push_back((p[0] - d) / error);
+    return r;
+  };
+  const Fitted fit = least_squares(residuals, {{"mean", 0, 9}}, Scatter::known);
+  const double width = 1.959964 * error / 2;
+  const double tolerance = 0.01 * width;  // to which the ends of an interval are sought
+  states("mean", fit.parameters[0].value, 4.05, 1e-9, "arithmetic");
+  states("lower end", fit.parameters[0].low, 4.05 - width, tolerance, "normal distribution");
+  states("upper end", fit.parameters[0].high, 4.05 + width, tolerance, "normal distribution");
+  EXPECT_TRUE(fit.remarks.empty());
+}
+
+TEST(LeastSquares, ScatterGivesTheWidthOfAMean) {
+  const Values data{4.2, 3.9, 4.4, 4.1, 3.6};
+  const Residuals residuals = [&](const Values& p) {
+    Values r;
+    for (const double d : data) r.push_back(p[0] - d);
+    return r;
+  };
+  const Fitted fit = least_squares(residuals, {{"mean", 0, 9}}, Scatter::estimated);
+  const double width = 2.77644511 * std::sqrt(0.093 / 5);  // t_95(4), variance of the data 0.093
+  states("lower end", fit.parameters[0].low, 4.04 - width, 0.01 * width, "Student's t");
+  states("upper end", fit.parameters[0].high, 4.04 + width, 0.01 * width, "Student's t");
+  states("scatter", fit.scatter, std::sqrt(0.093), 1e-9, "arithmetic");
+}
+
+TEST(LeastSquares, ErrorsThatAreTooSmallAreTold) {
+  const Values data = decay_data(12, 0.2, 5);
+  const Fitted honest = least_squares(decay(data, 0.2), decay_parameters, Scatter::known);
+  const Fitted vain = least_squares(decay(data, 0.02), decay_parameters, Scatter::known);
+  EXPECT_TRUE(honest.remarks.empty());
+  EXPECT_TRUE(says(vain.remarks, "times as far from the fit as their errors say"));
+  EXPECT_LT(vain.parameters[0].low, honest.parameters[0].value);
+  EXPECT_GT(vain.parameters[0].high - vain.parameters[0].low,
+            0.5 * (honest.parameters[0].high - honest.parameters[0].low));
+}
+
+TEST(LeastSquares, AProductIsAllThatIsFoundOfTwoFactors) {
+  for (const double noise : {0.0, 0.2}) {
+    const Residuals product = [=, decay = decay(decay_data(8, noise, 3), 1)](const Values& p) {
+      return decay({p[0] * p[2], p[1]});
+    };
+    const Fitted fit =
+        least_squares(product, {{"a", 0.1, 100}, {"b", 0, 2}, {"c", 0.01, 10}}, Scatter::estimated);
+    EXPECT_FALSE(fit.parameters[0].determined);
+    EXPECT_TRUE(fit.parameters[1].determined);
+    EXPECT_FALSE(fit.parameters[2].determined);
+    EXPECT_TRUE(says(fit.parameters[0].remarks, "only a combination of it and c"));
+    EXPECT_TRUE(says(fit.parameters[2].remarks, "only a combination of it and a"));
+    EXPECT_TRUE(fit.parameters[1].remarks.empty());
+  }
+}
+
+TEST(LeastSquares, AParameterThatDoesNothingIsNamed) {
+  const Residuals idle = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
+    return decay({p[1], p[2]});
+  };
+  const Fitted fit =
+      least_squares(idle, {{"idle", 1, 2}, {"a", 0.1, 100}, {"b", 0, 2}}, Scatter::estimated);
+  EXPECT_FALSE(fit.parameters[0].determined);
+  EXPECT_TRUE(says(fit.parameters[0].remarks, "nothing that was measured depends on it"));
+  EXPECT_TRUE(fit.parameters[1].determined);
+  EXPECT_TRUE(fit.parameters[2].determined);
+  EXPECT_EQ(fit.parameters[0].low, 1);
+  EXPECT_EQ(fit.parameters[0].high, 2);
+}
+
+TEST(LeastSquares, WhatDrownsInTheScatterIsNotDetermined) {
+  // The second parameter adds a thousandth of what the data scatter.
+  const Residuals weak = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
+    Values r = decay({p[0], true_b});
+    r[2] += 2e-4 * p[1];
+    return r;
+  };
+  const Fitted fit = least_squares(weak, {{"a", 0.1, 100}, {"weak", 0, 1}}, Scatter::estimated);
+  EXPECT_TRUE(fit.parameters[0].determined);
+  EXPECT_FALSE(fit.parameters[1].determined);
+  EXPECT_TRUE(says(fit.parameters[1].remarks, "any value of its range fits"));
+}
+
+TEST(LeastSquares, OneSidedDataGiveOneLimit) {
+  // A threshold that must lie below what was seen to break, and is zero for all that is known.
+  const Residuals threshold = [](const Values& p) {
+    Values r;
+    for (const double x : {1.0, 2.0, 3.0, 4.0, 5.0})
+      r.push_back(10 * (std::max(0.0, x - p[0] * p[0]) - x) + 0.3 * std::sin(7 * x));
+    return r;
+  };
+  const Fitted fit = least_squares(threshold, {{"threshold", 0, 2}}, Scatter::estimated);
+  const FittedParameter& p = fit.parameters[0];
+  EXPECT_TRUE(p.open_low);
+  EXPECT_FALSE(p.open_high);
+  EXPECT_LT(p.high, 0.5);
+  EXPECT_TRUE(says(p.remarks, "no lower limit"));
+}
+
+TEST(LeastSquares, FewerDataThanParametersAreTold) {
+  const Fitted fit = least_squares([](const Values& p) { return Values{p[0] + p[1] - 1}; },
+                                   {{"a", 0, 2}, {"b", 0, 2}}, Scatter::estimated);
+  EXPECT_TRUE(says(fit.remarks, "fewer measured values than parameters: 1 and 2"));
+  for (const FittedParameter& p : fit.parameters) EXPECT_FALSE(p.determined) << p.name;
+  stays_below("sum of squares", fit.sum_of_squares, 1e-12, "many sets fit");
+}
+
+TEST(LeastSquares, AsManyDataAsParametersLeaveNothingToTellTheScatter) {
+  const Values data = decay_data(2, 0, 1);
+  const Fitted guess = least_squares(decay(data, 1), decay_parameters, Scatter::estimated);
+  EXPECT_TRUE(says(guess.remarks, "no interval can be given"));
+  EXPECT_FALSE(guess.parameters[0].determined);
+  EXPECT_TRUE(std::isnan(guess.scatter));
+  states("a", guess.parameters[0].value, true_a, 1e-6, "as put in");
+  const Fitted known = least_squares(decay(data, 0.1), decay_parameters, Scatter::known);
+  const double width = 1.959964 * 0.1;  // a is measured at t = 0, b is free to follow
+  EXPECT_TRUE(known.parameters[0].determined);
+  states("lower end", known.parameters[0].low, true_a - width, 0.01 * width, "normal distribution");
+}
+
+TEST(LeastSquares, ABestValueAtABoundIsTold) {
+  const Residuals residuals = decay(decay_data(8, 0.01, 2), 1);
+  const Fitted fit = least_squares(residuals, {{"a", 0.1, 100}, {"b", 0.5, 2}}, Scatter::estimated);
+  EXPECT_EQ(fit.parameters[1].value, 0.5);
+  EXPECT_TRUE(says(fit.parameters[1].remarks, "a wider range may fit better"));
+  const Fitted hard = least_squares(
+      residuals, {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .ends_least = true}},
+      Scatter::estimated);
+  EXPECT_TRUE(says(hard.parameters[1].remarks, "beyond which it makes no sense"));
+  EXPECT_TRUE(says(fit.parameters[1].remarks, "at the lower end of its range"));
+  EXPECT_TRUE(fit.parameters[1].open_low);
+}
+
+TEST(LeastSquares, ParametersThatAreHardToTellApartAreTold) {
+  // Two decays of nearly one rate: their sum is known well, each of them badly.
+  const Residuals twins = [](const Values& p) {
+    Values r;
+    for (int t = 0; t < 20; ++t)
+      r.push_back(p[0] * std::exp(-0.3 * t) + p[1] * std::exp(-0.33 * t) -
+                  2 * std::exp(-0.315 * t) + 0.002 * std::sin(5.0 * t));
+    return r;
+  };
+  const Fitted fit = least_squares(twins, {{"a", -5, 5}, {"b", -5, 5}}, Scatter::estimated);
+  EXPECT_TRUE(says(fit.parameters[0].remarks, "hard to tell from b"));
+  EXPECT_LT(fit.correlation[0][1], -0.98);
+  EXPECT_EQ(fit.correlation[0][0], 1);
+  EXPECT_EQ(fit.correlation[0][1], fit.correlation[1][0]);
+}
+
+TEST(LeastSquares, SetsThatFailCountAsVeryBad) {
+  const Residuals half = [decay = decay(decay_data(8, 0, 1), 1)](const Values& p) {
+    return p[0] > 30 || p[1] < 0.2 ? Values(8, nan) : decay(p);
+  };
+  const Fitted fit = least_squares(half, decay_parameters, Scatter::estimated);
+  states("a", fit.parameters[0].value, true_a, 1e-6, "as put in");
+  states("b", fit.parameters[1].value, true_b, 1e-7, "as put in");
+}
+
+TEST(LeastSquares, AModelThatAlwaysFailsIsAnError) {
+  const Residuals never = [](const Values&) { return Values(3, nan); };
+  EXPECT_THROW(least_squares(never, decay_parameters, Scatter::estimated), RunError);
+  const Residuals thrower = [](const Values&) -> Values { throw std::domain_error("mine"); };
+  EXPECT_THROW(least_squares(thrower, decay_parameters, Scatter::estimated), std::domain_error);
+}
+
+TEST(LeastSquares, AnErrorDuringTheSearchComesThroughAsItIs) {
+  int left = 70;  // beyond the first places, within the simplexes
+  const Residuals later = [&](const Values& p) {
+    if (--left == 0) throw std::domain_error("mine");
+    return decay(decay_data(8, 0.2, 1), 1)(p);
+  };
+  EXPECT_THROW(least_squares(later, decay_parameters, Scatter::estimated), std::domain_error);
+}
+
+TEST(LeastSquares, BoundsMustHoldAnInterval) {
+  const Residuals any = decay(decay_data(8, 0, 1), 1);
+  EXPECT_THROW(least_squares(any, {{"a", 2, 2}, {"b", 0, 1}}, Scatter::known),
+               std::invalid_argument);
+  EXPECT_THROW(least_squares(any, {{"a", 1, nan}, {"b", 0, 1}}, Scatter::known),
+               std::invalid_argument);
+}
+
+TEST(LeastSquares, TakeSomeHundredEvaluationsAParameter) {
+  const Fitted fit =
+      least_squares(decay(decay_data(12, 0.2, 5), 0.2), decay_parameters, Scatter::known);
+  std::printf("    %d evaluations\n", fit.evaluations);
+  EXPECT_LT(fit.evaluations, 2000);
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign

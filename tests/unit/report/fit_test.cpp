@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mahlwerk::report {
+namespace {
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+FitNumber found(const std::string& key, double value, double low, double high) {
+  return {.key = key,
+          .unit = "kg/J/m",
+          .about = "a <number>",
+          .value = value,
+          .low = low,
+          .high = high,
+          .by_mills = NAN,
+          .least = 0.01,
+          .most = 100,
+          .remarks = {}};
+}
+
+/// D90 over time under two conditions, one number found and one not.
+FitReport report(bool errors_known) {
+  FitReport fit{.title = "A & B", .case_file = "case.toml", .data_file = "data.csv"};
+  fit.numbers = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};
+  fit.numbers[1].open_low = fit.numbers[1].open_high = true;
+  fit.numbers[1].determined = false;
+  fit.numbers[1].remarks = {"nothing that was measured depends on it"};
+  fit.correlation = {{1, -0.25}, {-0.25, 1}};
+  fit.conditions = {"mill.frequency = 16 Hz", "mill.frequency = 22 Hz"};
+  for (int i = 0; i < 4; ++i)
+    fit.points.push_back({.what = "D90",
+                          .unit = "m",
+                          .condition = static_cast<std::size_t>(i / 2),
+                          .time = i % 2 == 0 ? 10.0 : 20.0,
+                          .measured = 900e-6 - 100e-6 * i,
+                          .error = errors_known ? 20e-6 : NAN,
+                          .fitted = 910e-6 - 100e-6 * i,
+                          .residual = 0.5,
+                          .line = i + 2});
+  fit.curves = {{"D90", 0, 0, {0, 10, 20}, {1e-3, 9e-4, 8e-4}},
+                {"D90", 1, 0, {0, 10, 20}, {1e-3, 7e-4, 6e-4}}};
+  fit.remarks = {"the mill ran one replicate"};
+  fit.scatter = 0.9;
+  fit.freedom = 2;
+  fit.errors_known = errors_known;
+  return fit;
+}
+
+TEST(FitReport, SaysIntervalsAsFarAsThereAreAny) {
+  FitNumber n = found("x", 1.234, 1.1, 1.4);
+  EXPECT_EQ(n.value_text(), "1.23 kg/J/m");
+  EXPECT_EQ(n.interval_text(), "1.1 kg/J/m to 1.4 kg/J/m");
+  n.open_low = true;
+  EXPECT_EQ(n.interval_text(), "up to 1.4 kg/J/m");
+  n.open_low = false;
+  n.open_high = true;
+  EXPECT_EQ(n.interval_text(), "1.1 kg/J/m or more");
+  n.determined = false;
+  EXPECT_EQ(n.interval_text(), "not determined");
+}
+
+TEST(FitReport, ShowsAsManyDigitsAsTheIntervalKeepsApart) {
+  const FitNumber sharp = found("x", 1.23456789, 1.2345, 1.2347);
+  EXPECT_EQ(sharp.value_text(), "1.23457 kg/J/m");
+  EXPECT_EQ(sharp.interval_text(), "1.2345 kg/J/m to 1.2347 kg/J/m");
+}
+
+TEST(FitReport, OnTheTerminalNamesWhatIsNotDetermined) {
+  const std::string table = fit_table(report(false));
+  EXPECT_TRUE(has(table, "breakage.f_mat  1.23 kg/J/m  1.1 kg/J/m to 1.4 kg/J/m\n")) << table;
+  EXPECT_TRUE(has(table, "not determined            NOT DETERMINED\n")) << table;
+  EXPECT_TRUE(has(table, "breakage.lost: nothing that was measured depends on it.\n")) << table;
+  EXPECT_TRUE(has(table, "the mill ran one replicate.\n")) << table;
+  EXPECT_TRUE(has(table, "4 values under 2 conditions, 2 degrees of freedom, scatter 90 %."));
+  EXPECT_TRUE(has(fit_table(report(true)), "scatter 0.9 errors."));
+}
+
+TEST(FitReport, AsATableHasARowForEachValue) {
+  const std::string csv = fit_csv(report(true));
+  EXPECT_TRUE(
+      csv.starts_with("line,condition,what,unit,time_s,size_m,measured,error,fitted,residual\n"
+                      "2,mill.frequency = 16 Hz,D90,m,10,,0.0009,2e-05,0.00091,0.5\n"))
+      << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+  EXPECT_TRUE(has(fit_csv(report(false)), ",0.0009,,0.00091,0.5\n"));
+}
+
+TEST(FitReport, AsAPageShowsNumbersCurvesAndWhatIsNotDetermined) {
+  for (const bool known : {false, true}) {
+    const std::string page = fit_page(report(known), "1.2.3");
+    for (const char* part :
+         {"A &amp; B", "a &lt;number&gt;", "1.1 kg/J/m to 1.4 kg/J/m", "<s>1 kg/J/m</s>",
+          "do not determine <code>breakage.lost</code>", "nothing that was measured depends on it.",
+          "the mill ran one replicate.", "D90: measured and fitted", "time of milling (s)",
+          "Residuals", "-0.250", "mill.frequency = 22 Hz", "910.0 µm", "Mahlwerk 1.2.3"})
+      EXPECT_TRUE(has(page, part)) << part;
+    EXPECT_FALSE(has(page, "nan"));
+    EXPECT_FALSE(has(page, "<number>"));
+  }
+}
+
+TEST(FitReport, SetsConditionsBesideEachOtherWhereTimeIsOne) {
+  FitReport fit = report(true);
+  for (FitPoint& p : fit.points) p.time = 30;
+  EXPECT_TRUE(has(fit_page(fit, "1"), "number of the condition"));
+  EXPECT_FALSE(has(fit_page(fit, "1"), "time of milling (s)"));
+}
+
+TEST(FitReport, DrawsDistributionsOverSize) {
+  FitReport fit = report(true);
+  for (FitPoint& p : fit.points) {
+    p.what = "passing";
+    p.unit = "";
+    p.size = p.measured;
+    p.measured = 0.5;
+  }
+  for (FitCurve& c : fit.curves) c.what = "passing";
+  const std::string page = fit_page(fit, "1");
+  EXPECT_TRUE(has(page, "size (µm)"));
+  EXPECT_TRUE(has(page, "passing: measured and fitted"));
+}
+
+}  // namespace
+}  // namespace mahlwerk::report
