@@ -8,13 +8,15 @@
 namespace mahlwerk::powder {
 
 Balance::Balance(Process process, StressSpectrum stresses, SizeGrid grid,
-                 const std::vector<double>& feed)
+                 const std::vector<double>& feed, const Beds* known)
     : process_(std::move(process)),
       stresses_(std::move(stresses)),
       grid_(grid),
       levels_(levels(process_.breakage)) {
   for (const double share : feed)
     for (const double fresh : levels_.fresh) states_.push_back(share * fresh);
+  if (process_.bed == Bed::mixed) return;
+  rates_ = known != nullptr ? rates(process_, stresses_, grid_, levels_, *known) : rates_at(0);
 }
 
 std::vector<double> Balance::shares() const {
@@ -25,12 +27,11 @@ std::vector<double> Balance::shares() const {
 }
 
 Rates Balance::rates_at(double mean_size) const {
-  return rates(process_, stresses_, grid_, levels_, mean_size);
+  return rates(process_, stresses_, grid_, levels_, beds(process_, stresses_, grid_, mean_size));
 }
 
 void Balance::advance(double time) {
   if (process_.bed == Bed::mixed) return advance_mixed(time);
-  if (!rates_) rates_ = rates_at(0);
   if (step_ && time == 2 * step_->first) {
     step_ = {time, product(step_->second, step_->second)};
     keep_mass(step_->second);

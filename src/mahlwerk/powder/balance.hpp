@@ -15,8 +15,9 @@ namespace mahlwerk::powder {
 /// anew whenever its mean size has changed by 5 % (pbm.5).
 class Balance {
  public:
-  /// `feed`: shares of each class of the grid.
-  Balance(Process process, StressSpectrum stresses, SizeGrid grid, const std::vector<double>& feed);
+  /// `feed`: shares of each class of the grid. `known`: its beds by size, where they are at hand.
+  Balance(Process process, StressSpectrum stresses, SizeGrid grid, const std::vector<double>& feed,
+          const Beds* known = nullptr);
 
   void advance(double time);           ///< [s] >= 0 further
   std::vector<double> shares() const;  ///< of each class of size

@@ -27,9 +27,9 @@ std::vector<double> telling_times(double time) {
 }
 
 Milling mill_by_balance(const Process& process, const StressSpectrum& stresses,
-                        const SizeGrid& grid, const Feed& feed, double time) {
+                        const SizeGrid& grid, const Feed& feed, double time, const Beds* known) {
   Milling milling{grid, telling_times(time), {}};
-  Balance balance(process, stresses, grid, grid.shares(feed));
+  Balance balance(process, stresses, grid, grid.shares(feed), known);
   // Each step as a power of two of the first, whose matrix is squared from doubling to doubling.
   const double first = std::ldexp(time, -doublings) / steps;
   milling.shares.push_back(balance.shares());

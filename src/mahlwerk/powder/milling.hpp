@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/powder/process.hpp"
+#include "mahlwerk/powder/rates.hpp"
 #include "mahlwerk/powder/sizes.hpp"
 
 namespace mahlwerk::powder {
@@ -22,9 +23,10 @@ struct Milling {
 /// Times [s] at which it is told: 0, then twelve doublings up to `time`, 16 steps in each.
 std::vector<double> telling_times(double time);
 
-/// By the population balance.
+/// By the population balance. `known`: its beds by size, where they are at hand.
 Milling mill_by_balance(const Process& process, const StressSpectrum& stresses,
-                        const SizeGrid& grid, const Feed& feed, double time);
+                        const SizeGrid& grid, const Feed& feed, double time,
+                        const Beds* known = nullptr);
 
 /// A collision of the stream.
 struct StreamHit {

@@ -34,16 +34,14 @@ struct Hit {
 class Assembly {
  public:
   Assembly(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-           const Levels& levels, double mean_size)
+           const Levels& levels, const Beds& beds)
       : process_(process),
         stresses_(stresses),
         grid_(grid),
         levels_(levels),
+        beds_(beds),
         made_(grid.classes() * levels.count(),
-              process.welding > 0 ? grid.classes() * levels.count() : levels.count()) {
-    if (process.bed == Bed::mixed)
-      for (const Stress& s : stresses.stresses) mixed_.push_back(hit(s, mean_size));
-  }
+              process.welding > 0 ? grid.classes() * levels.count() : levels.count()) {}
 
   Rates made() {
     for (int i = 0; i < grid_.classes(); ++i)
@@ -52,10 +50,10 @@ class Assembly {
   }
 
  private:
-  Hit hit(const Stress& s, double size) const {
-    const Catch c =
-        process_.caught(stresses_.nips[static_cast<std::size_t>(s.nip)], s.energy, size);
-    const double mass = c.grains * process_.grain(size).mass();
+  Hit hit(std::size_t n, std::size_t bed) const {
+    const Stress& s = stresses_.stresses[n];
+    const Catch& c = beds_.caught[bed * stresses_.stresses.size() + n];
+    const double mass = c.grains * Grain{beds_.size[bed], process_.density, 0}.mass();
     return {s.rate * c.chance * mass / process_.mass, process_.energy_share * s.energy / mass};
   }
 
@@ -65,7 +63,7 @@ class Assembly {
     const double reached = size <= process_.sticking_size ? 1 - process_.sticking : 1;
     std::vector<Broken> broken(static_cast<std::size_t>(levels_.count()), Broken{});
     for (std::size_t n = 0; n < stresses_.stresses.size(); ++n) {
-      Hit h = process_.bed == Bed::mixed ? mixed_[n] : hit(stresses_.stresses[n], size);
+      Hit h = hit(n, process_.bed == Bed::mixed ? 0 : static_cast<std::size_t>(i));
       h.rate *= reached;
       if (!(h.rate > 0)) continue;
       if constexpr (Model::remembers)
@@ -154,8 +152,8 @@ class Assembly {
   const StressSpectrum& stresses_;
   const SizeGrid& grid_;
   const Levels& levels_;
+  const Beds& beds_;
   Rates made_;
-  std::vector<Hit> mixed_;  // of each stress
 };
 
 }  // namespace
@@ -184,9 +182,23 @@ Levels levels(const AnyBreakage& breakage, int count) {
   return made;
 }
 
+Beds beds(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+          double mean_size) {
+  Beds made;
+  if (process.bed == Bed::mixed)
+    made.size = {mean_size};
+  else
+    for (int i = 0; i < grid.classes(); ++i) made.size.push_back(grid.middle(i));
+  for (const double size : made.size)
+    for (const Stress& s : stresses.stresses)
+      made.caught.push_back(
+          process.caught(stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, size));
+  return made;
+}
+
 Rates rates(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-            const Levels& levels, double mean_size) {
-  return Assembly(process, stresses, grid, levels, mean_size).made();
+            const Levels& levels, const Beds& beds) {
+  return Assembly(process, stresses, grid, levels, beds).made();
 }
 
 }  // namespace mahlwerk::powder

@@ -18,9 +18,19 @@ struct Levels {
 };
 Levels levels(const AnyBreakage& breakage, int count = 20);
 
+/// The beds that grains are caught in, and what each stress catches in each. They do not hang on
+/// how grains break, so a fit makes them once.
+struct Beds {
+  std::vector<double> size;   ///< [m] of the grains: for each class, or one for all in a mixed bed
+  std::vector<Catch> caught;  ///< `bed * stresses + stress`
+};
+/// `mean_size` [m] of the powder matters to a mixed bed only.
+Beds beds(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+          double mean_size);
+
 /// What collisions do to the mass of each state (pbm.1), (pbm.2): state `class * levels + level`.
-/// Grains of the last class do not break. `mean_size` [m] is that of the powder, for a mixed bed.
+/// Grains of the last class do not break.
 Rates rates(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-            const Levels& levels, double mean_size);
+            const Levels& levels, const Beds& beds);
 
 }  // namespace mahlwerk::powder

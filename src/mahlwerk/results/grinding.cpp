@@ -115,9 +115,15 @@ powder::SizeGrid size_grid(const Case& what) {
           static_cast<int>(what.grinding->classes_per_octave)};
 }
 
-powder::Milling milled(const Case& what, const StressSpectrum& stresses) {
+powder::Milling milled(const Case& what, const StressSpectrum& stresses,
+                       const powder::Beds* known) {
   return powder::mill_by_balance(cases::process(what), stresses, size_grid(what), what.powder->feed,
-                                 what.grinding->time);
+                                 what.grinding->time, known);
+}
+
+powder::Beds beds(const Case& what, const StressSpectrum& stresses) {
+  if (what.grinding->bed == powder::Bed::mixed) return {};
+  return powder::beds(cases::process(what), stresses, size_grid(what), 0);
 }
 
 CaughtRates caught_rates(const Case& what, const StressSpectrum& stresses) {

@@ -25,7 +25,12 @@ observe::StressStream::Energy stream_energy(const cases::Case& what);
 powder::SizeGrid size_grid(const cases::Case& what);
 
 /// How the powder of a case with [grinding] gets finer under these collisions, by the balance.
-powder::Milling milled(const cases::Case& what, const powder::StressSpectrum& stresses);
+/// `known`: its beds by size, where they are at hand.
+powder::Milling milled(const cases::Case& what, const powder::StressSpectrum& stresses,
+                       const powder::Beds* known = nullptr);
+/// Those beds, which stay the same as long as [capture], [powder] and the classes do; of a mixed
+/// bed nothing that could be kept.
+powder::Beds beds(const cases::Case& what, const powder::StressSpectrum& stresses);
 
 /// [J/kg] That the powder gets in a second: what is dissipated, or what caught grains get.
 double dose_rate(const cases::Case& what, const std::vector<const Replicate*>& of,

@@ -137,7 +137,8 @@ TEST(Sample, MeanOfManyIsTheBalanceWhereGrainsRememberDamage) {
     std::vector<double> states;
     for (const double share : grid.shares(feed))
       for (const double fresh : some.fresh) states.push_back(share * fresh);
-    states = product(step(rates(p, spectrum(), grid, some, 0), duration), states);
+    states = product(step(rates(p, spectrum(), grid, some, beds(p, spectrum(), grid, 0)), duration),
+                     states);
     std::vector<double> shares(static_cast<std::size_t>(grid.classes()));
     for (std::size_t i = 0; i < states.size(); ++i) shares[i / some.fresh.size()] += states[i];
     return shares;
