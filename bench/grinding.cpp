@@ -56,7 +56,7 @@ Row prediction(const std::string& name, const cases::Case& what, const results::
 }
 
 Row sample(const std::string& name, const cases::Case& what, const powder::AnyBreakage& breakage,
-           const results::Replicate& run) {
+           const results::Replicate& run, double times) {
   powder::Process process = cases::process(what);
   process.breakage = breakage;
   const powder::StressSpectrum all = results::stresses(what, {&run});
@@ -77,7 +77,7 @@ Row sample(const std::string& name, const cases::Case& what, const powder::AnyBr
             events.push_back({kind, hit.energy});
       const double began = cpu_seconds(), feed = median(grains.sizes());
       for (std::size_t n = 0; n % 4096 != 0 || median(grains.sizes()) > feed / 5; ++n)
-        grains.hit(events[n % events.size()].kind, events[n % events.size()].energy);
+        grains.hit(events[n % events.size()].kind, events[n % events.size()].energy, times);
       seconds += cpu_seconds() - began;
       hits += static_cast<double>(grains.grain_hits());
     }
@@ -98,9 +98,11 @@ std::vector<Row> grinding() {
   what.grinding->bed = powder::Bed::mixed;
   rows.push_back(prediction("20 h from 2 s, mixed bed", what, run));
   what.grinding->bed = powder::Bed::by_size;
-  rows.push_back(sample("sample of 10 000, vogel-peukert", what, what.grinding->breakage, run));
+  const powder::AnyBreakage vogel = what.grinding->breakage;
+  rows.push_back(sample("sample of 10 000, vogel-peukert, each collision", what, vogel, run, 1));
+  rows.push_back(sample("sample of 10 000, vogel-peukert, every tenth", what, vogel, run, 10));
   const powder::Tavares tavares{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
-  rows.push_back(sample("sample of 10 000, tavares", what, tavares, run));
+  rows.push_back(sample("sample of 10 000, tavares, every tenth", what, tavares, run, 10));
   what.grinding->breakage = tavares;
   what.grinding->classes_per_octave = 3;
   rows.push_back(prediction("20 h from 2 s, tavares", what, run));

@@ -42,7 +42,7 @@ void Balance::advance(double time) {
 
 // The midpoint rule: rates at the size half way, which a first guess of the step finds.
 void Balance::advance_mixed(double time) {
-  constexpr double most_change = 0.02;
+  constexpr double most_change = 0.05;
   double left = time, next = time;
   const auto mean = [&] { return mean_size(grid_, shares()); };
   while (left > 0) {

@@ -12,7 +12,7 @@ namespace mahlwerk::powder {
 
 /// The population balance: the mass in each class of size as collisions break it down. Exact in
 /// time where rates do not hang on the powder, as in beds by size; in a mixed bed they are taken
-/// anew whenever its mean size has changed by 2 % (pbm.5).
+/// anew whenever its mean size has changed by 5 % (pbm.5).
 class Balance {
  public:
   /// `feed`: shares of each class of the grid.

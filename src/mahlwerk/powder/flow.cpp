@@ -18,10 +18,10 @@ MAHLWERK_CLONES void add_scaled(double* c, const double* a, double b, int count)
 /// Share of the mass that stays, and where the rest goes, in one round of so short a time that no
 /// state loses more than it has (pbm.3).
 Matrix round_of(const Rates& rates, double pace) {
-  Matrix m(rates.size, rates.lower);
+  Matrix m(rates.size, rates.block);
   for (int j = 0; j < rates.size; ++j) {
     double leaves = 0;
-    for (int i = rates.lower ? j + 1 : 0; i < rates.size; ++i)
+    for (int i = rates.first(j); i < rates.size; ++i)
       if (i != j) leaves += m.at(i, j) = rates.at(i, j) / pace;
     m.at(j, j) = 1 - leaves;
   }
@@ -44,12 +44,12 @@ double pace_of(const Rates& rates) {
 
 Matrix product(const Matrix& a, const Matrix& b) {
   const int n = a.size;
-  Matrix c(n, a.lower && b.lower);
+  Matrix c(n, a.block);
   for (int j = 0; j < n; ++j)
-    for (int k = b.lower ? j : 0; k < n; ++k) {
+    for (int k = b.first(j); k < n; ++k) {
       const double factor = b.at(k, j);
       if (factor == 0) continue;
-      const int from = a.lower ? k : 0;
+      const int from = a.first(k);
       add_scaled(c.column(j) + from, a.column(k) + from, factor, n - from);
     }
   return c;
@@ -60,7 +60,7 @@ std::vector<double> product(const Matrix& a, const std::vector<double>& x) {
   for (int j = 0; j < a.size; ++j) {
     const double factor = x[static_cast<std::size_t>(j)];
     if (factor == 0) continue;
-    const int from = a.lower ? j : 0;
+    const int from = a.first(j);
     add_scaled(y.data() + from, a.column(j) + from, factor, a.size - from);
   }
   return y;
@@ -78,7 +78,7 @@ void keep_mass(Matrix& m) {
 // time so short that few terms do, then squared as often as it takes (pbm.4).
 Matrix step(const Rates& rates, double time) {
   const double pace = pace_of(rates);
-  Matrix result(rates.size, rates.lower);
+  Matrix result(rates.size, rates.block);
   for (int i = 0; i < rates.size; ++i) result.at(i, i) = 1;
   if (!(pace * time > 0)) return result;
   constexpr int terms = 9;

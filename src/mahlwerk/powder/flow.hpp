@@ -8,17 +8,17 @@
 // Mass that goes from state to state at constant rates, and the exact step of that.
 namespace mahlwerk::powder {
 
-/// A square matrix, column by column. Where no mass goes up, what is above the diagonal is 0 and is
-/// left out of the work.
+/// A square matrix, column by column. States come in blocks; mass goes within a block or to later
+/// ones, so that what is above the blocks at the diagonal is 0 and is left out of the work.
 struct Matrix {
-  int size = 0;
-  bool lower = true;  ///< nothing above the diagonal
+  int size = 0, block = 1;  ///< block = size: all of it counts
   std::vector<double> values;
 
-  explicit Matrix(int n = 0, bool lower_triangle = true)
+  explicit Matrix(int n = 0, int states_in_block = 1)
       : size(n),
-        lower(lower_triangle),
+        block(states_in_block),
         values(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
+  int first(int column) const { return column / block * block; }  ///< row that may not be 0
   double& at(int row, int column) { return values[place(row, column)]; }
   double at(int row, int column) const { return values[place(row, column)]; }
   const double* column(int j) const { return values.data() + place(0, j); }

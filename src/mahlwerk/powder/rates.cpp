@@ -39,7 +39,8 @@ class Assembly {
         stresses_(stresses),
         grid_(grid),
         levels_(levels),
-        made_(grid.classes() * levels.count(), !(process.welding > 0) && levels.count() == 1) {
+        made_(grid.classes() * levels.count(),
+              process.welding > 0 ? grid.classes() * levels.count() : levels.count()) {
     if (process.bed == Bed::mixed)
       for (const Stress& s : stresses.stresses) mixed_.push_back(hit(s, mean_size));
   }
@@ -162,9 +163,9 @@ class Assembly {
 Levels levels(const AnyBreakage& breakage, int count) {
   const auto* model = std::get_if<Tavares>(&breakage);
   if (model == nullptr) return {};
-  // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a twentieth of what
-  // as many fall short of: below that a grain breaks as good as always.
-  constexpr double deviations = 3, weakest = 20;
+  // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a sixth of what as
+  // many fall short of: below that a grain breaks as good as always.
+  constexpr double deviations = 3, weakest = 6;
   const double high = std::log(model->relative_strength(deviations));
   const double low = std::log(model->relative_strength(-deviations) / weakest);
   const double apart = (high - low) / (count - 1);

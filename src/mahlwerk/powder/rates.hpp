@@ -16,7 +16,7 @@ struct Levels {
   std::vector<double> strength{1}, fresh{1};
   int count() const { return static_cast<int>(strength.size()); }
 };
-Levels levels(const AnyBreakage& breakage, int count = 16);
+Levels levels(const AnyBreakage& breakage, int count = 20);
 
 /// What collisions do to the mass of each state (pbm.1), (pbm.2): state `class * levels + level`.
 /// Grains of the last class do not break. `mean_size` [m] is that of the powder, for a mixed bed.

@@ -25,7 +25,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
     : process_(std::move(process)),
       nips_(std::move(nips)),
       grid_(grid),
-      groups_(static_cast<std::size_t>((grid.classes() - 1) / grid.per_octave() + 1)),
+      groups_(static_cast<std::size_t>(2 * (grid.classes() - 1) / grid.per_octave() + 1)),
       draw_(start),
       grains_(grains) {
   const auto* tavares = std::get_if<Tavares>(&process_.breakage);
@@ -36,7 +36,8 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
   for (int i = 0; i < grains; ++i) {
     // One from each equal share of the feed: it is met as closely as so many grains can.
     const double size = feed.quantile((i + draw_()) / grains);
-    const double strength = tavares == nullptr ? 1 : tavares->relative_strength(normal(draw_));
+    const double strength =
+        tavares == nullptr ? 0 : tavares->median(size) * tavares->relative_strength(normal(draw_));
     const int at = grid_.class_of(size);
     groups_[static_cast<std::size_t>(group_of(at))].push_back(
         {size, static_cast<float>(strength), at});
@@ -128,7 +129,7 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
   ++grain_hits_;
   bool breaks = false;
   if constexpr (Model::remembers) {
-    const double load = energy / (grain.strength * model.median(grain.size));
+    const double load = energy / grain.strength;
     breaks = load >= 1;
     if (!breaks) {
       const double place = std::pow(load, 0.4 * model.gamma) * damage_steps;
@@ -150,12 +151,16 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
     grain.size = std::visit([&](const auto& f) { return f.drawn(grain.size, t10, draw_); },
                             process_.fragments);
     if constexpr (Model::remembers)
-      grain.strength = static_cast<float>(model.relative_strength(normal(draw_)));
+      grain.strength =
+          static_cast<float>(model.median(grain.size) * model.relative_strength(normal(draw_)));
     return move(group, which, grain);
   }
   if (process_.welding > 0 && energy >= process_.welding_energy &&
       grain.at >= grid_.per_octave() / 3 && draw_() < process_.welding) {
+    const double before = grain.size;
     grain.size *= std::cbrt(2.0);
+    if constexpr (Model::remembers)  // as strong for its size as it was
+      grain.strength *= static_cast<float>(model.median(grain.size) / model.median(before));
     move(group, which, grain);
   }
 }

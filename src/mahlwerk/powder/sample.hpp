@@ -51,10 +51,10 @@ class Sample {
   std::vector<double> sizes() const;  ///< [m] of all grains, in no order
 
  private:
-  static constexpr int most_groups = 64;
+  static constexpr int most_groups = 128;
   struct One {
     double size = 0;
-    float strength = 1;   // over the median, of models that remember
+    float strength = 0;   // [J/kg] of models that remember
     std::int32_t at = 0;  // its class
   };
   /// Of a class: the share of its mass that a collision hits, and the energy that a caught grain
@@ -75,7 +75,7 @@ class Sample {
   void strike(const Model& model, int group, std::size_t which, double energy);
   void move(int group, std::size_t which, One grain);
   void refresh();
-  int group_of(int at) const { return at / grid_.per_octave(); }
+  int group_of(int at) const { return 2 * at / grid_.per_octave(); }
 
   Process process_;
   std::vector<Nip> nips_;

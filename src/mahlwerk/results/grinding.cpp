@@ -30,15 +30,20 @@ const LogHistogram& energies(const Case& what, const observe::Spectra& spectra) 
   return spectra.energy_lost;
 }
 
-/// Collisions of one replicate and kind of pair, each bin at its mean energy. What has no energy
-/// presses nothing.
-void add_stresses(const Case& what, const Replicate& r, int pair, double share,
+/// Collisions of one kind of pair, a bin of energy at its mean, as means over replicates. What has
+/// no energy presses nothing.
+void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int pair,
                   StressSpectrum& all) {
-  const LogHistogram& histogram = energies(what, r.tally.by_pair[pair].spectra);
-  const auto [from, to] = histogram.filled();
-  for (int bin = std::max(from, 1); bin < to; ++bin)
-    if (const auto count = static_cast<double>(histogram.count(bin)); count > 0)
-      all.stresses.push_back({pair, histogram.sum(bin) / count, share * count / r.time()});
+  for (int bin = 1; bin < LogHistogram::bins; ++bin) {
+    double rate = 0, power = 0;
+    for (const Replicate* r : of) {
+      const LogHistogram& histogram = energies(what, r->tally.by_pair[pair].spectra);
+      const double per = 1 / (r->time() * static_cast<double>(of.size()));
+      rate += per * static_cast<double>(histogram.count(bin));
+      power += per * histogram.sum(bin);
+    }
+    if (rate > 0) all.stresses.push_back({pair, power / rate, rate});
+  }
 }
 
 /// Each nip as the mean over replicates.
@@ -95,10 +100,8 @@ observe::StressStream::Energy stream_energy(const Case& what) {
 StressSpectrum stresses(const Case& what, const std::vector<const Replicate*>& of) {
   StressSpectrum all;
   all.nips = mean_nips(what, of);
-  for (const Replicate* r : of)
-    for (int pair = 0; pair < std::ssize(all.nips); ++pair)
-      if (all.nips[static_cast<std::size_t>(pair)].radius > 0)
-        add_stresses(what, *r, pair, 1 / static_cast<double>(of.size()), all);
+  for (int pair = 0; pair < std::ssize(all.nips); ++pair)
+    if (all.nips[static_cast<std::size_t>(pair)].radius > 0) add_stresses(what, of, pair, all);
   return all;
 }
 

@@ -69,23 +69,14 @@ Table capture(const Outcome& outcome) {
   const powder::Process process = cases::process(outcome.what);
   const powder::Grain grain = process.grain(*outcome.what.powder->size);
   const powder::StressSpectrum all = stresses(outcome.what, chosen);
-  // The same bin of several replicates is one row.
-  std::map<std::pair<int, int>, std::array<double, 2>> bins;
   for (const powder::Stress& s : all.stresses) {
-    auto& [rate, power] = bins[{s.nip, observe::LogHistogram::bin_of(s.energy)}];
-    rate += s.rate;
-    power += s.rate * s.energy;
-  }
-  for (const auto& [key, sums] : bins) {
-    const auto [rate, power] = sums;
-    const double energy = power / rate;
     const powder::Catch c =
-        process.caught(all.nips[static_cast<std::size_t>(key.first)], energy, grain.size);
+        process.caught(all.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
     std::vector<double> row =
-        pair_cells(table, pair_names(outcome.what, chosen.front()->tally.by_pair, key.first));
-    const double each = process.energy_share * energy / c.grains;
-    row.insert(row.end(), {energy, rate, c.chance * c.grains, c.mean_mass(grain), c.radius, each,
-                           each / grain.mass()});
+        pair_cells(table, pair_names(outcome.what, chosen.front()->tally.by_pair, s.nip));
+    const double each = process.energy_share * s.energy / c.grains;
+    row.insert(row.end(), {s.energy, s.rate, c.chance * c.grains, c.mean_mass(grain), c.radius,
+                           each, each / grain.mass()});
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -242,8 +242,8 @@ TEST(Balance, MixedBedIsOfSecondOrderInItsSteps) {
   double worst = 0;
   for (std::size_t i = 0; i < coarse.shares().size(); ++i)
     worst = std::max(worst, std::abs(coarse.shares()[i] - fine.shares()[i]));
-  stays_below("largest difference of a share", worst, 4e-4,
-              "steps change the size by 2 %: (0.02)^2 of a share");
+  stays_below("largest difference of a share", worst, 0.05 * 0.05 / 24,
+              "the midpoint rule's h^2/24 with steps of 5 % in size");
 }
 
 }  // namespace

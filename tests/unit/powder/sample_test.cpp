@@ -142,9 +142,13 @@ TEST(Sample, MeanOfManyIsTheBalanceWhereGrainsRememberDamage) {
     for (std::size_t i = 0; i < states.size(); ++i) shares[i / some.fresh.size()] += states[i];
     return shares;
   };
-  const std::vector<double> coarse = by(16), fine = by(32);
+  // Steps of strength against three energies alone: what doubling their number changes, twice.
+  const std::vector<double> coarse = by(20), middling = by(40), fine = by(80);
   std::vector<double> known;
-  for (std::size_t i = 0; i < fine.size(); ++i) known.push_back(std::abs(fine[i] - coarse[i]));
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    known.push_back(std::max(std::abs(fine[i] - middling[i]), std::abs(middling[i] - coarse[i])));
+  stays_below("share of a class, changed by more levels", std::ranges::max(known), 0.02,
+              "known to a fiftieth, which is what comparing with a sample can tell");
   stays_below("tavares: standard errors apart", apart(many(p, grid, feed), fine, known), 3,
               "issue: within 3 sigma, and what twice the levels changes");
 }

@@ -35,18 +35,19 @@ Catch Barrios::caught(const Nip& nip, double energy, const Grain& grain) const {
     const double depth = std::min(deformation * grain.size, nip.radius);
     return touch + std::sqrt(depth * (2 * nip.radius - depth));
   };
-  // Falls with the deformation: a deeper bed is a heavier one, with less for each kilogram.
-  const auto excess = [&](double deformation) {
-    return bed_deformation(scale / grains_in_bed(radius(deformation), grain.size)) - deformation;
+  // How far a bed yields that is as heavy as at that deformation: the deeper, the heavier, the less
+  // each kilogram gets. So the root lies between what two guesses say.
+  const auto yields = [&](double deformation) {
+    return bed_deformation(scale / grains_in_bed(radius(deformation), grain.size));
   };
-  double low = 0, high = most_deformation, at_low = excess(low), at_high = excess(high);
-  if (!(at_low > 0)) return {1, grains_in_bed(touch, grain.size), touch};
+  double high = yields(0), low = yields(high), at_high = low - high, at_low = yields(low) - low;
+  if (!(at_low > 0)) return {1, grains_in_bed(radius(low), grain.size), radius(low)};
   // Regula falsi, the weight of an end that stays halved (Illinois).
   constexpr double close = 1e-13;
   double found = low;
   for (int side = 0, i = 0; i < 100 && high - low > close; ++i) {
     found = (low * at_high - high * at_low) / (at_high - at_low);
-    const double at = excess(found);
+    const double at = yields(found) - found;
     if (std::abs(at) < close) break;
     if (at > 0) {
       low = found, at_low = at;
