@@ -33,6 +33,11 @@ double steepness(const std::vector<double>& slope, const Point& at) {
   return sum;
 }
 
+/// What is not worth a step: far less than the rise that intervals allow (fit.4).
+double worthless(const Point& at) {
+  return 1e-4 * at.sum / static_cast<double>(at.residuals.size());
+}
+
 /// What NLopt calls back. It would not let exceptions of others through.
 struct Roaming {
   Search& search;
@@ -112,7 +117,9 @@ Point Search::descend(Point at, std::optional<std::size_t> held) {
     }
     std::optional<Point> next = lower(at, slope, damping);
     if (!next) break;
+    const bool enough = at.sum - next->sum < worthless(at);
     at = std::move(*next);
+    if (enough) break;
   }
   return at;
 }
@@ -120,7 +127,7 @@ Point Search::descend(Point at, std::optional<std::size_t> held) {
 /// The first lower place found by ever shorter steps; nothing where the bottom is reached.
 std::optional<Point> Search::lower(const Point& at, const std::vector<std::vector<double>>& slopes,
                                    double& damping) {
-  constexpr double least = 1e-9, most = 1e9, shortest = 1e-13, worth = 1e-6;
+  constexpr double least = 1e-9, most = 1e9, shortest = 1e-13;
   MatrixXd slope(at.residuals.size(), count());
   for (std::size_t i = 0; i < count(); ++i) slope.col(static_cast<Index>(i)) = vector(slopes[i]);
   const VectorXd steepest = -slope.transpose() * vector(at.residuals);
@@ -133,7 +140,7 @@ std::optional<Point> Search::lower(const Point& at, const std::vector<std::vecto
     for (Index i = 0; i < sizes.size(); ++i)
       damped(i, i) += sizes(i) > 0 ? damping * sizes(i) + 1e-15 * largest : largest;
     const VectorXd step = damped.ldlt().solve(steepest);
-    if (step.norm() < shortest || step.dot(steepest) < worth * at.sum) return std::nullopt;
+    if (step.norm() < shortest || step.dot(steepest) < worthless(at)) return std::nullopt;
     std::vector<double> place = at.place;
     for (std::size_t i = 0; i < count(); ++i)
       place[i] = std::clamp(place[i] + step(static_cast<Index>(i)), 0.0, 1.0);
