@@ -131,6 +131,15 @@ std::vector<results::Outcome> run_mills(const Request& request, const FitJob& jo
   return compute(request, job.mills, streams, nullptr);
 }
 
+campaign::Fit find(const Request& request, const FitJob& job,
+                   const std::vector<results::Outcome>& mills) {
+  ProgressLine line(request.quiet);
+  return campaign::fit(mills, job.data, job.numbers,
+                       {.threads = request.threads, .stop = &stop_wanted(), .progress = [&](int n) {
+                          line.show(fmt::format("fitting: the powder was milled {} times", n));
+                        }});
+}
+
 void write(results::Folder& folder, const FitJob& job, const report::FitReport& found) {
   folder.write("fit.json", fit_json(found, version()));
   folder.write("fit.csv", report::fit_csv(found));
@@ -172,8 +181,7 @@ int fit(const Request& request) {
   const std::vector<results::Outcome> mills = run_mills(request, job, folder);
   if (const int code = cut_short(mills); code != fine) return code;
   try {
-    const campaign::Fit found =
-        campaign::fit(mills, job.data, job.numbers, request.threads, &stop_wanted());
+    const campaign::Fit found = find(request, job, mills);
     const report::FitReport report = fit_report(job, mills, found);
     write(folder, job, report);
     if (request.json) fmt::print("{}", fit_json(report, version()));

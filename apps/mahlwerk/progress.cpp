@@ -50,15 +50,19 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const campaign::Progress& p) {
   if (!on_) return;
-  shown_ = true;
   using Seconds = std::chrono::duration<double>;
   const double gone = Seconds(std::chrono::steady_clock::now() - started_).count();
   const double share = p.wanted > 0 ? p.simulated / p.wanted : 0;
   const double left = share > 0 ? gone * (1 - share) / share : 0;
-  std::string line = fmt::format(
+  show(fmt::format(
       "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
       "residual {:.0e}",
-      100 * share, p.simulated, p.wanted, left, p.collisions / gone, p.residual);
+      100 * share, p.simulated, p.wanted, left, p.collisions / gone, p.residual));
+}
+
+void ProgressLine::show(std::string line) {
+  if (!on_) return;
+  shown_ = true;
   line.resize(std::min(line.size(), terminal_width() - 1));
   fmt::print(stderr, "\r\033[K{}", line);
   std::fflush(stderr);

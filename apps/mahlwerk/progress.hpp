@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <string>
 
 #include "mahlwerk/campaign/run.hpp"
 
@@ -21,6 +22,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   void show(const campaign::Progress& progress);
+  void show(std::string line);
 
  private:
   bool on_, shown_ = false;

@@ -162,13 +162,15 @@ double residual(const Measurement& measured, double predicted) {
 
 namespace {
 
-/// Of what `predict` tells, beside what was measured.
-Residuals residuals(const Predictor& predict, const Measurements& data,
-                    const std::atomic<bool>* stop) {
-  return [&predict, &data, stop](const std::vector<double>& values) {
-    if (stop != nullptr && *stop) throw Interrupted();
+/// Of what `predict` tells, beside what was measured; counts how often.
+Residuals residuals(const Predictor& predict, const Measurements& data, const FitOptions& options,
+                    int& milled) {
+  return [&](const std::vector<double>& values) {
+    if (options.stop != nullptr && *options.stop) throw Interrupted();
     std::vector<double> all = predict(values);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = residual(data.values[i], all[i]);
+    ++milled;
+    if (options.progress) options.progress(milled);
     return all;
   };
 }
@@ -183,14 +185,14 @@ std::vector<double> values_of(const Fitted& found) {
 std::vector<double> scatter_of_mills(const std::vector<results::Outcome>& mills,
                                      const Measurements& data,
                                      const std::vector<FreeParameter>& numbers, const Fitted& found,
-                                     int threads, const std::atomic<bool>* stop) {
+                                     const FitOptions& options, int& milled) {
   std::size_t replicates = results::averaged(mills.front()).size();
   for (const results::Outcome& mill : mills)
     replicates = std::min(replicates, results::averaged(mill).size());
   std::vector<std::vector<double>> places(numbers.size());
   for (std::size_t r = 0; r < replicates && replicates > 1; ++r) {
-    const Predictor predict(mills, numbers, data.values, threads, r);
-    const Residuals own = residuals(predict, data, stop);
+    const Predictor predict(mills, numbers, data.values, options.threads, r);
+    const Residuals own = residuals(predict, data, options, milled);
     Search search(own, numbers);
     std::vector<double> start;
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -224,14 +226,16 @@ void allow_for(double width, const FreeParameter& number, FittedParameter& p) {
 }  // namespace
 
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
-        const std::vector<FreeParameter>& numbers, int threads, const std::atomic<bool>* stop) {
-  const Predictor predict(mills, numbers, data.values, threads);
+        const std::vector<FreeParameter>& numbers, const FitOptions& options) {
+  int milled = 0;
+  const Predictor predict(mills, numbers, data.values, options.threads);
   const Scatter scatter = data.errors_known() ? Scatter::known : Scatter::estimated;
-  Fit made{.found = least_squares(residuals(predict, data, stop), numbers, scatter),
+  Fit made{.found = least_squares(residuals(predict, data, options, milled), numbers, scatter),
            .predicted = {},
            .by_mills = {}};
   made.predicted = predict(values_of(made.found));
-  made.by_mills = scatter_of_mills(mills, data, numbers, made.found, threads, stop);
+  made.by_mills = scatter_of_mills(mills, data, numbers, made.found, options, milled);
+  made.found.evaluations = milled;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     FittedParameter& p = made.found.parameters[i];
     const double width = made.by_mills[i], place = place_of(numbers[i], p.value);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -71,6 +72,12 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
+struct FitOptions {
+  int threads = 0;                                ///< 0: as many as the machine has
+  const std::atomic<bool>* stop = nullptr;        ///< set: Interrupted is thrown
+  std::function<void(int milled)> progress = {};  ///< after each time the powder was milled
+};
+
 struct Fit {
   Fitted found;
   std::vector<double> predicted;  ///< of each measurement, by what was found
@@ -80,9 +87,8 @@ struct Fit {
 };
 
 /// The numbers that bring the models nearest to what was measured. Throws RunError where no values
-/// give any powder, Interrupted once `stop` is set.
+/// give any powder, Interrupted once it is told to stop.
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
-        const std::vector<FreeParameter>& numbers, int threads = 0,
-        const std::atomic<bool>* stop = nullptr);
+        const std::vector<FreeParameter>& numbers, const FitOptions& options = {});
 
 }  // namespace mahlwerk::campaign

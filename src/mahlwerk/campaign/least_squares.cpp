@@ -40,27 +40,33 @@ double allowed_rise(double sum, int freedom, Scatter scatter) {
 }
 
 /// How far parameter `i` goes from the best place towards 0 or 1 before the sum of squares, the
-/// others chosen anew, has risen by `rise` (fit.5). `guess` is what the slopes say.
+/// others chosen anew, has risen by `rise` (fit.5). `guess` is what the slopes say, `along` how the
+/// others go along.
 struct Limit {
   double place;
   bool open;
 };
-Limit limit(Search& search, const Point& best, std::size_t i, bool up, double rise, double guess) {
+Limit limit(Search& search, const Point& best, std::size_t i, bool up, double rise, double guess,
+            const VectorXd& along) {
   constexpr double sharp = 1e-9, enough = 0.01;
   const double end = up ? 1 : 0, room = std::abs(end - best.place[i]), side = up ? 1 : -1;
   if (guess < std::min(sharp, room)) return {best.place[i] + side * guess, false};
   if (!std::isfinite(rise)) return {end, true};
   double inside = 0, inside_rise = 0, outside = infinite, outside_rise = 0;
   double way = std::min(guess, room);
-  Point from = best;
+  std::vector<double> step(along.begin(), along.end());  // of all, by that of parameter i
   for (int round = 0; round < 15; ++round) {
-    std::vector<double> place = from.place;
+    std::vector<double> place = best.place;
+    for (std::size_t k = 0; k < place.size(); ++k)
+      place[k] = std::clamp(place[k] + side * way * step[k], 0.0, 1.0);
     place[i] = way >= room ? end : best.place[i] + side * way;
-    Point at = search.descend(search.look(place), i);
+    const Point at = search.descend(search.look(place), i);
     const double risen = std::sqrt(std::max(0.0, (at.sum - best.sum) / rise));  // nearly straight
     if (risen <= 1) {
       if (way >= room) return {end, true};
-      inside = way, inside_rise = risen, from = std::move(at);
+      inside = way, inside_rise = risen;
+      for (std::size_t k = 0; k < step.size(); ++k)
+        step[k] = (at.place[k] - best.place[k]) / (side * way);
     } else {
       outside = way, outside_rise = risen;
     }
@@ -111,7 +117,7 @@ std::vector<std::vector<double>> correlation(const MatrixXd& covariance) {
   std::vector<std::vector<double>> rows(n, std::vector<double>(n, 1));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < n; ++k) {
-      const auto a = static_cast<Index>(i), b = static_cast<Index>(k);
+      const auto a = static_cast<Index>(std::min(i, k)), b = static_cast<Index>(std::max(i, k));
       if (i != k)  // (fit.7)
         rows[i][k] = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
     }
@@ -141,13 +147,14 @@ Found found(Search& search, Scatter scatter) {
       static_cast<int>(made.best.residuals.size()) - static_cast<int>(search.count());
   for (int time = 1;; ++time) {
     made.rise = std::max(least_rise, allowed_rise(made.best.sum, freedom, scatter));
-    made.shape = shape(search.slopes(made.best));
+    made.shape = shape(search.slopes(made.best, true));
     made.limits.clear();
     for (std::size_t i = 0; i < search.count(); ++i) {
       const auto at = static_cast<Index>(i);
-      const double guess = std::sqrt(made.rise * made.shape.covariance(at, at));
-      made.limits.push_back({limit(search, made.best, i, false, made.rise, guess),
-                             limit(search, made.best, i, true, made.rise, guess)});
+      const double spread = made.shape.covariance(at, at), guess = std::sqrt(made.rise * spread);
+      const VectorXd along = made.shape.covariance.col(at) / spread;
+      made.limits.push_back({limit(search, made.best, i, false, made.rise, guess, along),
+                             limit(search, made.best, i, true, made.rise, guess, along)});
     }
     const Point& lower = *std::ranges::min_element(search.seen(), {}, &Point::sum);
     if (time == most_times || !(lower.sum < made.best.sum - 1e-3 * made.rise)) return made;

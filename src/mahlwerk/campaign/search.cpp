@@ -33,6 +33,11 @@ double steepness(const std::vector<double>& slope, const Point& at) {
   return sum;
 }
 
+/// What is not worth a step: far less than the rise that intervals allow (fit.4).
+double worthless(const Point& at) {
+  return 1e-4 * at.sum / static_cast<double>(at.residuals.size());
+}
+
 /// What NLopt calls back. It would not let exceptions of others through.
 struct Roaming {
   Search& search;
@@ -79,22 +84,23 @@ Point Search::look(const std::vector<double>& place) {
   return point;
 }
 
-std::vector<std::vector<double>> Search::slopes(const Point& at) {
+std::vector<std::vector<double>> Search::slopes(const Point& at, bool fine,
+                                                std::optional<std::size_t> held) {
   constexpr double step = 1e-4;
   std::vector<std::vector<double>> made;
   for (std::size_t i = 0; i < count(); ++i) {
-    std::array<Point, 2> beside{at, at};
-    for (const std::size_t side : {0U, 1U}) {
+    std::vector<Point> beside;
+    for (const double way : {step, -step}) {
       std::vector<double> place = at.place;
-      place[i] = std::clamp(place[i] + (side == 0 ? -step : step), 0.0, 1.0);
-      if (place[i] == at.place[i]) continue;
-      Point point = look(place);
-      if (std::isfinite(point.sum)) beside[side] = std::move(point);
+      place[i] += way;
+      if (i == held || place[i] < 0 || place[i] > 1 || (!fine && !beside.empty())) continue;
+      if (Point point = look(place); std::isfinite(point.sum)) beside.push_back(std::move(point));
     }
-    const double way = beside[1].place[i] - beside[0].place[i];
     std::vector<double>& slope = made.emplace_back(at.residuals.size(), 0);
-    for (std::size_t k = 0; k < slope.size() && way > 0; ++k)
-      slope[k] = (beside[1].residuals[k] - beside[0].residuals[k]) / way;
+    if (beside.empty()) continue;
+    const Point &to = beside.front(), &from = beside.size() > 1 ? beside.back() : at;
+    for (std::size_t k = 0; k < slope.size(); ++k)
+      slope[k] = (to.residuals[k] - from.residuals[k]) / (to.place[i] - from.place[i]);
   }
   return made;
 }
@@ -103,15 +109,17 @@ Point Search::descend(Point at, std::optional<std::size_t> held) {
   constexpr int most_rounds = 50;
   double damping = 1e-3;
   for (int round = 0; round < most_rounds && std::isfinite(at.sum); ++round) {
-    std::vector<std::vector<double>> slope = slopes(at);
+    std::vector<std::vector<double>> slope = slopes(at, false, held);
     for (std::size_t i = 0; i < count(); ++i) {
       const double down = steepness(slope[i], at);
-      if (i == held || (at.place[i] <= 0 && down < 0) || (at.place[i] >= 1 && down > 0))
+      if ((at.place[i] <= 0 && down < 0) || (at.place[i] >= 1 && down > 0))
         slope[i].assign(slope[i].size(), 0);
     }
     std::optional<Point> next = lower(at, slope, damping);
     if (!next) break;
+    const bool enough = at.sum - next->sum < worthless(at);
     at = std::move(*next);
+    if (enough) break;
   }
   return at;
 }
@@ -119,7 +127,7 @@ Point Search::descend(Point at, std::optional<std::size_t> held) {
 /// The first lower place found by ever shorter steps; nothing where the bottom is reached.
 std::optional<Point> Search::lower(const Point& at, const std::vector<std::vector<double>>& slopes,
                                    double& damping) {
-  constexpr double least = 1e-9, most = 1e9, shortest = 1e-13, worth = 1e-9;
+  constexpr double least = 1e-9, most = 1e9, shortest = 1e-13;
   MatrixXd slope(at.residuals.size(), count());
   for (std::size_t i = 0; i < count(); ++i) slope.col(static_cast<Index>(i)) = vector(slopes[i]);
   const VectorXd steepest = -slope.transpose() * vector(at.residuals);
@@ -132,7 +140,7 @@ std::optional<Point> Search::lower(const Point& at, const std::vector<std::vecto
     for (Index i = 0; i < sizes.size(); ++i)
       damped(i, i) += sizes(i) > 0 ? damping * sizes(i) + 1e-15 * largest : largest;
     const VectorXd step = damped.ldlt().solve(steepest);
-    if (step.norm() < shortest || step.dot(steepest) < worth * at.sum) return std::nullopt;
+    if (step.norm() < shortest || step.dot(steepest) < worthless(at)) return std::nullopt;
     std::vector<double> place = at.place;
     for (std::size_t i = 0; i < count(); ++i)
       place[i] = std::clamp(place[i] + step(static_cast<Index>(i)), 0.0, 1.0);
@@ -153,7 +161,7 @@ Point Search::roam(const Point& from) {
   subplex.set_initial_step(0.1);
   subplex.set_ftol_rel(1e-3);
   subplex.set_xtol_abs(1e-4);
-  subplex.set_maxeval(60 * static_cast<int>(n + 1));
+  subplex.set_maxeval(25 * static_cast<int>(n + 1));
   Roaming roaming{*this, from, {}};
   subplex.set_min_objective(Roaming::step, &roaming);
   std::vector<double> place = from.place;

@@ -32,8 +32,10 @@ class Search {
 
   Point look(const std::vector<double>& place);
 
-  /// Of the residuals by each place; zero where neither neighbour has any.
-  std::vector<std::vector<double>> slopes(const Point& at);
+  /// Of the residuals by each place but that of `held`, from both sides if they are to be `fine`;
+  /// zero where no neighbour has any.
+  std::vector<std::vector<double>> slopes(const Point& at, bool fine,
+                                          std::optional<std::size_t> held = std::nullopt);
 
   /// By Levenberg and Marquardt, the parameter `held` staying where it is.
   Point descend(Point at, std::optional<std::size_t> held = std::nullopt);

@@ -175,7 +175,7 @@ TEST(Fit, ends_when_it_is_told_to) {
   const std::vector<results::Outcome> mills{run(read(mill + kinetics))};
   const std::atomic<bool> stop{true};
   Measurements all = data("time (s),conversion\n60,0.2\n600,0.8\n");
-  EXPECT_THROW(fit(mills, all, free_numbers(mills[0].what), 1, &stop), Interrupted);
+  EXPECT_THROW(fit(mills, all, free_numbers(mills[0].what), {.stop = &stop}), Interrupted);
 }
 
 TEST(Fit, of_a_dose_constant_has_the_closed_form) {

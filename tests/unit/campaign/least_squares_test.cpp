@@ -307,7 +307,7 @@ TEST(LeastSquares, TakeSomeHundredEvaluationsAParameter) {
   const Fitted fit =
       least_squares(decay(decay_data(12, 0.2, 5), 0.2), decay_parameters, Scatter::known);
   std::printf("    %d evaluations\n", fit.evaluations);
-  EXPECT_LT(fit.evaluations, 2000);
+  EXPECT_LT(fit.evaluations, 500);
 }
 
 }  // namespace
