@@ -115,11 +115,28 @@ cases::Case for_fit(cases::Case what, std::size_t condition, const Measurements&
   return what;
 }
 
+namespace {
+
+/// Whether beds stay as they are whatever the numbers that are sought: those of [capture] change
+/// what is caught, welding the classes there are, a strength that [breakage] lends to the bed both.
+bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& numbers) {
+  if (what.grinding->bed == powder::Bed::mixed) return false;
+  const bool lent = std::holds_alternative<powder::Tavares>(what.grinding->breakage);
+  return std::ranges::none_of(numbers, [&](const FreeParameter& number) {
+    const bool of_capture =
+        number.name.starts_with("capture.") && number.name != "capture.energy_share";
+    return of_capture || number.name == "grinding.welding" ||
+           (lent && number.name.starts_with("breakage."));
+  });
+}
+
+}  // namespace
+
 Predictor::Predictor(const std::vector<results::Outcome>& mills, std::vector<FreeParameter> numbers,
                      std::vector<Measurement> asked, int threads, std::optional<std::size_t> only)
     : numbers_(std::move(numbers)), asked_(std::move(asked)), threads_(threads) {
   for (std::size_t i = 0; i < mills.size(); ++i) {
-    Mill mill{&mills[i], results::averaged(mills[i]), {}, false, {}};
+    Mill mill{&mills[i], results::averaged(mills[i]), {}, {}, false, {}};
     if (only) mill.replicates = {mill.replicates.at(*only)};
     if (mills[i].what.capture) mill.stresses = results::stresses(mills[i].what, mill.replicates);
     for (std::size_t k = 0; k < asked_.size(); ++k)
@@ -127,6 +144,8 @@ Predictor::Predictor(const std::vector<results::Outcome>& mills, std::vector<Fre
         mill.asked.push_back(k);
         mill.grinds = mill.grinds || of_sizes(asked_[k].what);
       }
+    if (mill.grinds && keeps_beds(mills[i].what, numbers_))
+      mill.beds = results::beds(mills[i].what, mill.stresses);
     mills_.push_back(std::move(mill));
   }
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -139,7 +158,8 @@ void Predictor::tell(const Mill& mill, const std::vector<double>& values,
   for (std::size_t i = 0; i < numbers_.size(); ++i)
     cases::adjust(what, numbers_[i].name, values[i]);
   const powder::Milling milling =
-      mill.grinds ? results::milled(what, mill.stresses) : powder::Milling{};
+      mill.grinds ? results::milled(what, mill.stresses, mill.beds ? &*mill.beds : nullptr)
+                  : powder::Milling{};
   const double dose =
       what.kinetics ? results::dose_rate(what, mill.replicates, mill.stresses) : nothing;
   for (const std::size_t k : mill.asked)

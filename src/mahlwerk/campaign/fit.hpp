@@ -52,8 +52,9 @@ class Predictor {
     const results::Outcome* outcome;
     std::vector<const results::Replicate*> replicates;
     powder::StressSpectrum stresses;
-    bool grinds = false;             ///< sizes are asked for
-    std::vector<std::size_t> asked;  ///< places in asked_
+    std::optional<powder::Beds> beds;  ///< where no number that is sought changes them
+    bool grinds = false;               ///< sizes are asked for
+    std::vector<std::size_t> asked;    ///< places in asked_
   };
   void tell(const Mill& mill, const std::vector<double>& values, std::vector<double>& told) const;
 
