@@ -35,6 +35,8 @@ Multiple multiple(double size, std::string_view unit);
 
 /// What a quantity is called in tables and on axes: "mean normal energy" for energy_normal_mean.
 std::string label(std::string_view name);
+/// The same, but a property of [kinetics] by the name the case gave it.
+std::string label(const results::Quantity& q);
 
 /// Characters a terminal shows for UTF-8 text.
 std::size_t width(std::string_view text);
