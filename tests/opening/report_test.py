@@ -66,6 +66,7 @@ method = "both"
 [kinetics]
 dose_constant = "5 kJ/g"
 property = "amorphous content"
+initial = 0
 final = 100
 """
 NUMBERS = """Object.fromEntries([...document.querySelectorAll('[data-quantity]')]
