@@ -133,8 +133,8 @@ def check(browser, folder, states):
         seen = colours(browser.picture("#replay .scene"))
         states.say(f"the_replay_is_not_blank_in_a_{theme}_theme", f"{seen} colours", "> 100",
                    seen > 100)
-    maps = browser.ask("document.querySelectorAll('figure svg').length")
-    states.say("plots_and_maps_are_drawn", maps, ">= 17", maps >= 17)
+    maps = browser.ask("document.querySelectorAll('figure > svg').length")
+    states.say("plots_and_maps_are_drawn", maps, ">= 18", maps >= 18)
     states.say("the_browser_has_no_complaint", browser.faults or "none", "none",
                not browser.faults)
     size = (folder / "report.html").stat().st_size

@@ -22,16 +22,17 @@ namespace {
 namespace fs = std::filesystem;
 using results::Quantity;
 
-/// What a campaign's page shows where its points have it; campaign.csv has everything.
-constexpr std::array<std::string_view, 9> chosen{"collision_rate_above_threshold",
-                                                 "energy_normal_mean_above_threshold",
-                                                 "energy_contact_point_mean_above_threshold",
-                                                 "dissipated_power",
+/// What a campaign's page shows where its points have it, the powder first;
+/// campaign.csv has everything.
+constexpr std::array<std::string_view, 9> chosen{"d90",
+                                                 "d50",
+                                                 "conversion",
                                                  "captured_mass_rate",
                                                  "captured_grains_mean",
-                                                 "d50",
-                                                 "d90",
-                                                 "conversion"};
+                                                 "collision_rate_above_threshold",
+                                                 "energy_normal_mean_above_threshold",
+                                                 "energy_contact_point_mean_above_threshold",
+                                                 "dissipated_power"};
 
 /// "400 rpm" is 400 and "rpm"; a word is NaN and all of it.
 struct Split {

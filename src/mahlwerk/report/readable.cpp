@@ -93,6 +93,12 @@ std::string scientific(double value, double ci95) {
 }  // namespace
 
 Multiple multiple(double size, std::string_view unit) {
+  if (unit == "kg/s") {  // what wears off is told by the hour, what is caught by the second
+    constexpr double fast = 1e-6, gram = 1e-3, hour = 3600;
+    const double base = size < fast ? gram / hour : gram;
+    const Multiple m = multiple(size / base, size < fast ? "g/h" : "g/s");
+    return {m.factor * base, m.unit};
+  }
   using Prefix = std::pair<double, std::string_view>;
   constexpr std::array prefixes{Prefix{1e9, "G"},  Prefix{1e6, "M"},  Prefix{1e3, "k"},
                                 Prefix{1, ""},     Prefix{1e-3, "m"}, Prefix{1e-6, "µ"},
@@ -113,11 +119,6 @@ std::string Readable::text() const {
 
 Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
-  if (unit == "kg/s") {  // what wears off is told by the hour, what is caught by the second
-    const bool slow = std::max(size, std::abs(value)) < 1e-6;
-    const double factor = slow ? 3.6e6 : 1e3;
-    return readable(factor * value, factor * ci95, slow ? "g/h" : "g/s", factor * size);
-  }
   const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
   std::string shown = m.unit;

@@ -27,6 +27,7 @@ inline Readable readable(const results::Quantity& q) {
 std::string threshold_text(double threshold);
 
 /// The largest power of 1000 not above `size` that `unit` can take: 1e-3 and "mJ" for 0.0024 J.
+/// Of kg/s it is of g/h or, from 1 mg/s on, of g/s.
 struct Multiple {
   double factor = 1;
   std::string unit;
