@@ -64,6 +64,7 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
   const auto [name, about] =
       std::visit([](const auto& m) { return std::pair(std::string(m.name), std::string(m.about)); },
                  what.capture->model);
+  const Multiple size = multiple(*what.powder->size, "m");
   return fmt::format(
              "<h2>What collisions catch</h2>\n<p>Collisions catch {} of powder: a grain is caught "
              "{:.3g} times a second and gets {} each time, {} in all.{}</p>\n",
@@ -74,8 +75,8 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
                 fmt::format("Of grains of {}, the median of the feed, by the model {}: {}. {} "
                             "capture.csv has the numbers; of many kinds of pairs those with most "
                             "power are shown.",
-                            show_rounded(*what.powder->size, "m", 3), name, about,
-                            energy_words(*what.capture))) +
+                            fmt::format("{:.3g} {}", *what.powder->size / size.factor, size.unit),
+                            name, about, energy_words(*what.capture))) +
          figure(caught_energy_plot(outcome),
                 "That share of the energy over the mass caught, grains alike.") +
          figure(caught_grains_plot(outcome),
