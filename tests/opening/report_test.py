@@ -35,6 +35,8 @@ diameter = "10 mm"
 density = "7850 kg/m3"
 [powder]
 mass = "2 g"
+material = "quartz"
+size = "200 um"
 [contact]
 restitution = 0.6
 friction = 0.3
@@ -46,11 +48,32 @@ replicates = 2
 [wear]
 [heat]
 milling = "30 min"
+[capture]
+model = "barrios"
+fracture_energy = "500 J/kg"
+energy_share = 0.1
+[breakage]
+model = "vogel-peukert"
+f_mat = "0.1 kg/J/m"
+x_w_min = "0.01 J m/kg"
+[fragments]
+model = "austin"
+share = 0.4
+gamma = 0.8
+beta = 3
+[grinding]
+method = "both"
+[kinetics]
+dose_constant = "5 kJ/g"
+property = "amorphous content"
+initial = 0
+final = 100
 """
 NUMBERS = """Object.fromEntries([...document.querySelectorAll('[data-quantity]')]
              .map(cell => [cell.dataset.quantity, Number(cell.dataset.value)]))"""
 HEADINGS = {"Replay", "Results", "Who hits whom", "How hard", "Where, and how it moves",
-            "How steady", "Wear", "How warm", "Methods, to paste", "What it rests on"}
+            "How steady", "Wear", "How warm", "What collisions catch", "How fine it gets", "Dose",
+            "Methods, to paste", "What it rests on"}
 
 
 def colours(png):
@@ -110,8 +133,8 @@ def check(browser, folder, states):
         seen = colours(browser.picture("#replay .scene"))
         states.say(f"the_replay_is_not_blank_in_a_{theme}_theme", f"{seen} colours", "> 100",
                    seen > 100)
-    maps = browser.ask("document.querySelectorAll('figure svg').length")
-    states.say("plots_and_maps_are_drawn", maps, ">= 8", maps >= 8)
+    maps = browser.ask("document.querySelectorAll('figure > svg').length")
+    states.say("plots_and_maps_are_drawn", maps, ">= 18", maps >= 18)
     states.say("the_browser_has_no_complaint", browser.faults or "none", "none",
                not browser.faults)
     size = (folder / "report.html").stat().st_size

@@ -22,10 +22,17 @@ namespace {
 namespace fs = std::filesystem;
 using results::Quantity;
 
-/// What a campaign's page shows; campaign.csv has everything.
-constexpr std::array<std::string_view, 4> chosen{
-    "collision_rate_above_threshold", "energy_normal_mean_above_threshold",
-    "energy_contact_point_mean_above_threshold", "dissipated_power"};
+/// What a campaign's page shows where its points have it, the powder first;
+/// campaign.csv has everything.
+constexpr std::array<std::string_view, 9> chosen{"d90",
+                                                 "d50",
+                                                 "conversion",
+                                                 "captured_mass_rate",
+                                                 "captured_grains_mean",
+                                                 "collision_rate_above_threshold",
+                                                 "energy_normal_mean_above_threshold",
+                                                 "energy_contact_point_mean_above_threshold",
+                                                 "dissipated_power"};
 
 /// "400 rpm" is 400 and "rpm"; a word is NaN and all of it.
 struct Split {
@@ -65,10 +72,19 @@ const Quantity* named(const Point& p, std::string_view name) {
   return found == p.quantities.end() ? nullptr : &*found;
 }
 
+std::vector<std::string_view> shown(const Campaign& c) {
+  std::vector<std::string_view> names;
+  for (const std::string_view name : chosen)
+    if (std::ranges::any_of(c.points, [&](const Point& p) { return named(p, name) != nullptr; }))
+      names.push_back(name);
+  return names;
+}
+
 std::string point_table(const Campaign& c) {
   std::string head, body;
   for (const Swept& s : c.swept) head += fmt::format("<th>{}</th>", escaped(s.key));
-  for (const std::string_view name : chosen)
+  const std::vector<std::string_view> names = shown(c);
+  for (const std::string_view name : names)
     head += fmt::format("<th class=\"n\">{}</th>", escaped(label(name)));
   for (const Point& p : c.points) {
     body += "<tr>";
@@ -80,7 +96,7 @@ std::string point_table(const Campaign& c) {
                              escaped((fs::path(p.folder) / "report.html").generic_string()), text)
                : fmt::format("<td>{}</td>", text);
     }
-    for (const std::string_view name : chosen) {
+    for (const std::string_view name : names) {
       const Quantity* q = named(p, name);
       body +=
           fmt::format("<td class=\"n\">{}</td>", q != nullptr ? escaped(readable(*q).text()) : "");
@@ -119,6 +135,13 @@ std::vector<Line> lines(const Campaign& c, std::size_t axis) {
   return found;
 }
 
+/// Numbers over two decades and more are told apart on a logarithmic axis alone.
+bool over_decades(const std::vector<double>& values) {
+  constexpr double far = 100;
+  const auto [least, most] = std::ranges::minmax_element(values);
+  return least != values.end() && *least > 0 && *most >= far * *least;
+}
+
 Plot plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
   double most = 0;
   std::string unit;
@@ -145,6 +168,8 @@ Plot plot_of(const Campaign& c, std::size_t axis, std::string_view name) {
       series.y.push_back(q->value / m.factor);
       series.error.push_back(q->ci95 / m.factor);
     }
+    plot.x.logarithmic = plot.x.logarithmic || over_decades(series.x);
+    plot.y.logarithmic = plot.y.logarithmic || over_decades(series.y);
     plot.series.push_back(std::move(series));
   }
   return plot;
@@ -185,7 +210,7 @@ std::string campaign_page(const Campaign& c, std::string_view version) {
                                  c.points.size(), escaped(keys));
   body += point_table(c);
   if (const std::size_t axis = axis_of(c); axis < c.swept.size())
-    for (const std::string_view name : chosen) body += figure(plot_of(c, axis, name), "");
+    for (const std::string_view name : shown(c)) body += figure(plot_of(c, axis, name), "");
   return page(c.title, body,
               fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
                           escaped(version)));
@@ -218,7 +243,7 @@ std::string campaign_csv(const Campaign& c) {
 std::map<std::string, std::string> campaign_figures(const Campaign& c) {
   std::map<std::string, std::string> figures;
   if (const std::size_t axis = axis_of(c); axis < c.swept.size())
-    for (const std::string_view name : chosen)
+    for (const std::string_view name : shown(c))
       figures["figures/" + std::string(name) + ".svg"] = svg(plot_of(c, axis, name));
   return figures;
 }

@@ -18,6 +18,9 @@ constexpr std::array columns{
     Column{"energy_normal_mean_above_threshold", "E normal"},
     Column{"dissipated_power", "dissipated"},
     Column{"contact_time_share", "time in contact"},
+    Column{"captured_mass_rate", "caught"},
+    Column{"d50", "D50"},
+    Column{"d90", "D90"},
 };
 
 std::string value_of(const Point& point, std::string_view name) {
@@ -26,15 +29,28 @@ std::string value_of(const Point& point, std::string_view name) {
   return at == point.quantities.end() ? "" : readable(*at).text();
 }
 
+/// Those that the points have.
+std::vector<Column> columns_of(const Campaign& campaign) {
+  std::vector<Column> list;
+  for (const Column& column : columns)
+    if (std::ranges::any_of(campaign.points, [&](const Point& point) {
+          return std::ranges::find(point.quantities, column.quantity, &results::Quantity::name) !=
+                 point.quantities.end();
+        }))
+      list.push_back(column);
+  return list;
+}
+
 }  // namespace
 
 std::string campaign_table(const Campaign& campaign) {
+  const std::vector<Column> shown = columns_of(campaign);
   std::vector<std::vector<std::string>> lines(1);
   for (const Swept& key : campaign.swept) lines[0].push_back(key.key);
-  for (const Column& column : columns) lines[0].emplace_back(column.head);
+  for (const Column& column : shown) lines[0].emplace_back(column.head);
   for (const Point& point : campaign.points) {
     lines.push_back(point.values);
-    for (const Column& column : columns) lines.back().push_back(value_of(point, column.quantity));
+    for (const Column& column : shown) lines.back().push_back(value_of(point, column.quantity));
   }
   std::vector<std::size_t> widths(lines[0].size(), 0);
   for (const auto& line : lines)

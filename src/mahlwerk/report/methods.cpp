@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -38,8 +39,13 @@ class Writing {
   std::string numbers(std::string_view section, const Model& model) const {
     std::string words;
     for (const auto& field : model.fields()) {
+      constexpr std::array otherwise{"fracture_energy", "t10", "cut"};  // 0: there is none
+      if (model.*field.value == 0 && std::ranges::find(otherwise, field.key) != otherwise.end())
+        continue;
       std::string name(field.key);
-      std::ranges::replace(name, '_', ' ');
+      constexpr std::array symbols{"f_mat", "x_w_min", "x_e_min", "d_0", "e_infinity"};
+      if (std::ranges::find(symbols, field.key) == symbols.end())
+        std::ranges::replace(name, '_', ' ');
       words += fmt::format(
           "{}{} {}", words.empty() ? "" : ", ", name,
           value(fmt::format("{}.{}", section, field.key), model.*field.value, field.unit));
@@ -88,6 +94,52 @@ class Writing {
     return text;
   }
 
+  /// "barrios (fracture energy 1 kJ/kg)"
+  template <class AnyModel>
+  std::string model(std::string_view section, const AnyModel& any) const {
+    return std::visit(
+        [&](const auto& m) {
+          const std::string words = numbers(section, m);
+          return std::string(m.name) + (words.empty() ? "" : " (" + words + ")");
+        },
+        any);
+  }
+
+  std::string powder() const {
+    if (!c_.capture) return "";
+    constexpr std::array energies{"of the normal motion", "of the points of contact",
+                                  "that is dissipated"};
+    std::string text = fmt::format(
+        "After the motion, what collisions do to the powder was reckoned: they catch grains by the "
+        "model {}; those get {} of the energy {}. ",
+        model("capture", c_.capture->model),
+        marked("capture.energy_share", fmt::format("{:.4g} %", 100 * c_.capture->energy_share)),
+        energies[static_cast<std::size_t>(c_.capture->energy)]);
+    if (!c_.grinding) return text;
+    const cases::Grinding& g = *c_.grinding;
+    constexpr std::array methods{"a population balance", "a sample of {} grains",
+                                 "a population balance and a sample of {} grains"};
+    text += fmt::format(
+        "Grains break by {}, into pieces by {}; sizes after {} of milling by {}, {}",
+        model("breakage", g.breakage), model("fragments", g.fragments), show_rounded(g.time, "s"),
+        fmt::format(fmt::runtime(methods[static_cast<std::size_t>(g.method)]), g.sample),
+        g.bed == powder::Bed::mixed ? "in mixed beds" : "each bed of one size");
+    if (g.sticking > 0) text += fmt::format(", {:.4g} % of the grains stuck", 100 * g.sticking);
+    if (g.welding > 0) text += fmt::format(", welding with a chance of {:.4g} a hit", g.welding);
+    return text + ". ";
+  }
+
+  std::string kinetics() const {
+    if (!c_.kinetics) return "";
+    const cases::Kinetics& k = *c_.kinetics;
+    return fmt::format(
+        "Conversion after {} of milling: 1 - exp(-((D - {})/({}))^{:.4g}) of the dose D of energy "
+        "{} by mass of powder. ",
+        show_rounded(k.time, "s"), value("kinetics.onset", k.conversion.onset, "J/kg"),
+        value("kinetics.dose_constant", k.conversion.dose_constant, "J/kg"), k.conversion.exponent,
+        k.dose == cases::Kinetics::Dose::captured ? "caught" : "dissipated");
+  }
+
   std::string contact(const std::string& engine) const {
     const contact::BounceRule& rule = c_.contact.rule;
     std::string text =
@@ -129,7 +181,7 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
   const auto chosen = results::averaged(outcome);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(outcome));
-  text += say.mill() + say.charge() + say.contact(outcome.engine);
+  text += say.mill() + say.charge() + say.contact(outcome.engine) + say.powder() + say.kinetics();
   double time = 0;
   for (const results::Replicate* r : chosen) time += r->time() / static_cast<double>(chosen.size());
   text += fmt::format(

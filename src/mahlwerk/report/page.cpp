@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view style = R"css(
 :root{--ink:#1d2329;--soft:#59636e;--grid:#e3e6ea;--paper:#fff;--box:#f5f7f9;--edge:#d5dae0;--warn:#9a3412;--warnbox:#fff4ed;color-scheme:light dark}
 @media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--soft:#a3adb8;--grid:#30363d;--paper:#14181c;--box:#1d2329;--edge:#39424b;--warn:#fdba74;--warnbox:#33200f}
- svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}}
+ svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}svg path[stroke="#666666"]{stroke:#a3adb8}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
 main{max-width:60rem;margin:0 auto;padding:2.2rem 1.4rem 3rem}
@@ -24,7 +24,7 @@ table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums;font
 th,td{padding:.38rem .7rem;border-bottom:1px solid var(--edge);text-align:left;vertical-align:baseline}
 th{font-weight:600}thead th{color:var(--soft);font-size:.85rem;border-bottom:2px solid var(--edge)}
 td.n,th.n{text-align:right}td.n{white-space:nowrap}
-tbody th{font-weight:400}tbody th small{display:block;color:var(--soft);font-size:.8rem;line-height:1.35}
+tbody th{font-weight:400}tbody th.group{font-weight:600;padding-top:1.1rem}tbody th small{display:block;color:var(--soft);font-size:.8rem;line-height:1.35}
 .box{background:var(--box);border:1px solid var(--edge);border-radius:6px;padding:.9rem 1.1rem;margin:1.2rem 0}
 .box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}
 .box tr:last-child td{border-bottom:0}

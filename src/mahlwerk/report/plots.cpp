@@ -8,31 +8,15 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/tables.hpp"
 #include "mahlwerk/results/wear.hpp"
 
 namespace mahlwerk::report {
-namespace {
 
 using results::Table;
-
-std::vector<double> column(const Table& table, std::string_view name, double factor = 1) {
-  const auto place = std::ranges::find(table.columns, name, &results::Column::name);
-  const auto i = static_cast<std::size_t>(place - table.columns.begin());
-  std::vector<double> values;
-  for (const auto& row : table.rows) values.push_back(row[i] / factor);
-  return values;
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, v);
-  return most;
-}
-
-}  // namespace
 
 Plot spectrum_plot(const results::Outcome& outcome) {
   // A settling ball bounces ever smaller, over any number of decades: the top seven tell the story.

@@ -27,16 +27,27 @@ constexpr std::array labels{
     Words{"energy_residual", "worst collision residual"},
     Words{"deepest_overlap", "deepest overlap over radius"},
     Words{"energy_balance", "energy balance residual"},
+    Words{"captured_mass_rate", "powder caught"},
+    Words{"captured_share_rate", "catches of each grain"},
+    Words{"captured_grains_mean", "grains caught by a collision"},
+    Words{"captured_energy_mean", "energy of caught powder"},
+    Words{"captured_dose_rate", "power of caught powder"},
+    Words{"d10", "D10"},
+    Words{"d50", "D50"},
+    Words{"d90", "D90"},
+    Words{"finest_share", "share in the finest class"},
+    Words{"specific_grinding_energy", "grinding energy"},
+    Words{"milling_dose", "dose of milling"},
 };
 
 /// Units as they are shown where that is not what they are called.
-constexpr std::array signs{Words{"1", ""}, Words{"1/s", "/s"}, Words{"deg", "°"},
-                           Words{"degC", "°C"}, Words{"ug/g/h", "µg/g/h"}};
+constexpr std::array signs{Words{"1", ""},      Words{"1/s", "/s"},        Words{"deg", "°"},
+                           Words{"degC", "°C"}, Words{"ug/g/h", "µg/g/h"}, Words{"m2/kg", "m²/kg"}};
 
 /// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
-  constexpr std::array<std::string_view, 11> list{"J",   "W",   "m",   "s",    "N",  "Pa",
-                                                  "W/g", "J/g", "N m", "W/m²", "g/h"};
+  constexpr std::array<std::string_view, 12> list{"J",   "W",   "m",   "s",    "N",   "Pa",
+                                                  "W/g", "J/g", "N m", "W/m²", "g/h", "g/s"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 
@@ -82,6 +93,12 @@ std::string scientific(double value, double ci95) {
 }  // namespace
 
 Multiple multiple(double size, std::string_view unit) {
+  if (unit == "kg/s") {  // what wears off is told by the hour, what is caught by the second
+    constexpr double fast = 1e-6, gram = 1e-3, hour = 3600;
+    const double base = size < fast ? gram / hour : gram;
+    const Multiple m = multiple(size / base, size < fast ? "g/h" : "g/s");
+    return {m.factor * base, m.unit};
+  }
   using Prefix = std::pair<double, std::string_view>;
   constexpr std::array prefixes{Prefix{1e9, "G"},  Prefix{1e6, "M"},  Prefix{1e3, "k"},
                                 Prefix{1, ""},     Prefix{1e-3, "m"}, Prefix{1e-6, "µ"},
@@ -102,8 +119,6 @@ std::string Readable::text() const {
 
 Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
-  constexpr double per_hour = 3.6e6;  // [g/h] of a kg/s
-  if (unit == "kg/s") return readable(per_hour * value, per_hour * ci95, "g/h", per_hour * size);
   const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
   std::string shown = m.unit;
@@ -132,6 +147,10 @@ std::string label(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
+}
+
+std::string label(const results::Quantity& q) {
+  return q.name == "property" ? q.about.substr(0, q.about.rfind(',')) : label(q.name);
 }
 
 std::size_t width(std::string_view text) {

@@ -27,6 +27,7 @@ inline Readable readable(const results::Quantity& q) {
 std::string threshold_text(double threshold);
 
 /// The largest power of 1000 not above `size` that `unit` can take: 1e-3 and "mJ" for 0.0024 J.
+/// Of kg/s it is of g/h or, from 1 mg/s on, of g/s.
 struct Multiple {
   double factor = 1;
   std::string unit;
@@ -35,6 +36,8 @@ Multiple multiple(double size, std::string_view unit);
 
 /// What a quantity is called in tables and on axes: "mean normal energy" for energy_normal_mean.
 std::string label(std::string_view name);
+/// The same, but a property of [kinetics] by the name the case gave it.
+std::string label(const results::Quantity& q);
 
 /// Characters a terminal shows for UTF-8 text.
 std::size_t width(std::string_view text);

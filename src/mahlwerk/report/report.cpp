@@ -13,6 +13,7 @@
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plots.hpp"
+#include "mahlwerk/report/powder.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/table.hpp"
@@ -47,7 +48,9 @@ std::string number_cell(const Quantity* q, const std::string& text) {
 std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& list) {
   std::string body;
   for (const Row& row : rows(list)) {
-    const std::string title = label(row.all->name);
+    if (!row.group.empty())
+      body += fmt::format("<tr><th class=\"group\" colspan=\"3\">{}</th></tr>\n", row.group);
+    const std::string title = label(*row.all);
     body += fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
                         with_symbols(row.all->about), number_cell(row.all, row.all_text()),
                         number_cell(row.above, row.above_text()));
@@ -209,6 +212,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += pairs_table(outcome);
   if (!results::averaged(outcome).empty())
     body += how_hard(outcome) + where(outcome) + how_steady(outcome) + wear_and_heat(outcome);
+  body += powder_sections(outcome);
   body += methods_box(outcome, version);
   body += "<h2>What it rests on</h2>\n";
   body += origin_box(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "mahlwerk/report/readable.hpp"
 
@@ -13,6 +14,27 @@ namespace {
 
 constexpr std::string_view above_threshold = "_above_threshold";
 using Line = std::array<std::string, 3>;
+
+/// Quantities that begin a group of rows, and what the group is of. They are in every result that
+/// has the group.
+using Group = std::pair<std::string_view, std::string_view>;
+constexpr std::array groups{
+    Group{"collision_rate", "Collisions"},
+    Group{"dissipated_power", "Power and contacts"},
+    Group{"specific_energy_dose_rate", "Energy by mass of powder"},
+    Group{"flight_share", "How the charge moves"},
+    Group{"wear_rate_balls", "Wear"},
+    Group{"temperature_balls", "Warmth"},
+    Group{"captured_mass_rate", "What collisions catch"},
+    Group{"d10", "How fine it gets"},
+    Group{"milling_dose", "Dose"},
+    Group{"grain_count", "Powder as grains"},
+    Group{"energy_residual", "How exact"},
+};
+std::string_view group_of(std::string_view name) {
+  const auto found = std::ranges::find(groups, name, &Group::first);
+  return found == groups.end() ? std::string_view{} : found->second;
+}
 
 std::string padded(const std::string& text, std::size_t wanted) {
   return text + std::string(wanted - std::min(wanted, width(text)), ' ');
@@ -48,15 +70,17 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
     if (twin)
       list.back().above = &q;
     else
-      list.push_back({&q, nullptr});
+      list.push_back({&q, nullptr, group_of(q.name)});
   }
   return list;
 }
 
 std::string table(const std::vector<results::Quantity>& quantities, double threshold) {
   std::vector<Line> lines{{"", "all collisions", "u_n >= " + threshold_text(threshold)}};
-  for (const Row& row : rows(quantities))
-    lines.push_back({label(row.all->name), row.all_text(), row.above_text()});
+  for (const Row& row : rows(quantities)) {
+    if (!row.group.empty() && lines.size() > 1) lines.push_back({});
+    lines.push_back({label(*row.all), row.all_text(), row.above_text()});
+  }
   std::array<std::size_t, 3> widths{};
   for (const Line& line : lines)
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));

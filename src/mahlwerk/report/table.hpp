@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/results/pairs.hpp"
@@ -15,6 +16,7 @@ namespace mahlwerk::report {
 struct Row {
   const results::Quantity* all = nullptr;
   const results::Quantity* above = nullptr;
+  std::string_view group = {};  ///< heading of the rows that it is the first of; else empty
 
   std::string all_text() const;    ///< both in the same multiple of their unit
   std::string above_text() const;  ///< empty without a twin

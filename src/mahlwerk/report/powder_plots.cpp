@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/powder_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "mahlwerk/report/columns.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/grinding.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::Table;
+
+constexpr std::size_t palette = 7, grey = palette - 1;  // the plots' colours; then dashed
+constexpr double micrometre = 1e-6;
+
+/// What times of milling are told in.
+Multiple time_unit(double longest) {
+  constexpr double minute = 60, hour = 3600;
+  if (longest <= 2 * minute) return {1, "s"};
+  return longest <= 2 * hour ? Multiple{minute, "min"} : Multiple{hour, "h"};
+}
+
+/// The rows of capture.csv of one kind of pair.
+struct Kind {
+  std::string name;
+  double power = 0;
+  Table rows;
+};
+
+/// Those that carry most power, as many as a plot has colours.
+std::vector<Kind> kinds(const Table& table) {
+  std::map<std::pair<double, double>, Kind> found;
+  const auto energy = column(table, "energy"), rate = column(table, "rate");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    Kind& kind = found[{row[0], row[1]}];
+    if (kind.name.empty()) {
+      kind.name = table.columns[0].words[static_cast<std::size_t>(row[0])] + " with " +
+                  table.columns[1].words[static_cast<std::size_t>(row[1])];
+      kind.rows.columns = table.columns;
+    }
+    kind.power += rate[i] * energy[i];
+    kind.rows.rows.push_back(row);
+  }
+  std::vector<Kind> list;
+  for (auto& entry : found) list.push_back(std::move(entry.second));
+  std::ranges::stable_sort(list, std::ranges::greater{}, &Kind::power);
+  constexpr std::size_t most = 7;
+  if (list.size() > most) list.resize(most);
+  return list;
+}
+
+/// A column of capture.csv against the energy of the collision, for each kind of pair.
+Plot by_energy(const results::Outcome& outcome, std::string_view name, double factor) {
+  constexpr double decades = 1e6;  // the faintest bounces catch nothing worth telling
+  const Table table = results::capture(outcome);
+  const double most = largest(column(table, "energy"));
+  const Multiple unit = multiple(most, "J");
+  Plot plot{
+      .title = "",
+      .x = {.label = fmt::format("energy of one collision ({})", unit.unit), .logarithmic = true},
+      .y = {.label = "", .logarithmic = true},
+      .series = {},
+      .height = 300};
+  for (Kind& kind : kinds(table)) {
+    std::erase_if(kind.rows.rows,
+                  [&](const auto& row) { return row[2] < most / decades; });  // the energy
+    plot.series.push_back({kind.name,
+                           column(kind.rows, "energy", unit.factor),
+                           column(kind.rows, name, factor),
+                           {},
+                           Mark::line});
+  }
+  if (plot.series.size() == 1) plot.series[0].name.clear();
+  return plot;
+}
+
+/// Axes for what changes over milling, from shortly before anything does.
+Plot over_log_time(const results::Outcome& outcome) {
+  const Table table = results::grinding(outcome);
+  const auto times = column(table, "time");
+  std::vector<double> finest = column(table, "d10");
+  if (finest.empty()) finest = column(table, "sample_d10");
+  const Multiple unit = time_unit(largest(times));
+  Plot plot{.title = "",
+            .x = {.label = fmt::format("time of milling ({})", unit.unit), .logarithmic = true},
+            .y = {.label = "", .logarithmic = true},
+            .series = {}};
+  constexpr double still = 0.98, before = 0.5;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (finest[i] < still * finest[0] || i + 1 == times.size()) {
+      plot.x.least = before * times[i] / unit.factor;
+      break;
+    }
+  return plot;
+}
+
+/// The names before which "sample_" stands where the sample is beside a balance.
+constexpr std::array<std::string_view, 2> methods{"", "sample_"};
+
+/// A colour, dashed where it is of the sample.
+std::size_t drawn(std::size_t colour, std::string_view method) {
+  return colour + (method.empty() ? 0 : palette);
+}
+
+/// The rows of size_distribution.csv of one time.
+struct Moment {
+  std::string name;
+  Table rows;
+};
+
+std::vector<Moment> moments(const Table& table) {
+  std::vector<Moment> list;
+  const std::vector<double> times = column(table, "time");
+  const Multiple unit = time_unit(largest(times));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i == 0 || times[i] != times[i - 1])
+      list.push_back(
+          {times[i] > 0 ? fmt::format("{:.3g} {}", times[i] / unit.factor, unit.unit) : "feed",
+           {table.columns, {}}});
+    list.back().rows.rows.push_back(table.rows[i]);
+  }
+  return list;
+}
+
+/// The sizes between which there is something to see: all but a thousandth of the mass.
+void show_what_there_is(const Table& table, Axis& axis) {
+  constexpr double little = 1e-3;
+  const auto passing = column(table, "passing"), upper = column(table, "size_high", micrometre),
+             lower = column(table, "size_low", micrometre);
+  double least = INFINITY, most = 0;
+  for (std::size_t i = 0; i < passing.size(); ++i) {
+    if (passing[i] > little) least = std::min(least, lower[i]);
+    if (passing[i] < 1 - little) most = std::max(most, upper[i]);
+  }
+  constexpr double room = 1.3;
+  if (least < room * room * most) axis.least = least, axis.most = room * most;
+}
+
+}  // namespace
+
+Plot catch_plot(const results::Outcome& outcome) {
+  Plot plot = by_energy(outcome, "grains", 1);
+  plot.title = "Grains that a collision catches";
+  plot.y.label = "grains";
+  return plot;
+}
+
+Plot caught_energy_plot(const results::Outcome& outcome) {
+  constexpr double per_gram = 1000;
+  Plot plot = by_energy(outcome, "specific_energy", per_gram);
+  plot.title = "Energy that caught grains get, by their mass";
+  plot.y.label = "J/g";
+  return plot;
+}
+
+Plot caught_grains_plot(const results::Outcome& outcome) {
+  const Table table = results::captured_grains(outcome);
+  constexpr double per_octave = 4;
+  std::map<int, std::array<double, 2>> bins;  // by their upper edge, in quarters of an octave
+  double rates = 0, powers = 0;
+  for (const auto& row : table.rows) {
+    bins[static_cast<int>(std::lround(per_octave * std::log2(row[1])))] = {row[2], row[3]};
+    rates += row[2];
+    powers += row[3];
+  }
+  std::vector<double> edges, often, hard;
+  constexpr double percent = 100;
+  if (!bins.empty()) {
+    edges.push_back(std::exp2((bins.begin()->first - 1) / per_octave));
+    for (int bin = bins.begin()->first; bin <= bins.rbegin()->first; ++bin) {
+      edges.push_back(std::exp2(bin / per_octave));
+      often.push_back(percent * bins[bin][0] / rates);
+      hard.push_back(percent * bins[bin][1] / powers);
+    }
+  }
+  return {.title = "Collisions by the grains they catch",
+          .x = {.label = "grains caught", .logarithmic = true},
+          .y = {.label = "share in a bin (%)"},
+          .series = {{"of their energy", edges, hard, {}, Mark::steps},
+                     {"of the collisions", edges, often, {}, Mark::steps}},
+          .height = 280};
+}
+
+Plot sizes_plot(const results::Outcome& outcome) {
+  Plot plot = over_log_time(outcome);
+  plot.title = "Sizes over time of milling";
+  plot.y.label = "size (µm)";
+  const Table table = results::grinding(outcome);
+  const std::vector<double> times =
+      column(table, "time", time_unit(largest(column(table, "time"))).factor);
+  for (const std::string_view method : methods) {
+    std::size_t colour = 0;
+    for (const std::string_view name : {"d90", "d50", "d10"}) {
+      const auto sizes = column(table, fmt::format("{}{}", method, name), micrometre);
+      const bool sample = !method.empty();
+      if (!sizes.empty())
+        plot.series.push_back({sample ? label(name) + " of the sample" : label(name),
+                               times,
+                               sizes,
+                               {},
+                               Mark::line,
+                               drawn(colour, method)});
+      ++colour;
+    }
+  }
+  return plot;
+}
+
+Plot passing_plot(const results::Outcome& outcome) {
+  const Table table = results::size_distribution(outcome);
+  Plot plot{.title = "Share of the mass finer than a size",
+            .x = {.label = "size (µm)", .logarithmic = true},
+            .y = {.label = "finer (%)", .least = 0, .most = 100},
+            .series = {}};
+  show_what_there_is(table, plot.x);
+  for (const std::string_view method : methods) {
+    std::size_t colour = grey;
+    for (const Moment& moment : moments(table)) {
+      std::vector<double> sizes = column(moment.rows, "size_high", micrometre),
+                          finer = column(moment.rows, fmt::format("{}passing", method), 0.01);
+      if (!finer.empty()) {
+        // Within a class mass lies evenly in the logarithm of size: a straight line is exact.
+        sizes.insert(sizes.begin(), column(moment.rows, "size_low", micrometre).front());
+        finer.insert(finer.begin(), 0);
+        plot.series.push_back({method.empty() ? moment.name : "",
+                               sizes,
+                               finer,
+                               {},
+                               Mark::line,
+                               drawn(colour, method)});
+      }
+      colour = (colour + 1) % palette;
+    }
+  }
+  return plot;
+}
+
+Plot density_plot(const results::Outcome& outcome) {
+  const Table table = results::size_distribution(outcome);
+  Plot plot{.title = "Share of the mass by size",
+            .x = {.label = "size (µm)", .logarithmic = true},
+            .y = {.label = "share per unit of ln(size)", .least = 0},
+            .series = {}};
+  show_what_there_is(table, plot.x);
+  double feed = 0, milled = 0;
+  for (const std::string_view method : methods) {
+    std::size_t colour = grey;
+    for (const Moment& moment : moments(table)) {
+      const std::vector<double> low = column(moment.rows, "size_low", micrometre),
+                                high = column(moment.rows, "size_high", micrometre),
+                                density = column(moment.rows, fmt::format("{}density", method));
+      std::vector<double> middle;
+      for (std::size_t i = 0; i < low.size(); ++i) middle.push_back(std::sqrt(low[i] * high[i]));
+      if (!density.empty())
+        plot.series.push_back({method.empty() ? moment.name : "",
+                               middle,
+                               density,
+                               {},
+                               Mark::line,
+                               drawn(colour, method)});
+      double& most = colour == grey ? feed : milled;
+      most = std::max(most, largest(density));
+      colour = (colour + 1) % palette;
+    }
+  }
+  // A feed of one size is a needle that would press all else to the ground.
+  constexpr double needle = 2, air = 1.1;
+  if (milled > 0 && feed > needle * milled) plot.y.most = air * milled;
+  return plot;
+}
+
+Plot surface_plot(const results::Outcome& outcome) {
+  Plot plot = over_log_time(outcome);
+  plot.title = "Specific surface over time of milling";
+  plot.y.label = "m²/kg";
+  plot.height = 280;
+  const Table table = results::grinding(outcome);
+  const double longest = largest(column(table, "time"));
+  for (const std::string_view method : methods)
+    if (const auto surface = column(table, fmt::format("{}specific_surface", method));
+        !surface.empty())
+      plot.series.push_back({method.empty() ? "of the balance" : "of the sample",
+                             column(table, "time", time_unit(longest).factor),
+                             surface,
+                             {},
+                             Mark::line,
+                             drawn(0, method)});
+  if (plot.series.size() == 1) plot.series[0].name.clear();
+  return plot;
+}
+
+namespace {
+
+Plot over_time(const results::Outcome& outcome, std::string_view name, double factor) {
+  const Table table = results::conversion(outcome);
+  const Multiple unit = time_unit(largest(column(table, "time")));
+  return {
+      .title = "",
+      .x = {.label = fmt::format("time of milling ({})", unit.unit), .least = 0},
+      .y = {.label = ""},
+      .series =
+          {{"", column(table, "time", unit.factor), column(table, name, factor), {}, Mark::line}},
+      .height = 280};
+}
+
+}  // namespace
+
+Plot conversion_plot(const results::Outcome& outcome) {
+  Plot plot = over_time(outcome, "conversion", 0.01);
+  plot.title = "Conversion by dose";
+  plot.y.label = "conversion (%)";
+  return plot;
+}
+
+Plot property_plot(const results::Outcome& outcome) {
+  Plot plot = over_time(outcome, "property", 1);
+  plot.title = outcome.what.kinetics->property + " by dose";
+  plot.y.label = outcome.what.kinetics->property;
+  return plot;
+}
+
+}  // namespace mahlwerk::report

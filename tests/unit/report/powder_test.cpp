@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/powder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/methods.hpp"
+#include "mahlwerk/report/powder_plots.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/grinding.hpp"
+#include "statement.hpp"
+#include "unit/results/fake.hpp"
+#include "unit/results/scratch.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::Outcome;
+using tests::states;
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The fake outcome with 0.15 g of grains of 0.5 mm in it, which grind and convert.
+Outcome ground_outcome(const std::vector<int>& hits = {100, 120, 140}) {
+  Outcome o = results::fake_outcome(hits);
+  o.what.powder = cases::Powder{
+      .material = "", .mass = 1.5e-4, .size = 5e-4, .density = 1200, .feed = {.size = 5e-4}};
+  o.what.capture = cases::Capture{.model = powder::Barrios{1000}, .energy_share = 0.25};
+  cases::Grinding g;
+  g.breakage = powder::VogelPeukert{0.1, 0.05};
+  g.fragments = powder::AustinFragments{0.4, 0.8, 3};
+  g.time = 60;
+  g.smallest = 1e-6;
+  o.what.grinding = g;
+  o.what.kinetics = cases::Kinetics{.conversion = {.dose_constant = 1e6},
+                                    .time = 60,
+                                    .property = "amorphous content",
+                                    .initial = 0,
+                                    .final = 100};
+  int index = 0;
+  for (results::Replicate& r : o.replicates) results::grind(o.what, r, index++);
+  return o;
+}
+
+double quantity(const Outcome& o, std::string_view name) {
+  const auto list = results::summarise(o);
+  return std::ranges::find(list, name, &results::Quantity::name)->value;
+}
+
+TEST(PowderReport, CurvesOfSizesEndInTheNumbersOfTheSummary) {
+  const Outcome o = ground_outcome();
+  const Plot sizes = sizes_plot(o);
+  ASSERT_EQ(sizes.series.size(), 3U);
+  const std::array<std::string_view, 3> names{"d90", "d50", "d10"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(sizes.series[i].name, label(names[i]));
+    const double expected = quantity(o, names[i]);
+    states(std::string(names[i]), 1e-6 * sizes.series[i].y.back(), expected, 1e-12 * expected,
+           "summary; tolerance: a mean summed in another order");
+    EXPECT_LT(sizes.series[i].y.back(), sizes.series[i].y.front()) << "it grinds";
+  }
+  const double surface = quantity(o, "specific_surface");
+  states("specific surface", surface_plot(o).series.at(0).y.back(), surface, 1e-12 * surface,
+         "summary");
+  const double converted = quantity(o, "conversion");
+  states("conversion", 0.01 * conversion_plot(o).series.at(0).y.back(), converted,
+         1e-12 * converted, "summary");
+}
+
+TEST(PowderReport, PassingCrossesHalfAtD50AndDensityHoldsAllTheMass) {
+  const Outcome o = ground_outcome({100});  // of one replicate D50 is exact, not a mean of three
+  const Series milled = passing_plot(o).series.back();
+  const double d50 = 1e6 * quantity(o, "d50");
+  const auto above =
+      static_cast<std::size_t>(std::ranges::lower_bound(milled.x, d50) - milled.x.begin());
+  const double part =
+      std::log(d50 / milled.x[above - 1]) / std::log(milled.x[above] / milled.x[above - 1]);
+  states("finer than D50 (%)", std::lerp(milled.y[above - 1], milled.y[above], part), 50, 1e-9,
+         "(siz.2): straight over the logarithm");
+  states("finer than the coarsest (%)", milled.y.back(), 100, 1e-9, "mass is kept");
+  for (const Series& density : density_plot(o).series) {
+    double sum = 0;
+    for (const double d : density.y) sum += d * std::log(2) / 6;
+    states("area below the density at " + density.name, sum, 1, 1e-11,
+           "(siz.1): classes of a sixth of an octave");
+  }
+}
+
+TEST(PowderReport, CatchesOfOneKindOfPairNeedNoLegendAndSharesAddUp) {
+  const Outcome o = ground_outcome();
+  ASSERT_EQ(catch_plot(o).series.size(), 1U);
+  EXPECT_EQ(catch_plot(o).series[0].name, "");
+  const Series energy = caught_energy_plot(o).series.at(0), grains = catch_plot(o).series.at(0);
+  const double each = 1200 * std::numbers::pi / 6 * std::pow(5e-4, 3);
+  const double joules = 1e-3;  // the axis is in mJ: the hard hits are of 4 mJ
+  for (std::size_t i = 0; i < energy.x.size(); ++i) {
+    const double expected = 0.25 * joules * energy.x[i] / (grains.y[i] * each) / 1000;
+    states("J/g that caught grains get", energy.y[i], expected, 1e-12 * expected,
+           "energy_share E/(N m_1)");
+  }
+  for (const Series& share : caught_grains_plot(o).series) {
+    double sum = 0;
+    for (const double s : share.y) sum += s;
+    states("shares " + share.name + " (%)", sum, 100, 1e-9, "all collisions");
+    EXPECT_EQ(share.x.size(), share.y.size() + 1);
+  }
+}
+
+TEST(PowderReport, SectionsAreThereForWhatTheCaseAsksAndNoOther) {
+  const std::string all = report_page(ground_outcome(), "1");
+  for (const char* part : {"<h2>What collisions catch", "<h2>How fine it gets", "<h2>Dose", ">D90<",
+                           "25 % of it gets to the grains", "amorphous content"})
+    EXPECT_TRUE(has(all, part)) << part;
+  EXPECT_FALSE(has(all, "nan"));
+  EXPECT_FALSE(has(all, "d90 "));
+  EXPECT_EQ(powder_sections(results::fake_outcome()), "");
+  Outcome caught = ground_outcome();
+  caught.what.grinding.reset();
+  caught.what.kinetics.reset();
+  const std::string part = powder_sections(caught);
+  EXPECT_TRUE(has(part, "What collisions catch"));
+  EXPECT_FALSE(has(part, "How fine"));
+  EXPECT_FALSE(has(part, "Dose"));
+  Outcome nothing = ground_outcome();
+  for (results::Replicate& r : nothing.replicates) r.ground.reset();
+  EXPECT_EQ(powder_sections(nothing), "");
+}
+
+TEST(PowderReport, SaysWhereGrainsGetMoreThanTheMillGivesOff) {
+  Outcome o = ground_outcome();
+  const double gets = 1.5e-4 * 1000 * quantity(o, "captured_dose_rate");
+  const double share = 100 * gets / quantity(o, "dissipated_power");
+  EXPECT_TRUE(
+      has(powder_sections(o), fmt::format("That is {:.0f} % of the dissipated power", share)));
+  // Normal energies sum to 2 mJ a hit, of which each loses 1 mJ: at most a half may be given.
+  EXPECT_FALSE(has(powder_sections(o), "more than the mill gives off"));
+  o.what.capture->energy_share = 1;
+  EXPECT_TRUE(has(powder_sections(o), "more than the mill gives off"));
+}
+
+TEST(PowderReport, MethodsNameModelsAndNumbers) {
+  const std::string text = methods(ground_outcome(), "1");
+  for (const char* part :
+       {"barrios (fracture energy 1 kJ/kg)", "25 % of the energy of the normal motion",
+        "vogel-peukert (f_mat 0.1 kg/J/m, x_w_min 0.05 J m/kg)",
+        "austin (share 0.4, gamma 0.8, beta 3)", "60 s of milling by a population balance",
+        "dose D of energy dissipated"})
+    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
+  Outcome strong = ground_outcome();
+  strong.what.capture->model = powder::Barrios{0};  // as the breakage model says
+  EXPECT_TRUE(has(methods(strong, "1"), "model barrios;"));
+  EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "catch"));
+}
+
+TEST(PowderReport, TableGroupsRowsAndCallsThemByTheirNames) {
+  const auto list = results::summarise(ground_outcome());
+  const std::string text = table(list, 0.1);
+  for (const char* line : {"\n\nD10 ", "\nD50 ", "\nD90 ", "\n\npowder caught ",
+                           "\namorphous content ", "\n\ndissipated power "})
+    EXPECT_TRUE(has(text, line)) << line << "\n" << text;
+  EXPECT_EQ(readable(0.00243, NAN, "kg/s").text(), "2.430 g/s");
+  EXPECT_EQ(readable(2.5e-10, NAN, "kg/s").text(), "900.0 µg/h");
+}
+
+TEST(PowderReport, CampaignsShowSizesWhereTheyGrind) {
+  const auto campaign = [](Outcome (*outcome)(const std::vector<int>&)) {
+    Campaign c{"Speeds", {}, {}};
+    for (const int hits : {100, 200})
+      c.points.push_back(
+          {{fmt::format("{} rpm", hits)}, results::summarise(outcome({hits, hits + 10})), ""});
+    c.swept = swept({"mill.speed"}, c.points);
+    return c;
+  };
+  const Campaign grinds = campaign(ground_outcome), flies = campaign(results::fake_outcome);
+  for (const char* name :
+       {"figures/d50.svg", "figures/d90.svg", "figures/captured_mass_rate.svg"}) {
+    EXPECT_TRUE(campaign_figures(grinds).contains(name)) << name;
+    EXPECT_FALSE(campaign_figures(flies).contains(name)) << name;
+  }
+  EXPECT_TRUE(has(campaign_figures(grinds).at("figures/d90.svg"), "h6M")) << "error bars";
+  EXPECT_TRUE(has(campaign_page(grinds, "1"), ">D90<"));
+  EXPECT_FALSE(has(campaign_page(flies, "1"), "D90"));
+  EXPECT_TRUE(has(campaign_table(grinds), "D90"));
+  EXPECT_FALSE(has(campaign_table(flies), "D90"));
+}
+
+class PowderFiles : public results::ScratchTest {};
+
+TEST_F(PowderFiles, AResultThatGroundMayBeReplaced) {
+  for (int run = 0; run < 2; ++run) {
+    results::Folder folder(scratch() / "result", true);  // refuses what Mahlwerk did not write
+    write(folder, ground_outcome(), "1", "", false);
+    folder.commit();
+    for (const char* name : {"capture.csv", "captured_grains.csv", "grinding.csv",
+                             "size_distribution.csv", "conversion.csv"})
+      EXPECT_TRUE(std::filesystem::exists(scratch() / "result" / name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::report
