@@ -82,6 +82,13 @@ class GrindingCheck {
       fault("fragments.model",
             fmt::format("[fragments] lacks `t10`, and [breakage] model = \"{}\" tells none", name),
             "write t10 = 0.3 or so, or choose \"shi-kojovic\" or \"tavares\"", "missing-value");
+    const bool remembers = std::holds_alternative<powder::Tavares>(g.breakage);
+    if (remembers && g.bed == powder::Bed::mixed && g.method != Grinding::Method::statistical)
+      fault(
+          "grinding.bed",
+          "the balance of a mixed bed under tavares would take hours: each change of the bed asks "
+          "for its thousand states anew",
+          "write method = \"statistical\", or bed = \"by-size\"", "mixed-tavares");
     if (sized()) classes(g);
   }
 

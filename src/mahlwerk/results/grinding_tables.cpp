@@ -229,6 +229,16 @@ std::vector<std::string> grinding_warnings(const Outcome& outcome) {
         "Grains of {} are large beside the balls: the bed one grain high is made for grains far "
         "smaller than the nip's radius, here {}. How many are caught is a rough estimate.",
         show_rounded(size, "m"), show_rounded(nip, "m")));
+  const double given = mean(chosen, [&](const Replicate& r) {
+    return share(caught_rates(what, r.ground->stresses).power, dissipated_power(r));
+  });
+  if (given > 1)
+    list.push_back(fmt::format(
+        "Caught grains get {:.2g} times the power that the mill dissipates, more than there is: a "
+        "mill with powder between its balls loses more in each collision. Give a restitution as "
+        "with "
+        "powder, choose [capture] energy = \"lost\", or lower energy_share.",
+        given));
   const powder::Process process = cases::process(what);
   double whole = 0, all = 0;
   for (const Replicate* r : chosen)

@@ -118,6 +118,18 @@ TEST_F(Ground, SampleOfTheStreamAgreesWithTheBalanceOfItsSpectrum) {
   }
 }
 
+TEST_F(Ground, MorePowerThanTheMillDissipatesIsWarnedOf) {
+  const auto warned = [](const Outcome& of) {
+    for (const std::string& words : results::grinding_warnings(of))
+      if (words.find("times the power that the mill dissipates") != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(warned(outcome()));  // a restitution of 0.7 loses half of what presses the powder
+  cases::Case what = grinding_case();
+  what.capture->energy = cases::Capture::Energy::lost;
+  EXPECT_FALSE(warned(run(what)));
+}
+
 TEST_F(Ground, MassIsKeptAndSizesFallWithTime) {
   for (const auto& r : outcome().replicates)
     for (const auto* m : {&*r.ground->balance, &*r.ground->sample}) {

@@ -77,6 +77,9 @@ TEST(ReadCapture, moduli_count_for_it_under_either_engine) {
 }
 
 TEST(ReadCapture, faults) {
+  expect_says(
+      "powder that takes part as grains cannot be caught by [capture] as well|",
+      with(powdered, "density = \"1280", "density = \"1280 kg/m3\"\nas = \"grains\"") + capture);
   expect_says("[capture] lacks `model`", powdered + "[capture]\n");
   expect_says("there is no model = \"barios\"|did you mean \"barrios\"?",
               powdered + "[capture]\nmodel = \"barios\"\n");
@@ -190,6 +193,15 @@ TEST(ReadGrinding, faults) {
   expect_says("welding_energy has no meaning without `welding`",
               all + "welding_energy = \"1 J/kg\"\n");
   expect_says("bad-quantity", all, {{"breakage.f_mat", "1 kg/J"}});
+}
+
+TEST(ReadGrinding, mixed_bed_of_grains_that_remember_is_for_samples) {
+  const std::string mixed =
+      powdered + capture + tavares + fragments + grinding + "bed = \"mixed\"\n";
+  expect_says("would take hours", mixed);
+  expect_says("would take hours", mixed + "method = \"both\"\n");
+  expect_says("write method = \"statistical\", or bed = \"by-size\"|mixed-tavares", mixed);
+  EXPECT_EQ(one_fault(mixed + "method = \"statistical\"\n"), "");
 }
 
 TEST(ReadGrinding, too_many_classes_name_a_size_that_is_not) {
