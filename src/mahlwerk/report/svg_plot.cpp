@@ -14,6 +14,9 @@
 namespace mahlwerk::report {
 namespace {
 
+constexpr double alike =
+    1e-9;  ///< relative difference below which two values are told apart no more
+
 constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                   "#E69F00", "#56B4E9", "#666666"};
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
@@ -36,6 +39,8 @@ struct Span {
   }
   void settle(const Axis& axis, bool air) {
     if (!(least <= most)) least = logarithmic ? 0.1 : 0, most = 1;
+    // Values that differ by their rounding alone are one.
+    if (most - least <= alike * std::max(std::abs(least), std::abs(most))) most = least;
     if (least == most && logarithmic) least /= 2, most *= 2;
     if (least == most) least -= 0.5 * std::max(std::abs(least), 1.0), most = 2 * most - least;
     if (air && logarithmic) least /= 1.3, most *= 1.3;
@@ -278,7 +283,7 @@ std::vector<double> powers(double least, double most, int wanted) {
 }  // namespace
 
 std::vector<double> ticks(double least, double most, bool logarithmic, int wanted) {
-  if (!(least < most)) return {};
+  if (!(most - least > alike * std::max(std::abs(least), std::abs(most)))) return {};
   if (logarithmic) return powers(least, most, wanted);
   const double rough = (most - least) / wanted;
   const double scale = std::pow(10, std::floor(std::log10(rough)));

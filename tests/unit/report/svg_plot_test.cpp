@@ -94,5 +94,17 @@ TEST(Svg, DotsAreNotJoinedAndMayShareTheColourOfALine) {
   EXPECT_EQ(joined, 1U);
 }
 
+TEST(Svg, values_that_differ_by_rounding_alone_are_drawn_as_one) {
+  const double v = 1.5e-3, next = std::nextafter(v, 1);
+  for (const bool logarithmic : {false, true}) {
+    EXPECT_TRUE(ticks(v, next, logarithmic, 5).empty());
+    const Plot plot{.title = "",
+                    .x = {.label = "x"},
+                    .y = {.label = "y", .logarithmic = logarithmic},
+                    .series = {{"", {0, 1}, {v, next}, {}, Mark::line}}};
+    EXPECT_NE(svg(plot).find("<path"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::report
