@@ -150,6 +150,7 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
     if constexpr (Model::tells_fineness) t10 = model.t10(grain.size, energy);
     grain.size = std::visit([&](const auto& f) { return f.drawn(grain.size, t10, draw_); },
                             process_.fragments);
+    grain.size = std::max(grain.size, grid_.middle(grid_.classes() - 1));  // as in the balance
     if constexpr (Model::remembers)
       grain.strength =
           static_cast<float>(model.median(grain.size) * model.relative_strength(normal(draw_)));
