@@ -63,12 +63,14 @@ struct Roaming {
 double value_at(const FreeParameter& p, double place) {
   if (place <= 0) return p.least;
   if (place >= 1) return p.most;
-  return p.logarithmic() ? p.least * std::pow(p.most / p.least, place)  // (fit.2)
-                         : p.least + (p.most - p.least) * place;
+  return p.logarithmic()
+             ? std::exp(std::lerp(std::log(p.least), std::log(p.most), place))  // (fit.2)
+             : p.least + (p.most - p.least) * place;
 }
 
 double place_of(const FreeParameter& p, double value) {
-  const double place = p.logarithmic() ? std::log(value / p.least) / std::log(p.most / p.least)
+  const double place = p.logarithmic() ? (std::log(value) - std::log(p.least)) /
+                                             (std::log(p.most) - std::log(p.least))
                                        : (value - p.least) / (p.most - p.least);
   return std::clamp(place, 0.0, 1.0);
 }

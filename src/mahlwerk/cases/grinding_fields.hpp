@@ -28,7 +28,8 @@ constexpr Field<Capture> energy_share{"energy_share",
                                       Capture().energy_share,
                                       "all of it: an upper bound; uncalibrated"};
 
-constexpr Field<Grinding> grinding_time{"time", "s", &Grinding::time, positive,
+constexpr Range milling_times{.least = 0, .most = 1e8, .without_least = true};  ///< three years
+constexpr Field<Grinding> grinding_time{"time", "s", &Grinding::time, milling_times,
                                         "how long the mill grinds"};
 constexpr Field<Grinding> smallest_size{"smallest", "m", &Grinding::smallest, positive,
                                         "finest grain size that is told apart"};

@@ -78,12 +78,13 @@ Milling mill_a_sample(const Process& process, const std::vector<Nip>& nips, cons
   std::size_t told = 1, at = 0;
   double began = 0;  // [s] when this turn of the stream did
   while (told < milling.time.size()) {
-    const double when = events.empty() ? time * 2 : began + events[at].time;
+    const bool over = events.empty() || sample.ended();
+    const double when = over ? time * 2 : began + events[at].time;
     while (told < milling.time.size() && milling.time[told] <= when) {
       milling.shares.push_back(sample.shares());
       ++told;
     }
-    if (events.empty()) continue;
+    if (over) continue;
     sample.hit(events[at].kind, events[at].energy, stream.each * static_cast<double>(stride));
     for (at += stride; at >= events.size(); at -= events.size()) began += stream.span;
   }

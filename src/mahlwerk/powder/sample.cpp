@@ -42,6 +42,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
     groups_[static_cast<std::size_t>(group_of(at))].push_back(
         {size, static_cast<float>(strength), at});
     ++count_[static_cast<std::size_t>(group_of(at))];
+    if (at + 1 == grid_.classes()) ++finest_;
   }
   mean_size_ = mean_size(grid_, shares());
 }
@@ -167,7 +168,10 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
 }
 
 void Sample::move(int group, std::size_t which, One grain) {
+  const auto finest = [&](const One& one) { return one.at + 1 == grid_.classes() ? 1 : 0; };
+  finest_ -= finest(grain);
   grain.at = grid_.class_of(grain.size);
+  finest_ += finest(grain);
   const int to = group_of(grain.at);
   std::vector<One>& old = groups_[static_cast<std::size_t>(group)];
   if (to == group) {

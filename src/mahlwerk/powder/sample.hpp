@@ -48,6 +48,8 @@ class Sample {
 
   std::vector<double> shares() const;  ///< of the mass, in each class of size
   std::int64_t grain_hits() const { return grain_hits_; }
+  /// Whether nothing can change any more: all grains are of the finest class, and none weld.
+  bool ended() const { return finest_ == grains_ && !(process_.welding > 0); }
   std::vector<double> sizes() const;  ///< [m] of all grains, in no order
 
  private:
@@ -88,7 +90,8 @@ class Sample {
   std::vector<double> damage_;                // by load, of models that remember
   Draws draw_;
   std::int64_t grains_ = 0, grain_hits_ = 0, since_refresh_ = 0;
-  double mean_size_ = 0;  // [m] that a mixed bed was worked out for
+  std::int64_t finest_ = 0;  // grains of the finest class
+  double mean_size_ = 0;     // [m] that a mixed bed was worked out for
 };
 
 }  // namespace mahlwerk::powder

@@ -265,6 +265,14 @@ std::vector<std::string> grinding_warnings(const Outcome& outcome) {
         "{:.2g} % of the powder are as fine as is told apart, below {}, where nothing breaks any "
         "further: a smaller grinding.smallest shows more, if the models still hold there.",
         100 * finest, show_rounded(what.grinding->smallest, "m")));
+  constexpr std::int64_t close = 12;
+  const bool binary = std::holds_alternative<powder::BinaryFragments>(what.grinding->fragments);
+  if (binary && chosen.front()->ground->balance && what.grinding->classes_per_octave < close)
+    list.push_back(fmt::format(
+        "Two pieces cut anywhere are nearly as large as the grain: with {} classes an octave the "
+        "balance grinds too slowly, by shares of up to {} %. grinding.classes_per_octave = 12, or "
+        "method = \"statistical\", is closer.",
+        what.grinding->classes_per_octave, what.grinding->classes_per_octave < 6 ? 13 : 3));
   const double coarsest =
       mean(chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
   if (what.grinding->welding > 0 && coarsest > often)
