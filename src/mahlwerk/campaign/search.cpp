@@ -63,9 +63,9 @@ struct Roaming {
 double value_at(const FreeParameter& p, double place) {
   if (place <= 0) return p.least;
   if (place >= 1) return p.most;
-  return p.logarithmic()
-             ? std::exp(std::lerp(std::log(p.least), std::log(p.most), place))  // (fit.2)
-             : p.least + (p.most - p.least) * place;
+  if (!p.logarithmic()) return p.least + (p.most - p.least) * place;
+  const double least = std::log(p.least);  // (fit.2), of ranges of any width
+  return std::exp(least + (std::log(p.most) - least) * place);
 }
 
 double place_of(const FreeParameter& p, double value) {
