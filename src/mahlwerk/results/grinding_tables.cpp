@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is told of the powder, as tables, and where it is not to be trusted.
+// What is told of the powder, as tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -211,76 +211,6 @@ Table conversion(const Outcome& outcome) {
       table.rows.back().push_back(std::lerp(kinetics.initial, kinetics.final, done));
   }
   return table;
-}
-
-std::vector<std::string> grinding_warnings(const Outcome& outcome) {
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
-  const cases::Case& what = outcome.what;
-  std::vector<std::string> list;
-  if (chosen.empty() || !what.capture) return list;
-  const double size = *what.powder->size;
-  double nip = INFINITY;  // the narrowest where anything collides
-  const powder::StressSpectrum hits = stresses(what, chosen);
-  for (const powder::Stress& s : hits.stresses)
-    nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
-  constexpr double large = 0.25;
-  if (std::holds_alternative<powder::Barrios>(what.capture->model) && size > large * nip)
-    list.push_back(fmt::format(
-        "Grains of {} are large beside the balls: the bed one grain high is made for grains far "
-        "smaller than the nip's radius, here {}. How many are caught is a rough estimate.",
-        show_rounded(size, "m"), show_rounded(nip, "m")));
-  const double given = mean(chosen, [&](const Replicate& r) {
-    return share(caught_rates(what, r.ground->stresses).power, dissipated_power(r));
-  });
-  if (given > 1)
-    list.push_back(fmt::format(
-        "Caught grains get {:.2g} times the power that the mill dissipates, more than there is: a "
-        "mill with powder between its balls loses more in each collision. Give a restitution as "
-        "with "
-        "powder, choose [capture] energy = \"lost\", or lower energy_share.",
-        given));
-  const powder::Process process = cases::process(what);
-  double whole = 0, all = 0;
-  for (const Replicate* r : chosen)
-    for (const powder::Stress& s : r->ground->stresses.stresses) {
-      const powder::Grain grain = process.grain(size);
-      const powder::Catch c =
-          process.caught(r->ground->stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, size);
-      constexpr double nearly = 0.999;
-      if (c.grains * grain.mass() >= nearly * what.powder->mass) whole += s.rate * s.energy;
-      all += s.rate * s.energy;
-    }
-  constexpr double often = 0.01;
-  if (whole > often * all)
-    list.push_back(fmt::format(
-        "Collisions that carry {:.2g} % of the power would catch more powder than there is: their "
-        "catch was cut to all of it.",
-        100 * whole / all));
-  if (!what.grinding) return list;
-  const double finest =
-      mean(chosen, [](const Replicate& r) { return r.ground->milling().shares.back().back(); });
-  constexpr double much = 0.05;
-  if (finest > much)
-    list.push_back(fmt::format(
-        "{:.2g} % of the powder are as fine as is told apart, below {}, where nothing breaks any "
-        "further: a smaller grinding.smallest shows more, if the models still hold there.",
-        100 * finest, show_rounded(what.grinding->smallest, "m")));
-  constexpr std::int64_t close = 12;
-  const bool binary = std::holds_alternative<powder::BinaryFragments>(what.grinding->fragments);
-  if (binary && chosen.front()->ground->balance && what.grinding->classes_per_octave < close)
-    list.push_back(fmt::format(
-        "Two pieces cut anywhere are nearly as large as the grain: with {} classes an octave the "
-        "balance grinds too slowly, by shares of up to {} %. grinding.classes_per_octave = 12, or "
-        "method = \"statistical\", is closer.",
-        what.grinding->classes_per_octave, what.grinding->classes_per_octave < 6 ? 13 : 3));
-  const double coarsest =
-      mean(chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
-  if (what.grinding->welding > 0 && coarsest > often)
-    list.push_back(fmt::format(
-        "{:.2g} % of the powder welded into grains sixteen times as large as the feed, the largest "
-        "told apart.",
-        100 * coarsest));
-  return list;
 }
 
 }  // namespace mahlwerk::results
