@@ -79,6 +79,9 @@ cases::Catalogue catalogue();
 /// folder.
 std::vector<std::filesystem::path> case_files(const std::string& target);
 
+/// The one case file that is meant, for a command ("fit") that takes no more.
+std::filesystem::path one_case_file(const std::string& target, std::string_view command);
+
 /// results/ and the name of the folder or file the user gave, with each case's name if there are
 /// several.
 std::filesystem::path default_place(const std::string& target, const std::filesystem::path& file,

@@ -28,15 +28,6 @@ std::string below(std::size_t engine) {
   return std::string(engines[engine]) + "/";
 }
 
-/// The one case file that is meant.
-fs::path case_file(const std::string& target) {
-  const std::vector<fs::path> files = case_files(target);
-  if (files.size() == 1) return files.front();
-  throw InputError(Fault{target,
-                         fmt::format("the folder holds {} cases, compare takes one", files.size()),
-                         "name one of its files", "compare-one-case"});
-}
-
 /// The case for both engines, in their order.
 std::vector<cases::Case> both(const Request& request, const fs::path& file) {
   const cases::Catalogue known = catalogue();
@@ -99,7 +90,7 @@ void tell(const report::Comparison& comparison, const fs::path& place, double se
 }  // namespace
 
 int compare(const Request& request) {
-  const fs::path file = case_file(request.target);
+  const fs::path file = one_case_file(request.target, "compare");
   const std::vector<cases::Case> cases = both(request, file);
   const fs::path usual = default_place(request.target, file, false).string() + "-compare";
   const fs::path place = request.out.value_or(usual);

@@ -24,18 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Overrides = std::vector<cases::Override>;
 
-InputError one_case(const std::string& where, std::string what, std::string remedy) {
-  return InputError(Fault{where, std::move(what), std::move(remedy), "fit-one-case"});
-}
-
-/// The one case file that is meant.
-fs::path case_file(const std::string& target) {
-  const std::vector<fs::path> files = case_files(target);
-  if (files.size() == 1) return files.front();
-  throw one_case(target, fmt::format("the folder holds {} cases, fit takes one", files.size()),
-                 "name one of its files");
-}
-
 /// What [fit] leaves open, but for what the command line gives.
 std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
                                    Overrides& anywhere) {
@@ -110,8 +98,9 @@ FitJob prepare(const Request& request, const fs::path& file) {
   job.data_file = request.data;
   job.data = campaign::read_measurements(request.data);
   if (!job.base.sweep.empty())
-    throw one_case(job.base.file, "the case has a [sweep], fit takes a single case",
-                   "take the section [sweep] away; columns of the data may change the case");
+    throw InputError(Fault{job.base.file, "the case has a [sweep], fit takes a single case",
+                           "take the section [sweep] away; columns of the data may change the case",
+                           "fit-one-case"});
   job.numbers = campaign::free_numbers(job.base, held);
   if (auto wrong = campaign::fit_faults(job.base, job.data, job.numbers, job.data_file);
       !wrong.empty())
@@ -172,7 +161,7 @@ int cut_short(const std::vector<results::Outcome>& mills) {
 }  // namespace
 
 int fit(const Request& request) {
-  const fs::path file = case_file(request.target);
+  const fs::path file = one_case_file(request.target, "fit");
   const FitJob job = prepare(request, file);
   const fs::path usual = default_place(request.target, file, false).string() + "-fit";
   results::Folder folder(request.out.value_or(usual), request.force);

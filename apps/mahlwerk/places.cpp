@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Where things are: the catalogue, the cases a user means.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -41,6 +43,14 @@ std::vector<fs::path> case_files(const std::string& target) {
                            "put a case.toml there, or name the case file", "no-such-case"});
   std::sort(found.begin(), found.end());
   return found;
+}
+
+fs::path one_case_file(const std::string& target, std::string_view command) {
+  const std::vector<fs::path> files = case_files(target);
+  if (files.size() == 1) return files.front();
+  throw InputError(
+      Fault{target, fmt::format("the folder holds {} cases, {} takes one", files.size(), command),
+            "name one of its files", fmt::format("{}-one-case", command)});
 }
 
 fs::path default_place(const std::string& target, const fs::path& file, bool several) {
