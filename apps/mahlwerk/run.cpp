@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/report.hpp"
@@ -60,19 +61,14 @@ Job prepare(const Request& request, const fs::path& file, bool several,
 
 report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>& outcomes) {
   std::vector<std::string> keys;
-  for (const auto& [key, values] : job.what.sweep) keys.push_back(key);
+  const campaign::Plan plan(job.what.sweep, job.what.seed);
+  keys = plan.keys();
   report::Campaign made{.title = job.what.title, .swept = {}, .points = {}};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
-    report::Point point{
-        .values = {}, .quantities = results::summarise(outcome), .folder = job.below(i)};
-    // The product of all values, the last key running fastest, as campaign::points makes it.
-    std::size_t rest = i;
-    for (auto key = job.what.sweep.rbegin(); key != job.what.sweep.rend(); ++key) {
-      point.values.insert(point.values.begin(), key->second[rest % key->second.size()]);
-      rest /= key->second.size();
-    }
-    made.points.push_back(std::move(point));
+    made.points.push_back({.values = plan.values(i),
+                           .quantities = results::summarise(outcome),
+                           .folder = job.below(i)});
   }
   made.swept = report::swept(keys, made.points);
   return made;

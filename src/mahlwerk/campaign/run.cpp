@@ -11,6 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/engine_choice.hpp"
 #include "mahlwerk/campaign/parallel.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/campaign/replicate.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
@@ -122,22 +123,20 @@ results::Outcome run(const cases::Case& what, const Options& options) {
 
 std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
                                 const std::vector<cases::Override>& overrides) {
-  std::vector<std::vector<cases::Override>> all{overrides};
-  for (const auto& [key, values] : what.sweep) {
-    std::vector<std::vector<cases::Override>> longer;
-    for (const auto& so_far : all)
-      for (const std::string& value : values) {
-        longer.push_back(so_far);
-        longer.back().push_back({key, value});
-      }
-    all = std::move(longer);
-  }
   if (what.sweep.empty()) return {what};
+  std::vector<std::vector<cases::Override>> all;
+  const Plan plan(what.sweep, what.seed);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    all.push_back(overrides);
+    const std::vector<std::string> values = plan.values(i);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      all.back().push_back({plan.keys()[k], values[k]});
+  }
   std::vector<cases::Case> made;
   std::vector<Fault> wrong;
   for (const auto& one : all) try {
       made.push_back(cases::read(what.file, catalogue, one));
-      made.back().sweep.clear();
+      made.back().sweep = {};
     } catch (const InputError& e) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/sizes.hpp"
+#include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/choice.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
@@ -266,8 +267,9 @@ struct Case {
   std::optional<Grinding> grinding;
   std::optional<Kinetics> kinetics;
   double gravity = 9.81;  ///< [m/s2], downwards
-  /// Dotted key -> the values it takes, as text; the full product is run.
-  std::map<std::string, std::vector<std::string>> sweep;
+  Sweep sweep;            ///< what varies from run to run; empty: one run
+  std::optional<Optimise> optimise;
+  std::optional<Match> match;
   std::map<std::string, FitRange> fit;  ///< dotted key -> what `mahlwerk fit` chooses from
 
   /// Not compared: the same case may come from elsewhere.

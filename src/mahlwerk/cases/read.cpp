@@ -52,9 +52,12 @@ class CaseReader {
   Case read(const std::vector<Override>& overrides) {
     apply(overrides);
     c_.file = file_.generic_string();
-    DottedLists sweep = read_sweep(section("sweep", false), findings_);
-    c_.sweep = std::move(sweep.values);
-    fill_from_sweep(sweep.places);
+    std::map<std::string, std::string> places;
+    c_.sweep = read_sweep(section("sweep", false), places, findings_);
+    fill_from_sweep(places);
+    if (const Node* table = section("optimise", false))
+      c_.optimise = read_optimise(table, findings_);
+    if (const Node* table = section("match", false)) c_.match = read_match(table, findings_);
     const DottedLists fit = read_fit(section("fit", false), findings_);
     await(fit);
     read_top();
@@ -87,10 +90,11 @@ class CaseReader {
 
   /// A value that only the sweep gives is read with the first it takes.
   void fill_from_sweep(const std::map<std::string, std::string>& places) {
-    for (const auto& [key, values] : c_.sweep) {
+    for (const SweptKey& swept : c_.sweep.keys) {
+      const std::string& key = swept.key;
       if (holds(root_, key)) continue;
       const std::string& where = places.at(key);
-      Node value = loose_value(values.front(), where, Rank::sweep);
+      Node value = loose_value(swept.values.front(), where, Rank::sweep);
       value.source = fmt::format("first of [sweep] \"{}\"", key);
       const std::string trouble = put(root_, key, std::move(value));
       if (!trouble.empty())
@@ -126,7 +130,7 @@ class CaseReader {
     Section in(&root_, "", findings_);
     for (const std::string_view name :
          {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "capture",
-          "breakage", "fragments", "grinding", "kinetics", "sweep", "fit"})
+          "breakage", "fragments", "grinding", "kinetics", "sweep", "optimise", "match", "fit"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;

@@ -87,14 +87,17 @@ Kinetics read_kinetics(const Node* table, const Case& c, Findings& findings);
 /// How long it is milled; unless said, as long as [grinding] or [heat] says.
 double read_milling_time(Section& in, const Wanted& wanted, const Case& c);
 
-/// [sweep] or [fit]: dotted keys, each with its values as text and its place.
+/// [fit]: dotted keys, each with its two ends as text and its place.
 struct DottedLists {
   std::map<std::string, std::vector<std::string>> values;
   std::map<std::string, std::string> places;
 };
 /// `table` may be null.
-DottedLists read_sweep(const Node* table, Findings& findings);
-DottedLists read_fit(const Node* table, Findings& findings);  ///< of two values each
+DottedLists read_fit(const Node* table, Findings& findings);
+/// Keys that vary, or follow from those that do, are put into `places` with where they stand.
+Sweep read_sweep(const Node* table, std::map<std::string, std::string>& places, Findings& findings);
+Optimise read_optimise(const Node* table, Findings& findings);
+Match read_match(const Node* table, Findings& findings);
 /// What [fit] asks of a case that was read: keys it has, ranges they may have, and `given` values.
 void check_fit(const Case& c, const std::map<std::string, std::string>& places, Findings& findings);
 

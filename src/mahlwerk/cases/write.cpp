@@ -176,16 +176,12 @@ void write_heat(Writer& out, const Heat& heat) {
   out.fields(heat, heat_fields());
 }
 
-/// [sweep] or [fit].
-template <class Lists>
-void write_lists(Writer& out, const std::string& name, const Lists& lists) {
-  if (lists.empty()) return;
-  out.section(fmt::format("[{}]", name), name + ".");
-  for (const auto& [key, values] : lists) {
-    std::string list;
-    for (const std::string& value : values) list += (list.empty() ? "" : ", ") + in_quotes(value);
-    out.plain(fmt::format("{} = [{}]\n", in_quotes(key), list));
-  }
+void write_fit(Writer& out, const std::map<std::string, FitRange>& fit) {
+  if (fit.empty()) return;
+  out.section("[fit]", "fit.");
+  for (const auto& [key, ends] : fit)
+    out.plain(
+        fmt::format("{} = [{}, {}]\n", in_quotes(key), in_quotes(ends[0]), in_quotes(ends[1])));
 }
 
 }  // namespace
@@ -210,8 +206,8 @@ std::string write(const Case& c) {
   if (c.wear) write_wear(out, *c.wear);
   if (c.heat) write_heat(out, *c.heat);
   write_grinding(out, c);
-  write_lists(out, "sweep", c.sweep);
-  write_lists(out, "fit", c.fit);
+  write_sweep(out, c);
+  write_fit(out, c.fit);
   return out.text();
 }
 

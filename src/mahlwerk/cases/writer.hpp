@@ -34,6 +34,8 @@ class Writer {
 
 /// The sizes of the powder, within its section.
 void write_feed(Writer& out, const Powder& powder);
+/// [sweep], [optimise] and [match], those that there are.
+void write_sweep(Writer& out, const Case& c);
 /// The sections of grinding and [kinetics], those that there are.
 void write_grinding(Writer& out, const Case& c);
 

@@ -263,8 +263,11 @@ TEST(ReadCase, a_sweep_is_kept_as_text) {
   const Case c = read_sample(vial +
                              "[sweep]\n\"mill.frequency\" = [\"13 Hz\", \"16 Hz\"]\n"
                              "contact.restitution = [0.9, 0.5, 1]\n");
-  EXPECT_EQ(c.sweep.at("mill.frequency"), (std::vector<std::string>{"13 Hz", "16 Hz"}));
-  EXPECT_EQ(c.sweep.at("contact.restitution"), (std::vector<std::string>{"0.9", "0.5", "1"}));
+  ASSERT_EQ(c.sweep.keys.size(), 2U);
+  EXPECT_EQ(c.sweep.keys[0].key, "contact.restitution");
+  EXPECT_EQ(c.sweep.keys[0].values, (std::vector<std::string>{"0.9", "0.5", "1"}));
+  EXPECT_EQ(c.sweep.keys[1].key, "mill.frequency");
+  EXPECT_EQ(c.sweep.keys[1].values, (std::vector<std::string>{"13 Hz", "16 Hz"}));
   EXPECT_EQ(std::get<Vibration>(c.mill.motion).frequency, 10);  // the case's own stays
 }
 

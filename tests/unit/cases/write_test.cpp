@@ -146,8 +146,8 @@ class AnyCase {
       c.fit["kinetics.onset"] = {"0.5 J/kg", "3 kJ/g"};
     }
     if (c.contact.rule.restitution.points().empty() && flip())
-      c.sweep["contact.restitution"] = {"0.5", "0.9", "1e-3"};
-    if (flip()) c.sweep["title"] = {"12 mm", "a \"b\"", "true"};
+      c.sweep.keys.push_back({"contact.restitution", {"0.5", "0.9", "1e-3"}});
+    if (flip()) c.sweep.keys.push_back({"title", {"12 mm", "a \"b\"", "true"}});
     return c;
   }
 

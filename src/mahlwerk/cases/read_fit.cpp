@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [sweep] and [fit]: keys of the case with values they take.
+// [fit]: keys of the case, each with the range it may be chosen from.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 namespace mahlwerk::cases {
 namespace {
 
-class ListReader {
+class RangeReader {
  public:
-  ListReader(Findings& findings, bool ranges) : findings_(findings), ranges_(ranges) {}
+  explicit RangeReader(Findings& findings) : findings_(findings) {}
 
   DottedLists read(const Node* table) {
     if (table != nullptr && table->kind == Node::Kind::table) read_table(*table, "");
@@ -34,8 +34,7 @@ class ListReader {
   }
   void read_values(const std::string& key, const Node& node) {
     std::vector<std::string> values;
-    bool sound = node.kind == Node::Kind::list && !node.items.empty();
-    if (ranges_) sound = sound && node.items.size() == 2;
+    bool sound = node.kind == Node::Kind::list && node.items.size() == 2;
     for (const Node& item : node.items) {
       sound = sound && (item.kind == Node::Kind::text || item.kind == Node::Kind::number ||
                         item.kind == Node::Kind::boolean);
@@ -43,9 +42,7 @@ class ListReader {
     }
     if (!sound)
       findings_.faults.push_back(
-          {node.where,
-           fmt::format("\"{}\" must be {}", key,
-                       ranges_ ? "two values, the least and the most" : "a list of values"),
+          {node.where, fmt::format("\"{}\" must be two values, the least and the most", key),
            fmt::format("write \"{}\" = [\"...\", \"...\"], texts or numbers", key), "wrong-type"});
     else
       lists_.values.emplace(key, std::move(values));
@@ -53,7 +50,6 @@ class ListReader {
   }
 
   Findings& findings_;
-  bool ranges_;
   DottedLists lists_;
 };
 
@@ -85,12 +81,8 @@ void check_range(const Adjustable& number, const FitRange& range, const std::str
 
 }  // namespace
 
-DottedLists read_sweep(const Node* table, Findings& findings) {
-  return ListReader(findings, false).read(table);
-}
-
 DottedLists read_fit(const Node* table, Findings& findings) {
-  return ListReader(findings, true).read(table);
+  return RangeReader(findings).read(table);
 }
 
 void check_fit(const Case& c, const std::map<std::string, std::string>& places,

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mahlwerk/cases/sweep.hpp"
+
+// How a case writes what varies.
+namespace mahlwerk::cases {
+
+/// "grid", "latin-hypercube", ..., in the order of Design.
+const std::vector<std::string>& design_words();
+/// "linear" and "logarithmic".
+const std::vector<std::string>& spacing_words();
+
+/// Whether a design draws from ranges, and needs none of a list.
+inline bool needs_ranges(Design design) {
+  return design != Design::grid;
+}
+/// Whether it must be told how many samples to take.
+inline bool needs_samples(Design design) {
+  return design != Design::grid && design != Design::one_at_a_time;
+}
+
+constexpr std::int64_t most_samples = 10'000'000;
+constexpr std::int64_t most_steps = 1'000'000;
+
+}  // namespace mahlwerk::cases
