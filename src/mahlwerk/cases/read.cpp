@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/formula.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
@@ -50,11 +51,14 @@ class CaseReader {
       : root_(std::move(root)), file_(std::move(file)), catalogue_(catalogue) {}
 
   Case read(const std::vector<Override>& overrides) {
-    apply(overrides);
     c_.file = file_.generic_string();
+    apply(overrides, false);
     std::map<std::string, std::string> places;
     c_.sweep = read_sweep(section("sweep", false), places, findings_);
+    refuse_both(overrides);
+    apply(overrides, true);
     fill_from_sweep(places);
+    follow(places);
     if (const Node* table = section("optimise", false))
       c_.optimise = read_optimise(table, findings_);
     if (const Node* table = section("match", false)) c_.match = read_match(table, findings_);
@@ -76,10 +80,13 @@ class CaseReader {
   }
 
  private:
-  void apply(const std::vector<Override>& overrides) {
-    for (const auto& [key, value] : overrides) {
-      const std::string where = fmt::format("--set {}", key);
-      const std::string trouble = put(root_, key, loose_value(value, where, Rank::command));
+  void apply(const std::vector<Override>& overrides, bool of_sweep) {
+    for (const auto& [key, value, swept] : overrides) {
+      if (swept != of_sweep) continue;
+      const std::string where = fmt::format("{} {}", swept ? "[sweep]" : "--set",
+                                            swept ? fmt::format("{} = {}", key, value) : key);
+      const std::string trouble =
+          put(root_, key, loose_value(value, where, swept ? Rank::sweep : Rank::command));
       if (!trouble.empty())
         findings_.faults.push_back({where, trouble,
                                     "name a value of the case: mill.speed, "
@@ -88,11 +95,59 @@ class CaseReader {
     }
   }
 
+  /// What [sweep] varies cannot be said once for all.
+  void refuse_both(const std::vector<Override>& overrides) {
+    for (const Override& one : overrides)
+      if (!one.swept &&
+          std::ranges::find(c_.sweep.keys, one.key, &SweptKey::key) != c_.sweep.keys.end())
+        findings_.faults.push_back(
+            {fmt::format("--set {}", one.key), fmt::format("[sweep] varies {}", one.key),
+             fmt::format("give its values: --set 'sweep.{}=[\"...\", \"...\"]'", one.key),
+             "swept-value"});
+  }
+
+  /// The values that follow from others by a formula of [sweep].
+  void follow(const std::map<std::string, std::string>& places) {
+    for (const auto& [key, formula] : c_.sweep.derived) {
+      const std::string& where = places.at(key);
+      const auto fault = [&](std::string what, std::string remedy) {
+        findings_.faults.push_back({where, fmt::format("\"{}\" by its formula: {}", key, what),
+                                    std::move(remedy), "bad-formula"});
+      };
+      try {
+        Node value = loose_value(text_of(derived(key, 0)), where, Rank::sweep);
+        value.source = fmt::format("[sweep]: ={}", formula);
+        if (std::string trouble = put(root_, key, std::move(value)); !trouble.empty())
+          fault(std::move(trouble), "name a value of the case: \"jar.height\"");
+      } catch (const FormulaError& error) {
+        fault(error.what(), "write for instance \"= 5 ml / (pi/4 * jar.diameter^2)\"");
+      }
+    }
+  }
+
+  /// The value of a key, by its formula if it has one.
+  Quantity derived(std::string_view key, std::size_t depth) const {
+    if (depth > c_.sweep.derived.size())
+      throw FormulaError(fmt::format("{} follows from itself", key));
+    const auto formula = c_.sweep.derived.find(std::string(key));
+    if (formula != c_.sweep.derived.end())
+      return evaluate(formula->second,
+                      [&](std::string_view other) { return derived(other, depth + 1); });
+    const Node* node = value_at(root_, key);
+    if (node == nullptr || (node->kind != Node::Kind::text && node->kind != Node::Kind::number))
+      throw FormulaError(fmt::format("the case does not say {} as a quantity", key));
+    try {
+      return parse_quantity(node->text);
+    } catch (const UnitError& error) {
+      throw FormulaError(fmt::format("{} = \"{}\": {}", key, node->text, error.what()));
+    }
+  }
+
   /// A value that only the sweep gives is read with the first it takes.
   void fill_from_sweep(const std::map<std::string, std::string>& places) {
     for (const SweptKey& swept : c_.sweep.keys) {
       const std::string& key = swept.key;
-      if (holds(root_, key)) continue;
+      if (value_at(root_, key) != nullptr) continue;
       const std::string& where = places.at(key);
       Node value = loose_value(swept.values.front(), where, Rank::sweep);
       value.source = fmt::format("first of [sweep] \"{}\"", key);
@@ -108,7 +163,7 @@ class CaseReader {
   void await(const DottedLists& fit) {
     for (const auto& [key, ends] : fit.values) {
       c_.fit.emplace(key, FitRange{ends.front(), ends.back()});
-      if (!holds(root_, key)) findings_.awaited.insert(key);
+      if (value_at(root_, key) == nullptr) findings_.awaited.insert(key);
     }
   }
 
@@ -209,7 +264,7 @@ class CaseReader {
   Case c_;
 };
 
-std::string text_of(const std::filesystem::path& file) {
+std::string contents_of(const std::filesystem::path& file) {
   std::error_code trouble;
   const auto status = std::filesystem::status(file, trouble);
   const auto fault = [&](std::string what, std::string remedy) {
@@ -228,18 +283,27 @@ std::string text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+CaseFile::CaseFile(const std::filesystem::path& file) : CaseFile(contents_of(file), file) {}
+
+CaseFile::CaseFile(const std::string& text, const std::filesystem::path& file)
+    : root_(parse_tree(text, file.generic_string())), file_(file) {}
+
+Case CaseFile::read(const Catalogue& catalogue, const std::vector<Override>& overrides) const {
+  return CaseReader(root_, file_, catalogue).read(overrides);
+}
+
 Case read(const std::filesystem::path& file, const Catalogue& catalogue,
           const std::vector<Override>& overrides) {
-  return read_text(text_of(file), file, catalogue, overrides);
+  return CaseFile(file).read(catalogue, overrides);
 }
 
 Case read_text(const std::string& text, const std::filesystem::path& file,
                const Catalogue& catalogue, const std::vector<Override>& overrides) {
-  return CaseReader(parse_tree(text, file.generic_string()), file, catalogue).read(overrides);
+  return CaseFile(text, file).read(catalogue, overrides);
 }
 
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file) {
-  const Node root = parse_tree(text_of(file), file.generic_string());
+  const Node root = parse_tree(contents_of(file), file.generic_string());
   Findings findings;
   const Node* table = root.find("fit");
   if (table != nullptr && table->kind != Node::Kind::table)

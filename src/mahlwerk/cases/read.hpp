@@ -10,12 +10,29 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/cases/table.hpp"
 
 namespace mahlwerk::cases {
 
-/// One "key=value" of the command line; the value is text as in TOML, quotes optional.
+/// One "key=value" of the command line, or of a campaign's point; the value is text as in TOML,
+/// quotes optional.
 struct Override {
   std::string key, value;
+  bool swept = false;  ///< it comes from [sweep]
+};
+
+/// A case file read from disk once, for many runs that differ in some of its values.
+class CaseFile {
+ public:
+  /// Throws InputError where the file cannot be read or is no TOML.
+  explicit CaseFile(const std::filesystem::path& file);
+  CaseFile(const std::string& text, const std::filesystem::path& file);  ///< as read_text()
+
+  Case read(const Catalogue& catalogue, const std::vector<Override>& overrides = {}) const;
+
+ private:
+  Node root_;
+  std::filesystem::path file_;
 };
 
 /// Reads a case file, overrides applied, catalogue entries and defaults filled in, [sweep] kept as

@@ -170,17 +170,17 @@ Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   return node;
 }
 
-bool holds(const Node& root, std::string_view key) {
+const Node* value_at(const Node& root, std::string_view key) {
   std::vector<std::string_view> parts = parts_of(key);
   const Node* table = &root;
   if (parts.size() > 1) {
     table = root.find(parts.front());
-    if (table == nullptr) return false;
+    if (table == nullptr) return nullptr;
     parts.erase(parts.begin());
     std::string ignored;
     table = descend(table, parts, ignored);
   }
-  return table != nullptr && parts.size() == 1 && table->find(parts.front()) != nullptr;
+  return table != nullptr && parts.size() == 1 ? table->find(parts.front()) : nullptr;
 }
 
 std::string put(Node& root, std::string_view key, Node value) {

@@ -49,8 +49,8 @@ Node parse_tree(std::string_view text, const std::string& file);
 /// A value given as text outside a file: as TOML if it is a value there, otherwise as it stands.
 Node loose_value(std::string_view text, const std::string& where, Rank rank);
 
-/// Whether the tree has a value under the dotted `key`, see put().
-bool holds(const Node& root, std::string_view key);
+/// The value under the dotted `key`, see put(); null if there is none.
+const Node* value_at(const Node& root, std::string_view key);
 
 /// Puts `value` under the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" is
 /// that of the first set). Returns what hinders it, or an empty text.
