@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -60,17 +61,21 @@ Job prepare(const Request& request, const fs::path& file, bool several,
 }
 
 report::Campaign campaign_of(const Job& job, const std::vector<results::Outcome>& outcomes) {
-  std::vector<std::string> keys;
   const campaign::Plan plan(job.what.sweep, job.what.seed);
-  keys = plan.keys();
-  report::Campaign made{.title = job.what.title, .swept = {}, .points = {}};
+  report::Campaign made{.title = job.what.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
-    made.points.push_back({.values = plan.values(i),
-                           .quantities = results::summarise(outcome),
-                           .folder = job.below(i)});
+    report::add(made,
+                {.number = i + 1,
+                 .values = plan.values(i),
+                 .regime = results::regime(outcome),
+                 .folder = job.below(i)},
+                results::summarise(outcome));
   }
-  made.swept = report::swept(keys, made.points);
+  made.swept = report::swept(plan.keys(), made.points);
+  for (const std::vector<std::string>& list : job.what.sweep.together)
+    for (report::Swept& key : made.swept)
+      key.follows = key.follows || std::find(list.begin() + 1, list.end(), key.key) != list.end();
   return made;
 }
 

@@ -176,10 +176,10 @@ TEST(PowderReport, TableGroupsRowsAndCallsThemByTheirNames) {
 
 TEST(PowderReport, CampaignsShowSizesWhereTheyGrind) {
   const auto campaign = [](Outcome (*outcome)(const std::vector<int>&)) {
-    Campaign c{"Speeds", {}, {}};
+    Campaign c{.title = "Speeds"};
     for (const int hits : {100, 200})
-      c.points.push_back(
-          {{fmt::format("{} rpm", hits)}, results::summarise(outcome({hits, hits + 10})), ""});
+      add(c, {.number = c.points.size() + 1, .values = {fmt::format("{} rpm", hits)}},
+          results::summarise(outcome({hits, hits + 10})));
     c.swept = swept({"mill.speed"}, c.points);
     return c;
   };

@@ -114,10 +114,10 @@ TEST(Report, OfNothingIsStillAPage) {
 }
 
 Campaign campaign() {
-  Campaign c{"Speeds", {}, {}};
+  Campaign c{.title = "Speeds"};
   const auto point = [&](const char* speed, const char* wall, int hits) {
-    c.points.push_back(
-        {{speed, wall}, results::summarise(fake_outcome({hits, hits + 10})), "point-1/"});
+    add(c, {.number = c.points.size() + 1, .values = {speed, wall}, .folder = "point-1/"},
+        results::summarise(fake_outcome({hits, hits + 10})));
   };
   point("400 rpm", "steel", 200);
   point("200 rpm", "steel", 100);
@@ -130,7 +130,8 @@ TEST(Campaign, UnitsOfSweptKeysAreFoundWhereTheyAreShared) {
   const Campaign c = campaign();
   EXPECT_EQ(c.swept[0].unit, "rpm");
   EXPECT_EQ(c.swept[1].unit, "");
-  const std::vector<Point> mixed{{{"1 Hz"}, {}, ""}, {{"60 rpm"}, {}, ""}};
+  const std::vector<Point> mixed{{.number = 1, .values = {"1 Hz"}},
+                                 {.number = 2, .values = {"60 rpm"}}};
   EXPECT_EQ(swept({"mill.speed"}, mixed)[0].unit, "");
 }
 

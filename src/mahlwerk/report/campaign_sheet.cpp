@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/campaign_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace mahlwerk::report {
+namespace {
+
+/// What a campaign's page shows where its points have it, the powder first.
+constexpr std::array<std::string_view, 9> chosen{"d90",
+                                                 "d50",
+                                                 "conversion",
+                                                 "captured_mass_rate",
+                                                 "captured_grains_mean",
+                                                 "collision_rate_above_threshold",
+                                                 "energy_normal_mean_above_threshold",
+                                                 "energy_contact_point_mean_above_threshold",
+                                                 "dissipated_power"};
+
+const std::string& value_of(const Point& p, std::size_t key) {
+  static const std::string none;
+  return key < p.values.size() ? p.values[key] : none;
+}
+
+bool is_number(const Campaign& c, std::size_t key) {
+  return std::ranges::all_of(c.points, [&](const Point& p) {
+    const Split s = split(value_of(p, key));
+    return std::isfinite(s.number) && s.rest == c.swept[key].unit;
+  });
+}
+
+Levels numbers_of(const Campaign& c, std::size_t key) {
+  std::map<double, std::string> texts;
+  for (const Point& p : c.points) texts.emplace(split(value_of(p, key)).number, value_of(p, key));
+  Levels made;
+  for (const auto& [number, text] : texts) {
+    made.numbers.push_back(number);
+    made.texts.push_back(text);
+  }
+  for (const Point& p : c.points) {
+    const auto at = std::ranges::lower_bound(made.numbers, split(value_of(p, key)).number);
+    made.of.push_back(static_cast<std::size_t>(at - made.numbers.begin()));
+  }
+  return made;
+}
+
+Levels words_of(const Campaign& c, std::size_t key) {
+  Levels made;
+  std::map<std::string, std::size_t> places;
+  for (const Point& p : c.points) {
+    const auto [at, is_new] = places.emplace(value_of(p, key), made.texts.size());
+    if (is_new) made.texts.push_back(value_of(p, key));
+    made.of.push_back(at->second);
+  }
+  return made;
+}
+
+/// Points that were not run yet, or dropped, leave a grid a grid; ends of one key at a time and
+/// scattered points are none.
+bool is_grid(const Sheet& s) {
+  constexpr double enough = 0.6;
+  double combinations = 1;
+  for (const std::size_t key : s.free) combinations *= static_cast<double>(s.keys[key].size());
+  const std::size_t points = s.campaign.points.size();
+  if (points == 0 || static_cast<double>(points) > combinations ||
+      static_cast<double>(points) < enough * combinations)
+    return false;
+  std::set<std::vector<std::size_t>> seen;
+  for (std::size_t i = 0; i < points; ++i) {
+    std::vector<std::size_t> place;
+    for (const std::size_t key : s.free) place.push_back(s.keys[key].of[i]);
+    if (!seen.insert(place).second) return false;
+  }
+  return true;
+}
+
+bool has_numbers(const Campaign& c, std::size_t column) {
+  return std::ranges::any_of(c.points,
+                             [&](const Point& p) { return std::isfinite(value_at(p, column)); });
+}
+
+std::vector<std::size_t> shown_of(const Campaign& c) {
+  std::vector<std::size_t> list;
+  for (const std::string_view name : chosen) {
+    const auto at = std::ranges::find(c.columns, name, &Column::name);
+    const auto column = static_cast<std::size_t>(at - c.columns.begin());
+    if (at != c.columns.end() && has_numbers(c, column)) list.push_back(column);
+  }
+  constexpr std::size_t few = 6;  // of a campaign that has none of them: the first
+  if (list.empty())
+    for (std::size_t i = 0; i < c.columns.size() && list.size() < few; ++i)
+      if (has_numbers(c, i)) list.push_back(i);
+  return list;
+}
+
+Multiple multiple_of(const Campaign& c, std::size_t column) {
+  double most = 0;
+  for (const Point& p : c.points)
+    if (const double v = value_at(p, column); std::isfinite(v)) most = std::max(most, std::abs(v));
+  return multiple(most, c.columns[column].unit);
+}
+
+}  // namespace
+
+Split split(std::string_view text) {
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc{}) return {NAN, text};
+  std::string_view rest = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  return {number, rest};
+}
+
+Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {
+  for (std::size_t key = 0; key < c.swept.size(); ++key) {
+    keys.push_back(is_number(c, key) ? numbers_of(c, key) : words_of(c, key));
+    if (keys.back().size() > 1 && !c.swept[key].follows) free.push_back(key);
+  }
+  for (std::size_t i = 0; i < c.columns.size(); ++i) multiples.push_back(multiple_of(c, i));
+  grid = is_grid(*this);
+}
+
+std::size_t Sheet::axis() const {
+  std::size_t best = keys.size(), most = 0;
+  for (const std::size_t key : free) {
+    if (!keys[key].numeric() || keys[key].size() <= most) continue;
+    best = key;
+    most = keys[key].size();
+  }
+  return best;
+}
+
+std::string Sheet::others(std::size_t point, const std::vector<std::size_t>& but) const {
+  std::string text;
+  for (const std::size_t key : free)
+    if (std::ranges::find(but, key) == but.end())
+      text += (text.empty() ? "" : ", ") + value_of(campaign.points[point], key);
+  return text;
+}
+
+double value_at(const Point& point, std::size_t column) {
+  return column < point.value.size() ? point.value[column] : NAN;
+}
+
+double half_width_at(const Point& point, std::size_t column) {
+  return column < point.ci95.size() ? point.ci95[column] : NAN;
+}
+
+bool regimes_differ(const Campaign& c) {
+  std::string_view first;
+  for (const Point& p : c.points) {
+    if (p.regime.empty()) continue;
+    if (!first.empty() && p.regime != first) return true;
+    first = p.regime;
+  }
+  return false;
+}
+
+std::string axis_label(const Swept& key) {
+  return key.unit.empty() ? key.key : fmt::format("{} ({})", key.key, key.unit);
+}
+
+std::string column_label(const Column& column, const Multiple& m) {
+  if (m.unit == "1") return label(column.name);
+  return fmt::format("{} ({})", label(column.name), m.unit == "1/s" ? "/s" : m.unit);
+}
+
+std::string shortened(std::string_view message, std::size_t letters) {
+  std::string text(message.substr(0, message.find('\n')));
+  if (width(text) <= letters) return text;
+  while (width(text) >= letters) text.pop_back();  // a letter of several bytes goes with its first
+  return text + "…";
+}
+
+bool over_decades(const std::vector<double>& values) {
+  constexpr double far = 100;
+  double least = INFINITY, most = -INFINITY;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
+  return least > 0 && most >= far * least;
+}
+
+}  // namespace mahlwerk::report
