@@ -18,12 +18,16 @@ namespace mahlwerk::app {
 
 /// What the command line said.
 struct Request {
-  std::string target;  ///< case, room or name
+  std::string target;  ///< case, room, name, or folder of a campaign
   std::string data;    ///< the table of measurements, of fit
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
-  int threads = 0;                   ///< 0: all cores
+  int threads = 0;    ///< 0: all cores
+  std::string shard;  ///< "2/8" of a campaign; empty: all of it
+  int slurm = 0;      ///< shards to be submitted to Slurm; 0: run here
+  std::vector<std::string> slurm_options;
+  std::string results;  ///< of a campaign's runs: "all" or "summary"; empty: by their number
   std::optional<double> checkpoint;  ///< [s] between two states of the run that are kept
   bool resume = false;               ///< go on from the last of them
   bool quiet = false, json = false, force = false;
@@ -39,6 +43,11 @@ enum Exit : int {
 };
 
 int run(const Request& request);
+int sweep(const Request& request);
+int sweep_status(const Request& request);
+int sweep_export(const Request& request);
+int sweep_retry(const Request& request);
+int sweep_merge(const Request& request);
 int compare(const Request& request);
 int fit(const Request& request);
 int check(const Request& request);
@@ -47,16 +56,24 @@ int describe(const Request& request);
 int completion(const Request& request);
 
 /// Which options a command takes.
-enum class Takes { case_file, run, compare, fit, room, name, shell };
+enum class Takes { case_file, run, sweep, compare, fit, campaign, room, name, shell };
 
 struct Command {
   std::string_view name, about;
   Takes takes;
   int (*perform)(const Request&);
+  std::string_view of = "";  ///< the command it is a part of: "sweep status"
 };
 
 inline constexpr std::array commands{
     Command{"run", "run a case, or every case of a folder, and write its results", Takes::run, run},
+    Command{"sweep", "run the campaign of a case with [sweep], or go on with it", Takes::sweep,
+            sweep},
+    Command{"status", "how far a campaign is, and what failed", Takes::campaign, sweep_status,
+            "sweep"},
+    Command{"export", "the table of a campaign as CSV", Takes::campaign, sweep_export, "sweep"},
+    Command{"retry", "run what failed once more", Takes::campaign, sweep_retry, "sweep"},
+    Command{"merge", "join the shards of a campaign", Takes::campaign, sweep_merge, "sweep"},
     Command{"compare", "run a case by both engines and show the results side by side",
             Takes::compare, compare},
     Command{"fit", "find numbers of a case from what was measured of the powder, with intervals",
@@ -86,6 +103,10 @@ std::filesystem::path one_case_file(const std::string& target, std::string_view 
 /// several.
 std::filesystem::path default_place(const std::string& target, const std::filesystem::path& file,
                                     bool several);
+
+/// The campaign of a case with [sweep], all of it or request.shard, in the folder `place`.
+int sweep_case(const Request& request, const std::filesystem::path& file,
+               const std::vector<cases::Override>& set, const std::filesystem::path& place);
 
 /// Says on stderr if a run did not end as asked; the exit code.
 int how_it_ended(const std::vector<results::Outcome>& outcomes);

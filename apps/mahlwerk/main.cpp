@@ -23,11 +23,12 @@ cases::Override override_of(const std::string& text) {
 
 void add_case_options(CLI::App& sub, const Command& command, Request& request,
                       std::vector<std::string>& set) {
-  sub.add_option("CASE", request.target,
-                 command.takes == Takes::compare || command.takes == Takes::fit
-                     ? "a case file, or a folder with one case"
-                     : "a case file, or a folder with a case.toml or several cases")
-      ->required();
+  const bool one = command.takes == Takes::compare || command.takes == Takes::fit ||
+                   command.takes == Takes::sweep;
+  auto* target = sub.add_option("CASE", request.target,
+                                one ? "a case file, or a folder with one case"
+                                    : "a case file, or a folder with a case.toml or several cases");
+  if (command.takes != Takes::sweep) target->required();  // else a part of it may be meant
   if (command.takes == Takes::fit)
     sub.add_option("DATA", request.data, "a table of measurements: CSV, see docs/formats.md")
         ->required();
@@ -45,7 +46,7 @@ void add_run_options(CLI::App& sub, const Command& command, Request& request) {
                   : command.takes == Takes::fit   ? ", with -fit"
                                                   : ""));
   sub.add_flag("--force", request.force, "replace results that are there");
-  sub.add_option("--threads", request.threads,
+  sub.add_option("--jobs,--threads", request.threads,
                  "how many replicates run at a time (default: all cores)")
       ->check(CLI::Range(1, 4096));
   sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
@@ -65,13 +66,45 @@ void add_checkpoint_options(CLI::App& sub, Request& request) {
                "go on with a run that was ended, from its last kept state");
 }
 
+void add_campaign_options(CLI::App& sub, const Command& command, Request& request) {
+  sub.add_option("FOLDER", request.target, "the campaign's folder")->required();
+  if (command.name == "export")
+    sub.add_option("--out", request.out, "file to write (default: the terminal)");
+  if (command.name == "retry")
+    sub.add_option("--jobs,--threads", request.threads,
+                   "how many replicates run at a time (default: all cores)")
+        ->check(CLI::Range(1, 4096));
+  if (command.name == "retry" || command.name == "merge")
+    sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
+}
+
+void add_sweep_options(CLI::App& sub, Request& request) {
+  sub.add_option("--results", request.results,
+                 "what is kept of each run: all (default up to 1000 points), or its summary in the "
+                 "store alone")
+      ->check(CLI::IsMember({"all", "summary"}));
+  auto* shard = sub.add_option("--shard", request.shard,
+                               "do only this part of the runs: 2/8 is the second of eight");
+  auto* slurm = sub.add_option("--slurm", request.slurm,
+                               "submit the campaign to Slurm as so many shards, and their merge")
+                    ->type_name("SHARDS")
+                    ->check(CLI::Range(1, 10'000));
+  slurm->excludes(shard);
+  sub.add_option("--slurm-option", request.slurm_options,
+                 "a line for sbatch: --slurm-option partition=long; may be repeated")
+      ->allow_extra_args(false)
+      ->needs(slurm);
+}
+
 void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
-  const bool runs =
-      command.takes == Takes::run || command.takes == Takes::compare || command.takes == Takes::fit;
+  const bool runs = command.takes == Takes::run || command.takes == Takes::sweep ||
+                    command.takes == Takes::compare || command.takes == Takes::fit;
   if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
   if (runs) add_run_options(sub, command, request);
   if (command.takes == Takes::run) add_checkpoint_options(sub, request);
+  if (command.takes == Takes::sweep) add_sweep_options(sub, request);
+  if (command.takes == Takes::campaign) add_campaign_options(sub, command, request);
   if (command.takes == Takes::room)
     sub.add_option("ROOM", request.target, "mills, jars, materials or media (default: all)");
   if (command.takes == Takes::name)
@@ -98,15 +131,22 @@ int perform(int argc, char** argv) {
   std::vector<std::string> set;
   const Command* chosen = nullptr;
   for (const Command& command : commands) {
-    CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.about));
+    CLI::App* above = command.of.empty() ? &app : app.get_subcommand(std::string(command.of));
+    CLI::App* sub = above->add_subcommand(std::string(command.name), std::string(command.about));
     add_options(*sub, command, request, set);
-    sub->callback([&chosen, &command] { chosen = &command; });
+    sub->callback([&chosen, &command] {
+      if (chosen == nullptr || chosen->of != command.name) chosen = &command;
+    });
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? fine : bad_input;
   }
+  if (chosen->takes == Takes::sweep && request.target.empty())
+    throw InputError(Fault{"mahlwerk sweep", "no case is named",
+                           "write mahlwerk sweep case.toml, or see mahlwerk sweep --help",
+                           "no-such-case"});
   for (const std::string& one : set) request.set.push_back(override_of(one));
   return chosen->perform(request);
 }

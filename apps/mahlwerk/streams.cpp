@@ -20,17 +20,20 @@ void Streams::add(const cases::Case& point, const results::Folder& folder,
   points_.push_back(std::move(made));
 }
 
+std::unique_ptr<scene::Observer> Streams::records(std::size_t point, int replicate) const {
+  const Point& p = points_[point];
+  if (!p.collisions) return nullptr;
+  return std::make_unique<results::CollisionLog>(*p.collisions, replicate);
+}
+
+std::unique_ptr<results::FrameFiles> Streams::frames(std::size_t point, int replicate) const {
+  const Point& p = points_[point];
+  return p.frames ? p.frames(replicate) : nullptr;
+}
+
 void Streams::join(campaign::Options& options) const {
-  options.records = [this](std::size_t point, int replicate) -> std::unique_ptr<scene::Observer> {
-    const Point& p = points_[point];
-    if (!p.collisions) return nullptr;
-    return std::make_unique<results::CollisionLog>(*p.collisions, replicate);
-  };
-  options.frames = [this](std::size_t point,
-                          int replicate) -> std::unique_ptr<results::FrameFiles> {
-    const Point& p = points_[point];
-    return p.frames ? p.frames(replicate) : nullptr;
-  };
+  options.records = [this](std::size_t point, int replicate) { return records(point, replicate); };
+  options.frames = [this](std::size_t point, int replicate) { return frames(point, replicate); };
 }
 
 void Streams::close() {

@@ -22,6 +22,8 @@ class Streams {
   /// The next point of the run; its files go into `folder`, under `below`.
   void add(const cases::Case& point, const results::Folder& folder, const std::string& below);
 
+  std::unique_ptr<scene::Observer> records(std::size_t point, int replicate) const;
+  std::unique_ptr<results::FrameFiles> frames(std::size_t point, int replicate) const;
   /// Lets a run of all points added write its files; it must end before the streams do.
   void join(campaign::Options& options) const;
 

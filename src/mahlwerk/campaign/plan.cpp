@@ -8,11 +8,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/designs.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -39,11 +42,8 @@ struct Ends {
 
 Ends ends_of(const cases::SweptKey& range) {
   const std::string& last = range.values[1];
-  double number = 0;
-  const auto [stop, failed] = std::from_chars(last.data(), last.data() + last.size(), number);
-  if (failed != std::errc{}) refuse(range, fmt::format("\"{}\" is no number", last));
-  std::string_view unit(stop, static_cast<std::size_t>(last.data() + last.size() - stop));
-  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  const auto [number, unit] = number_text(last);
+  if (std::isnan(number)) refuse(range, fmt::format("\"{}\" is no number", last));
   Ends ends{.to = number, .unit = std::string(unit)};
   try {
     const Quantity first = parse_quantity(range.values[0]), second = parse_quantity(last);
@@ -68,6 +68,40 @@ std::vector<std::string> list_of(const cases::SweptKey& key) {
   return list;
 }
 
+[[noreturn]] void too_many(std::string remedy) {
+  throw InputError(Fault{"[sweep]", fmt::format("these are more than {} points", Plan::most_points),
+                         std::move(remedy), "too-many-points"});
+}
+
+void check_size(const cases::Sweep& sweep) {
+  const auto keys = static_cast<double>(sweep.keys.size());
+  const auto samples = static_cast<double>(sweep.samples);
+  const double each = sweep.design == cases::Design::morris          ? keys + 1
+                      : sweep.design == cases::Design::sobol_indices ? keys + 2
+                                                                     : 1;
+  if (samples * each > static_cast<double>(Plan::most_points)) too_many("give fewer samples");
+}
+
+/// Places in the ranges; NaN where a key stays as the case has it.
+Places rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
+  const std::size_t keys = sweep.keys.size();
+  const auto samples = static_cast<std::size_t>(sweep.samples);
+  switch (sweep.design) {
+    case cases::Design::latin_hypercube:
+      return latin_hypercube(keys, samples, seed);
+    case cases::Design::sobol:
+      return sobol_points(keys, samples);
+    case cases::Design::morris:
+      return morris_design(keys, samples, seed);
+    case cases::Design::sobol_indices:
+      return saltelli_design(keys, samples, seed);
+    case cases::Design::one_at_a_time:
+    case cases::Design::grid:
+      break;
+  }
+  return one_at_a_time_design(keys, std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace
 
 std::string value_in_range(const cases::SweptKey& range, double place, int digits) {
@@ -82,18 +116,22 @@ std::string value_in_range(const cases::SweptKey& range, double place, int digit
   return ends.unit.empty() ? number : fmt::format("{} {}", number, ends.unit);
 }
 
-Plan::Plan(const cases::Sweep& sweep, std::uint64_t) {
-  for (const cases::SweptKey& key : sweep.keys) {
-    keys_.push_back(key.key);
-    lists_.push_back(list_of(key));
+Plan::Plan(const cases::Sweep& sweep, std::uint64_t seed) {
+  for (const cases::SweptKey& key : sweep.keys) keys_.push_back(key.key);
+  if (sweep.design != cases::Design::grid && !keys_.empty()) {
+    ranges_ = sweep.keys;
+    for (const cases::SweptKey& range : ranges_) ends_of(range);  // that it is one
+    check_size(sweep);
+    rows_ = rows_of(sweep, seed);
+    size_ = rows_.size();
+    return;
   }
+  for (const cases::SweptKey& key : sweep.keys) lists_.push_back(list_of(key));
   make_groups(sweep);
   size_ = keys_.empty() ? 0 : 1;
   for (const Group& group : groups_) {
     if (group.length > most_points / size_)
-      throw InputError(
-          Fault{"[sweep]", fmt::format("the combinations are more than {} points", most_points),
-                "give fewer values, or choose a design that takes samples", "too-many-points"});
+      too_many("give fewer values, or choose a design that takes samples");
     size_ *= group.length;
   }
 }
@@ -115,6 +153,12 @@ void Plan::make_groups(const cases::Sweep& sweep) {
 
 std::vector<std::string> Plan::values(std::size_t point) const {
   std::vector<std::string> values(keys_.size());
+  if (!rows_.empty()) {
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+      if (const double place = rows_[point][k]; !std::isnan(place))
+        values[k] = value_in_range(ranges_[k], place);
+    return values;
+  }
   // The last group runs fastest.
   for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
     for (const std::size_t key : group->keys) values[key] = lists_[key][point % group->length];

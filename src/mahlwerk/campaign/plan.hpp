@@ -20,9 +20,10 @@ class Plan {
 
   std::size_t size() const { return size_; }
   const std::vector<std::string>& keys() const { return keys_; }  ///< by name
-  std::vector<std::string> values(std::size_t point) const;       ///< of the keys, as text
-  /// Where the point lies in the ranges of a design that draws from them, 0 to 1 for each key.
-  const std::vector<double>& place(std::size_t point) const { return rows_[point]; }
+  /// Of the keys at a point, as text; empty where a key stays as the case has it.
+  std::vector<std::string> values(std::size_t point) const;
+  /// By point: where in the ranges it lies, 0 to 1 for each key; none on a grid.
+  const std::vector<std::vector<double>>& places() const { return rows_; }
 
   static constexpr std::size_t most_points = 10'000'000;
 

@@ -195,14 +195,15 @@ class Crew {
     const Kept kept = queue_.kept ? queue_.kept(point.index) : Kept{};
     const std::size_t job = kept.from + replicate;
     if (kept.in != nullptr) kept.in->restore(job, replica);
+    const double weight = queue_.weight ? queue_.weight(point.index) : 1;
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
     while (!replica.done() && !stopped()) {
       const scene::Account before = replica.account();
       replica.go_on();
       const scene::Account& now = replica.account();
       replica.cpu_seconds() = thread_cpu_seconds() - cpu;
-      teller_.add(now.time - before.time, static_cast<double>(now.collisions - before.collisions),
-                  now.worst_collision);
+      teller_.add(weight * (now.time - before.time),
+                  static_cast<double>(now.collisions - before.collisions), now.worst_collision);
       if (kept.in != nullptr && kept.in->due(job)) kept.in->keep(job, replica);
     }
     if (kept.in != nullptr && (kept.always || stopped() || kept.in->due(job)))

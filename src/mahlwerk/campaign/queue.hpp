@@ -28,7 +28,9 @@ struct Queue {
   std::function<void(std::size_t point, const std::exception& why)> failed;
   std::function<Kept(std::size_t point)> kept;  ///< none: no state is kept
   int threads_each = 1;                         ///< that share the work of one replicate
-  double wanted = 0;                            ///< [s] to be simulated in all; 0: not known
+  double wanted = 0;  ///< [s] to be simulated in all; with `weight`, of that; 0: not known
+  /// What a point's second counts towards `wanted`; none: 1.
+  std::function<double(std::size_t point)> weight;
 };
 
 /// Works a queue off, as many replicates at a time as options.threads, each point's replicates

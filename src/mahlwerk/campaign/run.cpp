@@ -49,7 +49,7 @@ results::Outcome nothing_yet(const cases::Case& what) {
 std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options) {
   Load load = load_of(points);
   Options own = options;
-  own.threads = threads_of(options);
+  own.threads = threads_of(options.threads);
   if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
   if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
   own.memory = std::nullopt;  // looked at for all of them together
@@ -75,8 +75,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const 
   return outcomes;
 }
 
-int threads_of(const Options& options) {
-  if (options.threads > 0) return options.threads;
+int threads_of(int asked) {
+  if (asked > 0) return asked;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -47,8 +47,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
                                   const Options& options = {});
 results::Outcome run(const cases::Case& what, const Options& options = {});
 
-/// As many as options say, or as the machine has.
-int threads_of(const Options& options);
+/// As many as asked for, or as the machine has cores where that is 0.
+int threads_of(int asked);
 
 /// A case without [sweep] is itself; one with it becomes a case per point of the full product, in
 /// order. Throws InputError with the faults of all points.

@@ -167,7 +167,7 @@ void Transaction::commit() {
   open_ = false;
 }
 
-std::string quoted(std::string_view name) {
+std::string as_name(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
   return text + "\"";

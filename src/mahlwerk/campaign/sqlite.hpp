@@ -82,6 +82,6 @@ class Transaction {
 };
 
 /// A name as SQL takes it, whatever stands in it.
-std::string quoted(std::string_view name);
+std::string as_name(std::string_view name);
 
 }  // namespace mahlwerk::campaign

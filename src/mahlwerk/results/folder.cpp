@@ -50,6 +50,13 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("report.html"),
                                std::string_view("campaign.csv"),
                                std::string_view("campaign.html"),
+                               std::string_view("campaign.sqlite"),
+                               std::string_view("campaign.sqlite-wal"),
+                               std::string_view("campaign.sqlite-shm"),
+                               std::string_view("campaign.sqlite-journal"),
+                               std::string_view("campaign.lock"),
+                               std::string_view("campaign.slurm"),
+                               std::string_view("campaign.json"),
                                std::string_view("compare.csv"),
                                std::string_view("compare.html"),
                                std::string_view("fit.json"),
@@ -68,11 +75,17 @@ bool is_numbered(std::string_view name, std::string_view before, std::string_vie
          number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// "campaign.shard-2-of-8.sqlite", and its journal and lock; "slurm-17_2.out".
+bool is_of_shard(std::string_view name) {
+  return name.starts_with("campaign.shard-") ||
+         (name.starts_with("slurm-") && name.ends_with(".out"));
+}
+
 /// Of some files there is one for a replicate.
 bool is_our_name(std::string_view name) {
   return std::find(our_files.begin(), our_files.end(), name) != our_files.end() ||
          is_numbered(name, "frames-", ".xyz") || is_numbered(name, "frames-", ".pvd") ||
-         is_numbered(name, "stopped-", ".csv");
+         is_numbered(name, "stopped-", ".csv") || is_of_shard(name);
 }
 
 /// What a folder inside a result may hold besides: pictures, or frames.
@@ -104,6 +117,7 @@ std::string beginning(const fs::path& file) {
 bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
+         beginning(folder / "campaign.sqlite").starts_with("SQLite format 3") ||
          beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||
          beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m");
 }
@@ -111,10 +125,27 @@ bool is_result(const fs::path& folder) {
 /// Names inside a folder that no result of ours has.
 std::vector<std::string> foreign(const fs::path& folder);
 
+/// The state of a campaign's run that goes on, beside its folder.
+bool is_of_run(const fs::directory_entry& entry) {
+  const fs::path kind = entry.path().extension();
+  return entry.is_regular_file() && (kind == ".checkpoint" || kind == ".part");
+}
+
 /// The same of a folder inside a result: a point of a campaign, its pictures, or frames.
 std::vector<std::string> foreign_inside(const fs::directory_entry& inner) {
   if (is_result(inner.path())) return foreign(inner.path());
   std::vector<std::string> names;
+  if (inner.path().filename() == campaign_runs) {
+    for (const fs::directory_entry& run : fs::directory_iterator(inner))
+      if (is_of_run(run))
+        continue;
+      else if (!run.is_directory())
+        names.push_back(run.path().filename().string());
+      else
+        for (const std::string& name : foreign(run.path()))
+          names.push_back(run.path().filename().string() + "/" + name);
+    return names;
+  }
   for (const fs::directory_entry& entry : fs::directory_iterator(inner))
     if (!is_our_inner_name(inner.path().filename().string(), entry))
       names.push_back(entry.path().filename().string());

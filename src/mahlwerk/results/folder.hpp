@@ -8,6 +8,9 @@
 
 namespace mahlwerk::results {
 
+/// Where, in a campaign's folder, the results of its runs are.
+constexpr std::string_view campaign_runs = "runs";
+
 /// A result folder in the making. Files are written aside, into a hidden folder beside the wanted
 /// one, and appear all at once by `commit`. Until then nothing that exists is touched; without
 /// `commit` nothing stays behind.

@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "campaign_folder.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <numeric>
+#include <unordered_set>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/fingerprint.hpp"
+#include "mahlwerk/campaign/parallel.hpp"
+#include "mahlwerk/campaign/queue.hpp"
+#include "mahlwerk/campaign/work.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/regime.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_folders = 1000;  // of results; of more runs only the store is kept
+constexpr double checkpoint_every = 60;     // [s]
+
+std::string name_of(const Shard& shard) {
+  return shard.whole() ? "campaign"
+                       : fmt::format("campaign.shard-{}-of-{}", shard.number, shard.of);
+}
+
+bool holds_campaign(const fs::path& place) {
+  if (fs::exists(place / "campaign.sqlite")) return true;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(place, none))
+    if (entry.path().filename().string().starts_with("campaign.shard-")) return true;
+  return false;
+}
+
+/// The lock's file, in a folder that is a campaign's or has been made one.
+fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
+  const fs::path lock = place / (name_of(shard) + ".lock");
+  std::error_code none;
+  const bool empty = !fs::exists(place, none) || fs::is_empty(place, none);
+  if (empty && !none) {
+    fs::create_directories(place, none);  // what hinders it shows as the lock is taken
+  } else if (!holds_campaign(place) || request.force) {
+    if (fs::exists(lock)) const campaign::CampaignLock last(lock);
+    results::Folder fresh(place, request.force);
+    fresh.write(lock.filename().string(), "");
+    fresh.commit();
+  }
+  return lock;
+}
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// Why physics stopped a run; empty if it did not.
+std::string trouble(const results::Outcome& outcome) {
+  for (const results::Replicate& r : outcome.replicates)
+    if (!r.stopped.empty()) return r.stopped;
+  return "";
+}
+
+}  // namespace
+
+CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file,
+                               std::vector<cases::Override> set, fs::path place, const Shard& shard)
+    : request_(request),
+      file_(case_file),
+      catalogue_(catalogue()),
+      set_(std::move(set)),
+      place_(std::move(place)),
+      case_file_(fs::weakly_canonical(case_file)),
+      shard_(shard),
+      lock_(opened(request, place_, shard)),
+      store_(place_ / (name_of(shard) + ".sqlite"),
+             shard.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard) {}
+
+std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
+  std::vector<cases::Override> all = set_;
+  const std::vector<std::string> values = points_.values(point);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!values[k].empty()) all.push_back({points_.keys[k], values[k], true});
+  return all;
+}
+
+std::vector<std::string> CampaignFolder::said(std::size_t point) const {
+  std::vector<std::string> values = points_.values(point);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k].empty()) values[k] = own_[k];
+  return values;
+}
+
+CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
+  const cases::Case what = file_.read(catalogue_, settings(point));
+  return {campaign::run_hash(what, version()), campaign::work_estimate(what),
+          (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates)};
+}
+
+void CampaignFolder::plan(const Points& points) {
+  points_ = points;
+  const cases::Case base = file_.read(catalogue_, set_);
+  title_ = base.title;
+  own_.clear();
+  for (const std::string& key : points_.keys) {
+    const auto origin = std::ranges::find(base.origins, key, &cases::Origin::key);
+    own_.push_back(origin == base.origins.end() ? "" : origin->value);
+  }
+  runs_.assign(points.size, {});
+  std::vector<std::optional<InputError>> wrong(points.size);
+  std::atomic<std::size_t> faulty = 0;
+  campaign::in_parallel(campaign::threads_of(request_.threads), points.size, [&](std::size_t i) {
+    try {
+      runs_[i] = read_run(i);
+    } catch (const InputError& e) {
+      std::string text = version().data();
+      for (const auto& [key, value, swept] : settings(i))
+        text += fmt::format("\n{}={}", key, value);
+      runs_[i].hash = fingerprint(text);
+      if (++faulty == points_.size || i == 0) wrong[i] = e;
+    }
+  });
+  if (faulty == points.size)
+    for (const auto& one : wrong)
+      if (one) throw *one;
+  campaign::Planned planned;
+  planned.title = title_;
+  planned.version = version();
+  planned.case_file = case_file_;
+  planned.overrides = set_;
+  planned.keys = points_.keys;
+  planned.follow = points_.follow;
+  for (const Run& run : runs_) planned.runs.push_back(run.hash);
+  planned.values = [this](std::size_t i) { return said(i); };
+  store_.plan(planned);
+}
+
+/// Points whose runs wait, the longest first so that the last to end are short; those that a shard
+/// or the whole has done are not done again.
+std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
+  auto states = store_.states();
+  for (const auto& entry : fs::directory_iterator(place_)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("campaign") || entry.path().extension() != ".sqlite") continue;
+    if (entry.path() == place_ / (name_of(shard_) + ".sqlite")) continue;
+    for (const auto& [hash, state] :
+         campaign::Store(entry.path(), campaign::Store::Access::read).states())
+      if (state == campaign::RunState::done) states[hash] = state;
+  }
+  std::vector<std::size_t> points;
+  std::unordered_set<campaign::RunHash> met;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (i % shard_.of != shard_.number - 1 || !met.insert(runs_[i].hash).second) continue;
+    if (states.at(runs_[i].hash) == campaign::RunState::waiting)
+      points.push_back(i);
+    else
+      ++worked.there;
+  }
+  std::ranges::stable_sort(points, std::greater(), [&](std::size_t i) { return runs_[i].work; });
+  return points;
+}
+
+bool CampaignFolder::keeps_folders() const {
+  return request_.results.empty() ? runs_.size() <= most_folders : request_.results == "all";
+}
+
+/// What lies open while runs are at work: their folders, streams and states.
+class CampaignFolder::Desk {
+ public:
+  Desk(CampaignFolder& owner, std::vector<std::size_t> todo)
+      : owner_(owner), todo_(std::move(todo)), line_(owner.request_.quiet) {
+    for (const std::size_t point : todo_) wanted_ += owner_.runs_[point].work;
+  }
+
+  Worked work(Worked worked) {
+    worked_ = worked;
+    const auto begin = std::chrono::steady_clock::now();
+    campaign::Options options;
+    options.threads = campaign::threads_of(owner_.request_.threads);
+    options.stop = &stop_wanted();
+    options.progress = [&](const campaign::Progress& p) { show(p); };
+    options.records = [&](std::size_t i, int r) { return paper(i).streams.records(0, r); };
+    options.frames = [&](std::size_t i, int r) { return paper(i).streams.frames(0, r); };
+    campaign::Queue queue;
+    queue.size = todo_.size();
+    queue.open = [&](std::size_t i) { return open(i); };
+    queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
+    queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
+    queue.kept = [&](std::size_t i) {
+      return campaign::Kept{.in = &*paper(i).checkpoint, .always = false};
+    };
+    queue.wanted = wanted_;
+    queue.weight = [&](std::size_t i) {
+      const Run& run = owner_.runs_[todo_[i]];
+      return run.work / run.seconds;
+    };
+    campaign::work_off(queue, options);
+    worked_.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    worked_.interrupted = stop_wanted();
+    return worked_;
+  }
+
+ private:
+  struct Paper {
+    std::string name;  // of its folder, below the campaign's
+    std::string began = now();
+    std::unique_ptr<results::Folder> folder;  // or null
+    Streams streams;
+    std::optional<campaign::Checkpoint> checkpoint;
+  };
+
+  Paper& paper(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    return *papers_.at(i);
+  }
+  void clear(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    papers_.erase(i);
+  }
+
+  cases::Case open(std::size_t i) {
+    const std::size_t point = todo_[i];
+    cases::Case what = owner_.file_.read(owner_.catalogue_, owner_.settings(point));
+    what.sweep = {};
+    auto made = std::make_unique<Paper>();
+    const std::string hash = campaign::hash_text(owner_.runs_[point].hash);
+    made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
+                             std::to_string(owner_.size()).size(), hash.substr(0, 8));
+    const fs::path place = owner_.place_ / made->name;
+    const bool streams = what.observe.frames || what.observe.collisions;
+    fs::create_directories(place.parent_path());
+    if (owner_.keeps_folders() || streams)
+      made->folder = std::make_unique<results::Folder>(place, true);
+    if (made->folder) made->streams.add(what, *made->folder, "");
+    made->checkpoint.emplace(place.string() + ".checkpoint", hash,
+                             static_cast<std::size_t>(what.run.replicates), checkpoint_every);
+    if (!streams && fs::exists(place.string() + ".checkpoint")) try {
+        made->checkpoint->load();
+      } catch (const InputError&) {
+        // of another version, or half written: the run begins anew
+      }
+    const std::lock_guard lock(mutex_);
+    papers_[i] = std::move(made);
+    return what;
+  }
+
+  void done(std::size_t i, const results::Outcome& outcome) {
+    Paper& mine = paper(i);
+    mine.streams.close();
+    if (!outcome.interrupted) {
+      if (mine.folder) {
+        report::write(*mine.folder, outcome, version(), "", false);
+        mine.folder->commit();
+      }
+      campaign::Finished finished;
+      finished.hash = owner_.runs_[todo_[i]].hash;
+      finished.resolved = cases::write(outcome.what);
+      finished.engine = outcome.engine;
+      finished.regime = results::regime(outcome);
+      finished.folder = mine.folder ? mine.name : "";
+      finished.began = mine.began;
+      finished.wall_seconds = outcome.wall_seconds;
+      finished.cpu_seconds = outcome.cpu_seconds;
+      finished.failure = trouble(outcome);
+      finished.quantities = results::summarise(outcome);
+      owner_.store_.keep(finished);
+      mine.checkpoint->remove();
+      const std::lock_guard lock(mutex_);
+      ++(finished.failure.empty() ? worked_.done : worked_.failed);
+    }
+    clear(i);
+  }
+
+  void failed(std::size_t i, const std::exception& why) {
+    owner_.store_.fail(owner_.runs_[todo_[i]].hash, why.what());
+    clear(i);
+    const std::lock_guard lock(mutex_);
+    ++worked_.failed;
+  }
+
+  void show(const campaign::Progress& p) {
+    using Seconds = std::chrono::duration<double>;
+    const double gone = Seconds(std::chrono::steady_clock::now() - began_).count();
+    const double share = p.wanted > 0 ? std::min(1.0, p.simulated / p.wanted) : 0;
+    const std::lock_guard lock(mutex_);
+    line_.show(
+        fmt::format("{:3.0f} %  {} of {} runs done{}  {}", 100 * share, worked_.done, todo_.size(),
+                    worked_.failed > 0 ? fmt::format(", {} failed", worked_.failed) : "",
+                    share > 0 ? fmt::format("{:.0f} s left", gone * (1 - share) / share) : ""));
+  }
+
+  CampaignFolder& owner_;
+  std::vector<std::size_t> todo_;
+  ProgressLine line_;
+  double wanted_ = 0;  // [s] of work, estimated
+  std::mutex mutex_;
+  std::map<std::size_t, std::unique_ptr<Paper>> papers_;  // by place in todo_
+  Worked worked_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+Worked CampaignFolder::work() {
+  Worked worked;
+  std::vector<std::size_t> todo = to_do(worked);
+  return Desk(*this, std::move(todo)).work(worked);
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "mahlwerk/campaign/store.hpp"
+#include "mahlwerk/report/campaign.hpp"
+
+namespace mahlwerk::app {
+
+/// The points of a campaign: what their keys say.
+struct Points {
+  std::vector<std::string> keys;
+  std::vector<std::string> follow = {};  ///< of the keys, those that go side by side with others
+  std::size_t size = 0;
+  /// Of the keys, as text; empty where one stays as the case has it.
+  std::function<std::vector<std::string>(std::size_t point)> values;
+};
+
+/// Which part of a campaign a process does: each `of`-th run, from `number`, which is 1 ... of.
+struct Shard {
+  std::size_t number = 1, of = 1;
+  bool whole() const { return of == 1; }
+};
+
+/// How a stretch of work on a campaign went.
+struct Worked {
+  std::size_t done = 0, failed = 0;  ///< runs
+  std::size_t there = 0;             ///< that were done before
+  double seconds = 0;
+  bool interrupted = false;
+};
+
+/// A campaign in its folder: the store, and the results of runs beside it. It belongs to this
+/// process alone until it is destroyed; what is in it stays, however the process ends.
+class CampaignFolder {
+ public:
+  /// Opens what is in `place`, or begins anew there; with request.force always anew. Throws
+  /// InputError where it cannot be written to, another process is at work there, or it holds
+  /// something else.
+  CampaignFolder(const Request& request, const std::filesystem::path& case_file,
+                 std::vector<cases::Override> set, std::filesystem::path place,
+                 const Shard& shard = {});
+
+  /// Reads the cases of all points. A point whose case has faults fails as its turn comes; throws
+  /// InputError if all have.
+  void plan(const Points& points);
+  /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
+  Worked work();
+
+  campaign::Store& store() { return store_; }
+  const std::filesystem::path& place() const { return place_; }
+  std::size_t size() const { return runs_.size(); }  ///< points
+  campaign::RunHash run(std::size_t point) const { return runs_[point].hash; }
+
+ private:
+  struct Run {
+    campaign::RunHash hash = 0;
+    double work = 0;     // [s], estimated
+    double seconds = 0;  // to be simulated
+  };
+  class Desk;
+  std::vector<cases::Override> settings(std::size_t point) const;
+  std::vector<std::string> said(std::size_t point) const;
+  Run read_run(std::size_t point) const;
+  std::vector<std::size_t> to_do(Worked& worked) const;
+  bool keeps_folders() const;
+
+  const Request& request_;
+  cases::CaseFile file_;
+  cases::Catalogue catalogue_;
+  std::vector<cases::Override> set_;
+  std::filesystem::path place_, case_file_;
+  Shard shard_;
+  campaign::CampaignLock lock_;
+  campaign::Store store_;
+  Points points_;
+  std::vector<std::string> own_;  // what the case itself says of the keys
+  std::vector<Run> runs_;
+  std::string title_;
+};
+
+/// What there is to tell of a campaign, from its store.
+report::Campaign told(const campaign::Store& store);
+
+/// campaign.csv, campaign.html and its pictures, into the folder.
+void write_pages(const campaign::Store& store, const report::Campaign& campaign,
+                 const std::filesystem::path& place);
+
+/// The store of a campaign's folder, for those who only look. Throws InputError if there is none.
+campaign::Store look_into(const std::filesystem::path& place);
+
+}  // namespace mahlwerk::app

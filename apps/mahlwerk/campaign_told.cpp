@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A campaign's store as pages, pictures and tables.
+#include <fstream>
+
+#include "campaign_folder.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/folder.hpp"
+
+namespace mahlwerk::app {
+
+namespace fs = std::filesystem;
+
+report::Campaign told(const campaign::Store& store) {
+  report::Campaign campaign;
+  campaign.title = store.title();
+  std::vector<std::string> names;
+  for (const results::Quantity& q : store.quantities()) {
+    names.push_back(q.name);
+    campaign.columns.push_back({q.name, q.unit, q.about});
+  }
+  store.read(names, [&](const campaign::StoredPoint& stored) {
+    report::Point point{.number = stored.number,
+                        .values = stored.values,
+                        .value = stored.value,
+                        .ci95 = stored.ci95,
+                        .regime = stored.regime,
+                        .folder = stored.folder};
+    if (stored.state == campaign::RunState::failed) point.failure = stored.message;
+    if (stored.state == campaign::RunState::waiting) point.failure = "not run yet";
+    campaign.points.push_back(std::move(point));
+  });
+  campaign.swept = report::swept(store.keys(), campaign.points);
+  for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
+  return campaign;
+}
+
+void write_pages(const campaign::Store& store, const report::Campaign& campaign,
+                 const fs::path& place) {
+  // Written aside, so that a reader never sees half a file.
+  const auto put = [&](const std::string& name, const auto& write) {
+    const fs::path file = place / name, aside = file.string() + ".part";
+    fs::create_directories(file.parent_path());
+    write(aside);
+    std::error_code failed;
+    fs::rename(aside, file, failed);
+    if (failed)
+      throw InputError(Fault{file.string(), "cannot be written: " + failed.message(),
+                             "check that you may write there", "cannot-write"});
+  };
+  put("campaign.csv", [&](const fs::path& aside) {
+    std::ofstream out(aside, std::ios::binary);
+    store.write_csv(out);
+    out.close();
+    if (!out)
+      throw InputError(Fault{aside.string(), "cannot be written",
+                             "make room on the disk, then start again: what is finished is kept",
+                             "cannot-write"});
+  });
+  put("campaign.html", [&](const fs::path& aside) {
+    results::write_text(aside, report::campaign_page(campaign, version()));
+  });
+  for (const auto& [name, picture] : report::campaign_figures(campaign))
+    put(name, [&](const fs::path& aside) { results::write_text(aside, picture); });
+}
+
+campaign::Store look_into(const fs::path& place) {
+  const fs::path file = place / "campaign.sqlite";
+  std::error_code none;
+  if (!fs::exists(file, none))
+    throw InputError(Fault{place.string(), "the folder holds no campaign",
+                           "name the folder that `mahlwerk sweep` made; after shards, join them "
+                           "first: mahlwerk sweep merge FOLDER",
+                           "no-campaign"});
+  return {file, campaign::Store::Access::read};
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// sweep: the campaign of a case with [sweep], in its folder, again and again until all is done.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "campaign_folder.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/plan.hpp"
+#include "mahlwerk/results/csv.hpp"
+#include "progress.hpp"
+#include "slurm.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "2/8" is the second of eight.
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  if (text.empty()) return shard;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.number);
+  const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
+  const bool sound = slash && second.ec == std::errc{} && second.ptr == end && shard.of >= 1 &&
+                     shard.of <= 100'000 && shard.number >= 1 && shard.number <= shard.of;
+  if (!sound)
+    throw InputError(Fault{"--shard " + text, "this is no part of a whole",
+                           "write --shard 1/4 for the first of four", "bad-shard"});
+  return shard;
+}
+
+cases::Case swept_case(const fs::path& file, const std::vector<cases::Override>& set) {
+  cases::Case what = cases::read(file, catalogue(), set);
+  if (what.sweep.empty())
+    throw InputError(Fault{file.generic_string(), "the case has no [sweep]: nothing varies",
+                           "add for instance [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
+                           "rpm\"] below it, or use `mahlwerk run`",
+                           "no-sweep"});
+  return what;
+}
+
+std::string counted(std::size_t n, std::string_view what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+void print_json(const campaign::Counts& counts, const fs::path& place, const Worked* worked) {
+  nlohmann::ordered_json said{{"results", place.string()},
+                              {"points", counts.points},
+                              {"done", counts.done},
+                              {"failed", counts.failed},
+                              {"waiting", counts.waiting}};
+  if (worked != nullptr) said["seconds"] = worked->seconds;
+  fmt::print("{}\n", said.dump(2));
+}
+
+/// What there is to say once the work has ended.
+void tell(const CampaignFolder& folder, const campaign::Counts& counts,
+          const report::Campaign& campaign, const Worked& worked) {
+  fmt::print("{}\n\n{}\n", campaign.title, report::campaign_table(campaign));
+  const fs::path& place = folder.place();
+  fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
+             (place / "campaign.html").string(), (place / "campaign.csv").string(),
+             (place / "campaign.sqlite").string());
+  if (worked.there > 0) fmt::print("{} had been run before\n", counted(worked.there, "run"));
+  fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
+  if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
+  fmt::print("\n");
+}
+
+int ending(const Request& request, const Worked& worked, const campaign::Counts& counts,
+           const fs::path& place) {
+  if (worked.interrupted) {
+    if (!request.quiet)
+      fmt::print(stderr, "interrupted: {} of {} runs are done and kept; the same command goes on\n",
+                 counts.done, counts.done + counts.failed + counts.waiting);
+    return interrupted;
+  }
+  if (counts.failed == 0) return fine;
+  if (!request.quiet)
+    fmt::print(stderr,
+               "{} failed: `mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries "
+               "them again\n",
+               counted(counts.failed, "run"), place.string(), place.string());
+  return stopped_by_physics;
+}
+
+/// A shard does its part and says so; its numbers are told once all are joined.
+int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard,
+              const Worked& worked) {
+  const campaign::Counts counts = folder.store().counts();
+  if (!request.quiet && !request.json)
+    fmt::print(
+        "shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
+        "mahlwerk sweep merge {}\n",
+        shard.number, shard.of, worked.done, worked.failed, worked.there, worked.seconds,
+        folder.place().string());
+  if (request.json) print_json(counts, folder.place(), &worked);
+  return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
+}
+
+}  // namespace
+
+namespace {
+
+Points points_of(const cases::Case& what) {
+  const auto plan = std::make_shared<campaign::Plan>(what.sweep, what.seed);
+  Points points{.keys = plan->keys(), .size = plan->size(), .values = [plan](std::size_t i) {
+                  return plan->values(i);
+                }};
+  for (const std::vector<std::string>& group : what.sweep.together)
+    points.follow.insert(points.follow.end(), group.begin() + 1, group.end());
+  return points;
+}
+
+}  // namespace
+
+int sweep_case(const Request& request, const fs::path& file,
+               const std::vector<cases::Override>& set, const fs::path& place) {
+  const Shard shard = shard_of(request.shard);
+  if (!shard.whole() && request.force)
+    throw InputError(Fault{"--force", "a shard cannot replace what others may be at work on",
+                           "take the folder away before the first shard starts", "bad-shard"});
+  const cases::Case what = swept_case(file, set);
+  catch_ctrl_c();
+  CampaignFolder folder(request, file, set, place, shard);
+  folder.plan(points_of(what));
+  const Worked worked = folder.work();
+  if (!shard.whole()) return end_shard(request, folder, shard, worked);
+  const campaign::Counts counts = folder.store().counts();
+  const report::Campaign campaign = told(folder.store());
+  write_pages(folder.store(), campaign, place);
+  if (request.json) print_json(counts, place, &worked);
+  if (!request.quiet && !request.json) tell(folder, counts, campaign, worked);
+  return ending(request, worked, counts, place);
+}
+
+int sweep(const Request& request) {
+  const fs::path file = one_case_file(request.target, "sweep");
+  const fs::path place = request.out ? *request.out : default_place(request.target, file, false);
+  if (request.slurm > 0) {
+    swept_case(file, overrides(request));  // its faults are told here, not in the queue
+    return submit_to_slurm(request, file, place);
+  }
+  return sweep_case(request, file, overrides(request), place);
+}
+
+int sweep_status(const Request& request) {
+  const fs::path place = request.target;
+  const campaign::Store store = look_into(place);
+  const campaign::Counts counts = store.counts();
+  if (request.json) {
+    print_json(counts, place, nullptr);
+    return fine;
+  }
+  const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
+  fmt::print("{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n",
+             store.title(), counts.points, counts.done, counts.failed, counts.waiting,
+             at_work ? "a process is at work on it"
+             : counts.waiting > 0
+                 ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
+                 : "all has been run");
+  constexpr std::size_t most = 20;
+  std::size_t told_of = 0;
+  const std::vector<std::string> keys = store.keys();
+  store.read({}, [&](const campaign::StoredPoint& point) {
+    if (point.state != campaign::RunState::failed || ++told_of > most) return;
+    std::string values;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
+    fmt::print("\npoint {}: {}\n  {}\n", point.number, values, point.message);
+  });
+  if (told_of > most)
+    fmt::print("\nand {} more: the column `message` of the store\n", told_of - most);
+  return fine;
+}
+
+int sweep_export(const Request& request) {
+  const fs::path place = request.target;
+  const campaign::Store store = look_into(place);
+  if (request.out) {
+    std::ofstream out(*request.out, std::ios::binary);
+    store.write_csv(out);
+    out.close();
+    if (!out)
+      throw InputError(Fault{request.out->string(), "cannot be written",
+                             "check the folder, your rights and the space on the disk",
+                             "cannot-write"});
+    return fine;
+  }
+  store.write_csv(std::cout);
+  return std::cout.flush() ? fine : internal_error;
+}
+
+int sweep_retry(const Request& request) {
+  const fs::path place = request.target;
+  fs::path file;
+  std::vector<cases::Override> set;
+  {
+    const campaign::Store store = look_into(place);
+    file = store.case_file();
+    set = store.overrides();
+  }
+  {
+    const campaign::CampaignLock lock(place / "campaign.lock");
+    campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
+    const std::size_t again = store.retry();
+    if (!request.quiet && !request.json)
+      fmt::print("{} to be tried again\n\n", counted(again, "run"));
+  }
+  return sweep_case(request, file, set, place);
+}
+
+int sweep_merge(const Request& request) {
+  const fs::path place = request.target;
+  std::vector<fs::path> shards;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(place, failed))
+    if (entry.path().filename().string().starts_with("campaign.shard-") &&
+        entry.path().extension() == ".sqlite")
+      shards.push_back(entry.path());
+  if (shards.empty())
+    throw InputError(Fault{place.string(), "the folder holds no shards of a campaign",
+                           "name the folder that was given to `mahlwerk sweep --shard` as --out",
+                           "no-campaign"});
+  std::ranges::sort(shards);
+  const campaign::CampaignLock lock(place / "campaign.lock");
+  campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
+  std::size_t taken = 0;
+  for (const fs::path& shard : shards) taken += store.merge(shard);
+  const campaign::Counts counts = store.counts();
+  const report::Campaign campaign = told(store);
+  write_pages(store, campaign, place);
+  if (request.json) {
+    print_json(counts, place, nullptr);
+  } else if (!request.quiet) {
+    fmt::print("{}\n\n{}\n{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
+               campaign.title, report::campaign_table(campaign), counted(taken, "run"),
+               counted(shards.size(), "shard"), counts.done,
+               counts.done + counts.failed + counts.waiting, counts.failed, counts.waiting,
+               (place / "campaign.html").string());
+  }
+  return counts.failed > 0 ? stopped_by_physics : fine;
+}
+
+}  // namespace mahlwerk::app
