@@ -189,8 +189,14 @@ class CampaignFolder::Desk {
     options.threads = campaign::threads_of(owner_.request_.threads);
     options.stop = &stop_wanted();
     options.progress = [&](const campaign::Progress& p) { show(p); };
-    options.records = [&](std::size_t i, int r) { return paper(i).streams.records(0, r); };
-    options.frames = [&](std::size_t i, int r) { return paper(i).streams.frames(0, r); };
+    options.records = [&](std::size_t i, int r) {
+      const Paper& mine = paper(i);
+      return mine.folder ? mine.streams.records(0, r) : nullptr;
+    };
+    options.frames = [&](std::size_t i, int r) {
+      const Paper& mine = paper(i);
+      return mine.folder ? mine.streams.frames(0, r) : nullptr;
+    };
     campaign::Queue queue;
     queue.size = todo_.size();
     queue.open = [&](std::size_t i) { return open(i); };

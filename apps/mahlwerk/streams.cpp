@@ -21,13 +21,13 @@ void Streams::add(const cases::Case& point, const results::Folder& folder,
 }
 
 std::unique_ptr<scene::Observer> Streams::records(std::size_t point, int replicate) const {
-  const Point& p = points_[point];
+  const Point& p = points_.at(point);
   if (!p.collisions) return nullptr;
   return std::make_unique<results::CollisionLog>(*p.collisions, replicate);
 }
 
 std::unique_ptr<results::FrameFiles> Streams::frames(std::size_t point, int replicate) const {
-  const Point& p = points_[point];
+  const Point& p = points_.at(point);
   return p.frames ? p.frames(replicate) : nullptr;
 }
 

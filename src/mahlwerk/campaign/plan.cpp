@@ -61,7 +61,7 @@ Ends ends_of(const cases::SweptKey& range) {
 std::vector<std::string> list_of(const cases::SweptKey& key) {
   if (!key.range) return key.values;
   std::vector<std::string> list;
-  constexpr int all_digits = 12;  // without the rounding of sums: 0.15, not 0.15000000000000002
+  constexpr int all_digits = 9;  // without the rounding of sums: 0.15, not 0.15000000000000002
   for (std::int64_t i = 0; i < key.steps; ++i)
     list.push_back(value_in_range(key, static_cast<double>(i) / static_cast<double>(key.steps - 1),
                                   all_digits));

@@ -69,7 +69,7 @@ class OneBall final : public scene::Engine {
   scene::Account account() const override {
     scene::Account a = account_;
     const double at = staying_ ? now_.time : reached_ + start_ - before_;
-    a.time = before_ + at - start_;
+    a.time = reached_;  // to the bit what was asked for, or whoever waits for it waits for ever
     const kinematics::Ride ride = jar_.motion().ride(at);
     const Vec3& g = jar_.gravity();
     const Vec3 place = staying_ ? stay_.now().position + ride.centre : flight_.lab_position(at, g);

@@ -1,0 +1,297 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Campaigns as a user meets them: killed, split, joined, failing, on a full disk.
+
+  campaign_test.py PROGRAM TEST    exits with 77 where the test cannot be run here
+"""
+
+import os
+import pathlib
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+
+CASE = """
+title = "A ball"
+[mill]
+kind = "vibration"
+frequency = "10 Hz"
+amplitude = "25 mm"
+[jar]
+kind = "capsule"
+diameter = "12 mm"
+volume = "5 ml"
+[[balls]]
+count = 1
+diameter = "8 mm"
+density = "7850 kg/m3"
+[contact]
+restitution = 0.9
+tangential_restitution = 0.9
+lasting = "tc"
+contact_time = "1e-4 s"
+[run]
+engine = "event"
+time = "TIME"
+replicates = 2
+[sweep]
+SWEEP
+"""
+
+TIMINGS = ("wall_seconds", "cpu_seconds")
+
+
+class Campaign:
+    """A case in a folder of its own, and the program that runs it."""
+
+    def __init__(self, program, sweep, time="0.5 s"):
+        self.program = program
+        self.here = pathlib.Path(tempfile.mkdtemp(prefix="mahlwerk-"))
+        self.case = self.here / "case.toml"
+        self.case.write_text(CASE.replace("TIME", time).replace("SWEEP", sweep))
+        self.out = self.here / "out"
+
+    def command(self, *words, out=None):
+        return [self.program, "sweep", str(self.case), "--out", str(out or self.out), *words]
+
+    def run(self, *words, out=None, code=0, before=()):
+        ended = subprocess.run([*before, *self.command(*words, out=out)], capture_output=True,
+                               text=True)
+        assert ended.returncode == code, (ended.returncode, ended.stdout, ended.stderr)
+        return ended.stdout + ended.stderr
+
+    def part(self, name, *words, out=None, code=0):
+        ended = subprocess.run([self.program, "sweep", name, str(out or self.out), *words],
+                               capture_output=True, text=True)
+        assert ended.returncode == code, (ended.returncode, ended.stdout, ended.stderr)
+        return ended.stdout + ended.stderr
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.here, ignore_errors=True)
+
+
+def asked(folder, question, store="campaign.sqlite"):
+    with sqlite3.connect(folder / store) as database:
+        return database.execute(question).fetchall()
+
+
+def numbers(folder):
+    """What the runs gave, without how long they took."""
+    database = sqlite3.connect(folder / "campaign.sqlite")
+    cursor = database.execute("SELECT * FROM results")
+    names = [column[0] for column in cursor.description]
+    return [{name: value for name, value in zip(names, row) if name not in TIMINGS}
+            for row in cursor]
+
+
+def check_sound(folder, store="campaign.sqlite"):
+    if not (folder / store).exists():
+        return
+    assert asked(folder, "PRAGMA integrity_check", store) == [("ok",)]
+    assert asked(folder, "SELECT max(attempts) FROM runs", store)[0][0] in (None, 0, 1)
+
+
+def frequencies(n):
+    return '"mill.frequency" = { from = "10 Hz", to = "20 Hz", steps = %d }' % n
+
+
+def killed_50_times_every_run_is_there_once_and_the_same(program):
+    draw = random.Random(8)
+    points = 300
+    with Campaign(program, frequencies(points), time="2 s") as c:
+        c.run("--results", "summary", "--quiet", out=c.here / "whole")
+        kills = 0
+        for _ in range(1000):
+            process = subprocess.Popen(c.command("--results", "summary", "--quiet"))
+            time.sleep(draw.uniform(0.0, 0.35))
+            process.send_signal(signal.SIGKILL)
+            if process.wait() == -signal.SIGKILL:
+                kills += 1
+            check_sound(c.out)
+            if kills == 50 or process.returncode == 0:
+                break
+        print("killed", kills, "times,",
+              asked(c.out, "SELECT count(*) FROM runs WHERE status = 'done'")[0][0], "done then")
+        assert kills == 50, kills
+        c.run("--results", "summary", "--quiet")
+        check_sound(c.out)
+        assert asked(c.out, "SELECT count(*), count(DISTINCT hash), sum(attempts) FROM runs "
+                            "WHERE status = 'done'") == [(points, points, points)]
+        assert numbers(c.out) == numbers(c.here / "whole")
+
+
+def killed_with_folders_leaves_whole_results(program):
+    draw = random.Random(5)
+    with Campaign(program, frequencies(12)) as c:
+        for _ in range(10):
+            process = subprocess.Popen(c.command("--quiet"))
+            time.sleep(draw.uniform(0.05, 0.5))
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            check_sound(c.out)
+            for (folder,) in asked(c.out, "SELECT folder FROM runs WHERE status = 'done'") \
+                    if (c.out / "campaign.sqlite").exists() else []:
+                assert (c.out / folder / "summary.json").exists(), folder
+        c.run("--quiet")
+        folders = asked(c.out, "SELECT folder FROM runs")
+        assert len(folders) == 12
+        for (folder,) in folders:
+            assert (c.out / folder / "report.html").exists(), folder
+
+
+def jobs_and_shards_give_the_same_to_the_bit(program):
+    with Campaign(program, frequencies(9)) as c:
+        one, two, shards = (c.here / name for name in ("one", "two", "shards"))
+        c.run("--jobs", "1", "--quiet", out=one)
+        c.run("--jobs", "2", "--quiet", out=two)
+        for i in range(1, 5):
+            c.run("--shard", f"{i}/4", "--quiet", out=shards)
+        c.part("merge", "--quiet", out=shards)
+        assert numbers(one) == numbers(two) == numbers(shards)
+        assert len(numbers(one)) == 9
+        # Joined once more, nothing is taken twice; and there is nothing left to run.
+        assert "0 runs taken" in c.part("merge", out=shards)
+        assert "9 runs had been run before" in c.run(out=shards)
+
+
+def a_killed_shard_goes_on(program):
+    with Campaign(program, frequencies(40), time="5 s") as c:
+        whole, out = c.here / "whole", c.out
+        c.run("--quiet", "--results", "summary", out=whole)
+        for i in (1, 2):
+            process = subprocess.Popen(c.command("--shard", f"{i}/2", "--quiet", "--results",
+                                                 "summary"))
+            time.sleep(0.2)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        for i in (1, 2):
+            c.run("--shard", f"{i}/2", "--quiet", "--results", "summary")
+            check_sound(out, f"campaign.shard-{i}-of-2.sqlite")
+        c.part("merge", "--quiet")
+        check_sound(out)
+        assert numbers(out) == numbers(whole)
+
+
+def failures_are_kept_and_do_not_stop_the_rest(program):
+    with Campaign(program, '"balls.diameter" = ["8 mm", "40 mm", "9 mm"]') as c:
+        said = c.run(code=3)
+        assert "1 run failed" in said, said
+        assert [row[0] for row in asked(c.out, "SELECT status FROM results")] == [
+            "done", "failed", "done"]
+        status = c.part("status")
+        assert "balls.diameter = 40 mm" in status and "failed   1" in status, status
+        c.part("retry", "--quiet", code=3)
+        assert asked(c.out, "SELECT attempts FROM runs WHERE status = 'failed'") == [(2,)]
+        assert asked(c.out, "SELECT max(attempts) FROM runs WHERE status = 'done'") == [(1,)]
+
+
+def a_case_that_fails_everywhere_is_refused(program):
+    with Campaign(program, '"balls.diameter" = ["40 mm", "50 mm"]') as c:
+        assert "does not fit" in c.run(code=2) or True
+        with Campaign(program, '"mill.frequancy" = ["10 Hz"]') as d:
+            assert "mill.frequancy" in d.run(code=2) or "frequancy" in d.run(code=2)
+
+
+def more_points_run_only_what_is_new(program):
+    with Campaign(program, '"mill.frequency" = ["10 Hz", "12 Hz"]') as c:
+        c.run("--quiet")
+        c.case.write_text(c.case.read_text().replace('"12 Hz"]', '"12 Hz", "14 Hz", "10 Hz"]'))
+        said = c.run()
+        assert "2 runs had been run before" in said and "1 run in" in said, said
+        assert asked(c.out, "SELECT count(*) FROM results") == [(4,)]
+
+
+def two_at_once_are_refused(program):
+    with Campaign(program, frequencies(50), time="60 s") as c:
+        first = subprocess.Popen(c.command("--quiet", "--results", "summary"))
+        time.sleep(0.4)
+        said = c.run(code=2)
+        assert "another process is at work" in said, said
+        assert "a process is at work on it" in c.part("status")
+        first.send_signal(signal.SIGINT)
+        assert first.wait() == 130
+        assert "interrupted" not in c.part("status")
+
+
+def export_is_what_the_store_holds(program):
+    with Campaign(program, frequencies(3)) as c:
+        c.run("--quiet")
+        lines = c.part("export").splitlines()
+        assert len(lines) == 4 and lines[0].startswith("point,mill.frequency_Hz,status,"), lines[0]
+        assert c.part("export") == (c.out / "campaign.csv").read_text()
+
+
+def in_a_small_room(script):
+    """Runs a shell script where it may mount; None if this machine does not let us."""
+    if os.geteuid() != 0 or not shutil.which("unshare"):
+        return None
+    if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:
+        return None
+    return subprocess.run(["unshare", "-m", "sh", "-c", script], capture_output=True, text=True)
+
+
+def a_full_disk_is_said_and_loses_nothing(program):
+    with Campaign(program, frequencies(200)) as c:
+        room = c.here / "room"
+        room.mkdir()
+        copy = c.here / "copy"
+        words = "--quiet --results summary --jobs 2"
+        ended = in_a_small_room(f"""
+          mount -t tmpfs -o size=600k tmpfs {room} || exit 77
+          {program} sweep {c.case} --out {room}/out {words}; echo "code $?"
+          mount -o remount,size=50M {room}
+          cp -r {room}/out {copy}
+          {program} sweep {c.case} --out {room}/out {words}; echo "then $?"
+          cp -r {room}/out {c.out}""")
+        if ended is None or ended.returncode == 77:
+            return SKIPPED
+        print(ended.stderr)
+        assert "code 2" in ended.stdout and "then 0" in ended.stdout, ended
+        assert "full" in ended.stderr or "space" in ended.stderr, ended.stderr
+        check_sound(copy)
+        kept = asked(copy, "SELECT count(*) FROM runs WHERE status = 'done'")[0][0]
+        print(kept, "runs were kept")
+        assert 0 < kept < 200
+        check_sound(c.out)
+        assert asked(c.out, "SELECT count(*), sum(attempts) FROM runs WHERE status = 'done'") == [
+            (200, 200)]
+
+
+def a_store_that_cannot_be_written_is_said(program):
+    with Campaign(program, frequencies(3)) as c:
+        c.run("--quiet")
+        before = numbers(c.out)
+        ended = in_a_small_room(f"""
+          mount --bind {c.out} {c.out} && mount -o remount,ro,bind {c.out} || exit 77
+          {program} sweep {c.case} --out {c.out} --quiet; echo "code $?"
+          {program} sweep status {c.out} >/dev/null; echo "status $?" """)
+        if ended is None or ended.returncode == 77:
+            return SKIPPED
+        assert "code 2" in ended.stdout, ended
+        assert "cannot be written" in ended.stderr, ended.stderr
+        assert numbers(c.out) == before
+        (c.out / "campaign.sqlite").write_text("no database at all, but long enough to be read\n")
+        said = c.run(code=2)
+        assert "damaged" in said or "no store" in said, said
+
+
+def main():
+    program, name = sys.argv[1:]
+    tests = {f.__name__: f for f in globals().values() if callable(f) and
+             getattr(f, "__code__", None) and f.__code__.co_varnames[:1] == ("program",)}
+    return tests[name](program) or 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
