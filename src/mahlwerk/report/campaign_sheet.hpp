@@ -58,7 +58,9 @@ std::string axis_label(const Swept& key);
 /// "D50 (µm)", "hits (/s)", in the multiple that the numbers are shown in.
 std::string column_label(const Column& column, const Multiple& multiple);
 
-/// The first line of a message, at most `letters` of it.
+std::string_view first_line(std::string_view message);
+
+/// At most `letters` of a message.
 std::string shortened(std::string_view message, std::size_t letters);
 
 /// Positive numbers over two decades and more are told apart on a logarithmic axis alone.

@@ -47,7 +47,7 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::v
   std::vector<std::string> line = p.values;
   line.resize(c.swept.size());
   if (!p.failure.empty()) {
-    line.push_back("failed: " + shortened(p.failure, enough));
+    line.push_back("failed: " + shortened(first_line(p.failure), enough));
     return line;
   }
   for (const Told& one : shown) {
