@@ -83,7 +83,8 @@ void Drawing::measure() {
   if (!(most_ > least_)) most_ = least_ + std::max(1.0, std::abs(least_));
   left_ = std::clamp(16 + letter * static_cast<double>(name), 60.0, 0.45 * page_width);
   right_ = page_width - 16;
-  const double share = letter * static_cast<double>(note) / (right_ - left_), wide = most_ - least_;
+  const double share = (letter * static_cast<double>(note) + 12) / (right_ - left_),
+               wide = most_ - least_;
   const double room = wide * std::min(share / (1 - 2 * std::min(share, 0.35)) + 0.02, 1.0);
   if (least_ < plot_.base) least_ -= room;
   if (most_ > plot_.base) most_ += room;

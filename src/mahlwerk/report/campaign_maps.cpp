@@ -48,17 +48,22 @@ struct Scale {
   }
 };
 Scale scale_of(const Sheet& sheet, std::size_t column) {
+  constexpr double far = 100;
   Scale s;
-  std::vector<double> values;
   for (const Point& p : sheet.campaign.points) {
     const double v = value_at(p, column);
-    values.push_back(v);
     if (!std::isfinite(v)) continue;
     s.least = std::min(s.least, v);
     s.most = std::max(s.most, v);
   }
-  s.logarithmic = over_decades(values);
+  s.logarithmic = s.least > 0 && s.most >= far * s.least;
   return s;
+}
+
+/// Three digits, or all of a whole number that is a little longer.
+std::string brief(double v) {
+  const double size = std::abs(v);
+  return size >= 999.5 && size < 1e6 ? fmt::format("{:.0f}", v) : fmt::format("{:.3g}", v);
 }
 
 void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, const Scale& scale) {
@@ -75,7 +80,7 @@ void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, con
   const Multiple& m = sheet.multiples[column];
   cell.colour = viridis(share);
   cell.ink = ink_on_viridis(share);
-  cell.text = fmt::format("{:.3g}", v / m.factor);
+  cell.text = brief(v / m.factor);
   cell.title +=
       label(what.name) + " " +
       readable(v, half_width_at(p, column), what.unit, m.unit == "1" ? 0 : m.factor).text();
@@ -87,6 +92,7 @@ std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::si
   const std::size_t x = layout.axis, y = layout.second;
   const Scale scale = scale_of(sheet, column);
   const Column& what = sheet.campaign.columns[column];
+  const Multiple& m = sheet.multiples[column];
   std::map<std::string, CellMap> maps;
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
     const std::string others = sheet.others(i, {x, y});
@@ -94,10 +100,8 @@ std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::si
     CellMap& map = at->second;
     if (is_new) {
       map = empty_map(sheet, x, y);
-      map.title = label(what.name) + (others.empty() ? "" : ", " + others);
-      const auto end = [&](double v) {
-        return std::isfinite(v) ? readable(v, NAN, what.unit).text() : "";
-      };
+      map.title = column_label(what, m) + (others.empty() ? "" : ", " + others);
+      const auto end = [&](double v) { return std::isfinite(v) ? brief(v / m.factor) : ""; };
       map.key = {end(scale.least), end(scale.most), scale.logarithmic ? "by equal ratios" : "", {}};
     }
     put(map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]], sheet, column,

@@ -12,7 +12,7 @@ namespace mahlwerk::report {
 namespace {
 
 constexpr std::size_t most_lines = 12;  // that are told apart
-constexpr std::size_t most_specks = 4000, most_specks_in_all = 250000;
+constexpr std::size_t most_specks = 6000, most_specks_in_all = 250000;
 
 Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   const Multiple& m = sheet.multiples[column];
@@ -57,6 +57,36 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
   return {sheet.campaign.columns[column].name, svg(plot), std::move(fitted.table)};
 }
 
+/// Scattered points fill the plot: no axis from zero.
+void close_in(Axis& axis, const Levels& levels) {
+  const double least = levels.numbers.front(), most = levels.numbers.back();
+  const double air = axis.logarithmic ? std::pow(most / least, 0.03) : 0.03 * (most - least);
+  axis.least = axis.logarithmic ? least / air : least - air;
+  axis.most = axis.logarithmic ? most * air : most + air;
+}
+
+/// Of a star the points of one of its rays, along it.
+std::vector<std::size_t> ray(const Sheet& sheet, std::size_t key) {
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i)
+    if (std::ranges::all_of(sheet.free, [&](std::size_t k) {
+          return k == key || sheet.keys[k].of[i] == sheet.keys[k].of[0];
+        }))
+      list.push_back(i);
+  std::ranges::stable_sort(list, {}, [&](std::size_t i) { return sheet.keys[key].of[i]; });
+  return list;
+}
+
+Picture ray_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
+  Plot plot = empty_plot(sheet, key, column);
+  plot.series.push_back(series_of(sheet, ray(sheet, key), key, column));
+  plot.series[0].mark = Mark::points;
+  plot.series[0].band = true;
+  settle_axes(plot);
+  close_in(plot.x, sheet.keys[key]);
+  return {sheet.campaign.columns[column].name, svg(plot), ""};
+}
+
 /// A key of few words that tells dots apart by colour; or the number of keys.
 std::size_t kinds_of(const Sheet& sheet) {
   constexpr std::size_t few = 7;
@@ -86,6 +116,7 @@ Picture dot_plot(const Sheet& sheet, std::size_t key, std::size_t column, std::s
     plot.series.push_back(std::move(series));
   }
   settle_axes(plot);
+  close_in(plot.x, sheet.keys[key]);
   make_room(plot);
   return {sheet.campaign.columns[column].name, svg(plot),
           points > most ? fmt::format("<p>{} of {} points are drawn.</p>", most, points) : ""};
@@ -99,7 +130,7 @@ std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::si
       most_specks_in_all / (keys.size() * sheet.shown.size()), 1, most_specks);
   std::vector<Picture> list;
   for (const std::size_t key : keys) {
-    list.push_back(dot_plot(sheet, key, column, most));
+    list.push_back(sheet.star ? ray_plot(sheet, key, column) : dot_plot(sheet, key, column, most));
     if (key != layout.axis) list.back().name += "-" + sheet.campaign.swept[key].key;
   }
   return list;

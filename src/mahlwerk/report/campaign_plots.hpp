@@ -17,7 +17,8 @@ struct Picture {
 };
 
 /// How the quantities of a campaign are drawn: against the key with most values, as lines where
-/// they are few; as maps where two keys have three values and more; else as dots against each key.
+/// they are few; as maps where two keys have three values and more; else as dots against each
+/// key, which of a star are joined.
 struct Layout {
   std::size_t axis = 0;    ///< the key with most values
   std::size_t second = 0;  ///< that with most after it, of numbers

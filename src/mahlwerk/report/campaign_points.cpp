@@ -162,7 +162,7 @@ std::string campaign_lead(const Sheet& sheet) {
   if (failed == all)
     text += all == 1 ? " It failed." : " All of them failed.";
   else if (failed > 0)
-    text += fmt::format(" {} of them failed.", failed);
+    text += fmt::format(" {} point{} failed.", failed, failed == 1 ? "" : "s");
   std::map<std::string, std::size_t> regimes;
   for (const Point& p : c.points)
     if (!p.regime.empty()) ++regimes[p.regime];

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -82,6 +83,16 @@ bool is_grid(const Sheet& s) {
   return true;
 }
 
+bool is_star(const Sheet& s) {
+  if (s.campaign.points.empty() || s.free.size() < 2) return false;
+  for (std::size_t i = 1; i < s.campaign.points.size(); ++i) {
+    const auto moved = std::ranges::count_if(
+        s.free, [&](std::size_t key) { return s.keys[key].of[i] != s.keys[key].of[0]; });
+    if (moved > 1) return false;
+  }
+  return true;
+}
+
 bool has_numbers(const Campaign& c, std::size_t column) {
   return std::ranges::any_of(c.points,
                              [&](const Point& p) { return std::isfinite(value_at(p, column)); });
@@ -126,6 +137,7 @@ Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {
   }
   for (std::size_t i = 0; i < c.columns.size(); ++i) multiples.push_back(multiple_of(c, i));
   grid = is_grid(*this);
+  star = !grid && is_star(*this);
 }
 
 std::size_t Sheet::axis() const {
@@ -187,13 +199,14 @@ std::string shortened(std::string_view message, std::size_t letters) {
 
 bool over_decades(const std::vector<double>& values) {
   constexpr double far = 100;
-  double least = INFINITY, most = -INFINITY;
-  for (const double v : values) {
-    if (!std::isfinite(v)) continue;
-    least = std::min(least, v);
-    most = std::max(most, v);
-  }
-  return least > 0 && most >= far * least;
+  constexpr std::size_t tail = 20;  // one in so many at either end may lie apart
+  std::vector<double> sorted;
+  std::ranges::copy_if(values, std::back_inserter(sorted),
+                       [](double v) { return std::isfinite(v); });
+  if (sorted.empty()) return false;
+  std::ranges::sort(sorted);
+  const std::size_t out = sorted.size() / tail;
+  return sorted.front() > 0 && sorted[sorted.size() - 1 - out] >= far * sorted[out];
 }
 
 }  // namespace mahlwerk::report

@@ -76,17 +76,20 @@ void Drawing::cross_out(double x, double y) {
       x + 0.3 * wide_, y + 0.3 * tall_, 0.4 * wide_, 0.4 * tall_, -0.4 * tall_, -0.4 * wide_);
 }
 
+/// Texts are shown in all cells or in none.
 void Drawing::each_cell() {
+  std::size_t longest = 0;
+  for (const Cell& cell : map_.cells) longest = std::max(longest, width(cell.text));
+  const bool fits = letter * static_cast<double>(longest) < wide_ - 2 && tall_ >= 15;
   for (std::size_t n = 0; n < map_.cells.size(); ++n) {
     const Cell& cell = map_.cells[n];
     const double x = across(n % map_.x.size()), y = down(n / map_.x.size());
     if (cell.colour.empty() && !cell.failed) continue;
     text_ += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-        "style=\"fill:{};stroke:var(--paper,#fff)\"><title>{}</title></rect>\n",
+        "fill=\"{}\" style=\"stroke:var(--paper,#fff)\"><title>{}</title></rect>\n",
         x, y, wide_, tall_, cell.failed ? "var(--box,#eee)" : cell.colour, escaped(cell.title));
     if (cell.failed) cross_out(x, y);
-    const bool fits = letter * static_cast<double>(width(cell.text)) < wide_ - 4 && tall_ >= 15;
     if (fits && !cell.text.empty())
       text_ += words(
           x + 0.5 * wide_, y + 0.5 * tall_ + 4, "middle", cell.text,
