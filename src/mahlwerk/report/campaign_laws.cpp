@@ -25,7 +25,9 @@ std::string number(double value, double ci95, const std::string& unit) {
   const bool plain = size == 0 || (size >= 1e-3 && size < 1e6);
   const double scale = plain ? 1 : std::pow(10, std::floor(std::log10(size)));
   std::string text = readable(value / scale, ci95 / scale, "").number;
-  if (!plain) text = fmt::format("({}) × {}", text, tick_text(scale, true));
+  if (!plain)
+    text = fmt::format("{} × {}", std::isfinite(ci95) ? "(" + text + ")" : text,
+                       tick_text(scale, true));
   return unit.empty() ? text : text + " " + unit;
 }
 
@@ -57,7 +59,7 @@ std::string coefficients(const Law& law, const Units& units) {
     const std::string unit =
         exponent ? "" : per(units.y, units.x, law.form == Form::power ? 0 : static_cast<int>(i));
     const char name = law.form == Form::power ? "cp"[i] : "abc"[i];
-    text += fmt::format("{}{} = {}", i == 0 ? "" : "<br>", name,
+    text += fmt::format("{}{} = {}", i == 0 ? "" : "<br/>", name,
                         escaped(number(law.coefficients[i], law.ci95[i], unit)));
   }
   return text;
@@ -66,7 +68,7 @@ std::string coefficients(const Law& law, const Units& units) {
 std::string row(const std::string& line, const std::string& name, const Law& law,
                 const Units& units) {
   return fmt::format(
-      "{}<td>{}<br><small>{}</small></td><td>{}</td><td class=\"n\">{:.4f}</td></tr>\n",
+      "{}<td>{}<br/><small>{}</small></td><td>{}</td><td class=\"n\">{:.4f}</td></tr>\n",
       line.empty() ? "" : "<td>" + escaped(line) + "</td>", name, formula(law, units),
       coefficients(law, units), law.r_squared);
 }

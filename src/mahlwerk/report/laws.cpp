@@ -254,7 +254,9 @@ std::vector<Law> fitted_laws(const std::vector<double>& x, const std::vector<dou
   std::vector<Law> laws{polynomial(d, Form::line)};
   if (*least > 0 && *std::ranges::min_element(d.x) > 0) laws.push_back(power(d));
   laws.push_back(polynomial(d, Form::parabola));
-  std::erase_if(laws, [](const Law& l) { return l.coefficients.empty(); });
+  // Squares of numbers near 1e300 are none.
+  std::erase_if(laws,
+                [](const Law& l) { return l.coefficients.empty() || !std::isfinite(l.r_squared); });
   return laws;
 }
 

@@ -208,6 +208,7 @@ TEST(Laws, are_fitted_where_the_points_allow_them) {
   EXPECT_TRUE(fitted_laws({1, 1, 2, 2, 3}, {1, 2, 3, 4, 5}, {}).empty()) << "three x";
   EXPECT_TRUE(fitted_laws({1, 2, 3, 4}, {5, 5, 5, 5}, {}).empty()) << "nothing varies";
   EXPECT_TRUE(fitted_laws({1, 2, 3, 4}, {5, NAN, 6, 7}, {}).empty()) << "three numbers";
+  EXPECT_TRUE(fitted_laws({1, 2, 3, 4}, {1, 2, 3, 1e300}, {}).empty()) << "squares overflow";
   EXPECT_EQ(fitted_laws({0, 1, 2, 3, 4}, {1, 2, 4, 5, 7}, {}).size(), 2U) << "x = 0: no power law";
   EXPECT_EQ(fitted_laws({1, 2, 3, 4, 5}, {-1, 2, 4, 5, 7}, {}).size(), 2U) << "y < 0";
   EXPECT_EQ(fitted_laws({1, 2, 3, 4, 5}, {1, 2, 4, 5, 7}, {}).size(), 3U);
