@@ -71,6 +71,7 @@ void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, con
   const double v = value_at(p, column);
   const Column& what = sheet.campaign.columns[column];
   cell.title = fmt::format("{}: ", values_text(sheet, p));
+  if (p.waiting) return;
   cell.failed = !std::isfinite(v);
   if (cell.failed) {
     cell.title += p.failure.empty() ? "no value" : "failed: " + p.failure;
@@ -135,9 +136,9 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
     const Point& p = sheet.campaign.points[i];
     Cell& cell = map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]];
     const auto kind = static_cast<std::size_t>(std::ranges::find(words, p.regime) - words.begin());
-    cell.failed = p.regime.empty();
+    cell.failed = p.regime.empty() && !p.waiting;
     cell.title = values_text(sheet, p) + ": " + (cell.failed ? "none" : p.regime);
-    if (cell.failed) continue;
+    if (p.regime.empty()) continue;
     cell.colour = kind_colour(kind);
     cell.text = p.regime;
     cell.ink = ink_on_kind(kind);

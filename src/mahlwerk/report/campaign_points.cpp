@@ -63,11 +63,10 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes) {
           : fmt::format("<tr><td class=\"n\"><a href=\"{}\">{}</a></td>",
                         escaped((fs::path(p.folder) / "report.html").generic_string()), p.number);
   for (std::size_t i = 0; i < c.swept.size(); ++i) text += value_cell(sheet, point, i);
-  if (!p.failure.empty())
-    return text +
-           fmt::format("<td colspan=\"{}\" data-v=\"\" class=\"failed\">failed: {}</td></tr>\n",
-                       std::max<std::size_t>(sheet.shown.size() + (regimes ? 1 : 0), 1),
-                       escaped(shortened(first_line(p.failure), 80)));
+  if (!p.failure.empty() || p.waiting)
+    return text + fmt::format("<td colspan=\"{}\" data-v=\"\"{}>{}</td></tr>\n",
+                              std::max<std::size_t>(sheet.shown.size() + (regimes ? 1 : 0), 1),
+                              p.waiting ? "" : " class=\"failed\"", escaped(why_nothing(p, 80)));
   if (regimes) text += fmt::format("<td>{}</td>", escaped(p.regime));
   for (const std::size_t i : sheet.shown) {
     const double v = value_at(p, i);
@@ -163,6 +162,8 @@ std::string campaign_lead(const Sheet& sheet) {
     text += all == 1 ? " It failed." : " All of them failed.";
   else if (failed > 0)
     text += fmt::format(" {} point{} failed.", failed, failed == 1 ? "" : "s");
+  if (const auto waiting = std::ranges::count(c.points, true, &Point::waiting); waiting > 0)
+    text += fmt::format(" {} wait{} to be run.", waiting, waiting == 1 ? "s" : "");
   std::map<std::string, std::size_t> regimes;
   for (const Point& p : c.points)
     if (!p.regime.empty()) ++regimes[p.regime];

@@ -9,7 +9,7 @@
 // What a campaign's page says of its points in words and tables (HTML).
 namespace mahlwerk::report {
 
-/// How many points there are, what varies, how many failed, what stands out.
+/// How many points there are, what varies, how many failed or wait, what stands out.
 std::string campaign_lead(const Sheet& sheet);
 
 /// Which points failed and why, equal reasons told once; empty if none did.

@@ -185,16 +185,18 @@ std::string column_label(const Column& column, const Multiple& m) {
   return fmt::format("{} ({})", label(column.name), m.unit == "1/s" ? "/s" : m.unit);
 }
 
-std::string_view first_line(std::string_view message) {
-  return message.substr(0, message.find('\n'));
-}
-
 std::string shortened(std::string_view message, std::size_t letters) {
   constexpr std::size_t bytes = 4;  // of a letter at most
   if (width(message) <= letters) return std::string(message);
   std::string text(message.substr(0, bytes * letters));
   while (width(text) >= letters) text.pop_back();  // a letter of several bytes goes with its first
   return text + "…";
+}
+
+std::string why_nothing(const Point& p, std::size_t letters) {
+  if (p.waiting) return "not run yet";
+  const std::string_view reason = p.failure;
+  return "failed: " + shortened(reason.substr(0, reason.find('\n')), letters);
 }
 
 bool over_decades(const std::vector<double>& values) {

@@ -60,7 +60,8 @@ std::string axis_label(const Swept& key);
 /// "D50 (µm)", "hits (/s)", in the multiple that the numbers are shown in.
 std::string column_label(const Column& column, const Multiple& multiple);
 
-std::string_view first_line(std::string_view message);
+/// "failed: ..." with the first line of the reason, at most `letters` of it, or "not run yet".
+std::string why_nothing(const Point& point, std::size_t letters);
 
 /// At most `letters` of a message.
 std::string shortened(std::string_view message, std::size_t letters);

@@ -39,7 +39,7 @@ code{font:.88em ui-monospace,Menlo,Consolas,monospace}
 summary{cursor:pointer;font-weight:600}a{color:inherit}
 footer{margin-top:2.5rem;border-top:1px solid var(--edge);padding-top:.8rem}
 @media print{:root{--ink:#000;--soft:#444;--grid:#ddd;--paper:#fff;--box:#fff;--edge:#bbb}
- .wide{overflow:visible}#points{font-size:7pt}#points td,#points th{padding:.15rem .25rem}
+ .panels{grid-template-columns:1fr 1fr}.wide{overflow:visible}#points{font-size:7pt}#points td,#points th{padding:.15rem .25rem}
  body{font-size:10.5pt}main{max-width:none;padding:0}tr{break-inside:avoid}h2{break-after:avoid}}
 )css";
 

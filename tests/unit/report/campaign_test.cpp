@@ -75,6 +75,22 @@ TEST(CampaignPage, tells_a_reason_once_for_all_that_failed_of_it) {
   EXPECT_FALSE(has(html, "<svg"));
 }
 
+TEST(CampaignPage, points_that_wait_have_not_failed) {
+  Campaign c = grid(8, 6);
+  for (std::size_t i = 40; i < 48; ++i) {
+    fail(c.points[i], "");
+    c.points[i].waiting = true;
+  }
+  const std::string html = campaign_page(c, "1");
+  EXPECT_TRUE(sound(html));
+  EXPECT_TRUE(has(html, " 8 wait to be run."));
+  EXPECT_EQ(times(html, ">not run yet</td>"), 8U);
+  EXPECT_FALSE(has(html, "failed:"));
+  c.points.erase(c.points.begin(), c.points.begin() + 38);
+  EXPECT_TRUE(in_order(campaign_table(c), {"450 rpm", " W", "not run yet"}));
+  EXPECT_FALSE(has(campaign_table(c), "failed"));
+}
+
 TEST(CampaignPage, of_little_or_strange_numbers_is_still_a_page) {
   Campaign none = speeds(0), one = speeds(1), strange = grid(4, 3);
   EXPECT_TRUE(sound(campaign_page(none, "1")));
