@@ -28,7 +28,7 @@ report::Campaign told(const campaign::Store& store) {
                         .regime = stored.regime,
                         .folder = stored.folder};
     if (stored.state == campaign::RunState::failed) point.failure = stored.message;
-    if (stored.state == campaign::RunState::waiting) point.failure = "not run yet";
+    point.waiting = stored.state == campaign::RunState::waiting;
     campaign.points.push_back(std::move(point));
   });
   campaign.swept = report::swept(store.keys(), campaign.points);

@@ -4,100 +4,66 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
+#include "mahlwerk/report/campaign_plots.hpp"
+#include "mahlwerk/report/campaign_points.hpp"
 #include "mahlwerk/report/campaign_sheet.hpp"
 #include "mahlwerk/report/page.hpp"
 
 namespace mahlwerk::report {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string point_table(const Sheet& sheet) {
-  const Campaign& c = sheet.campaign;
-  std::string head, body;
-  for (const Swept& s : c.swept) head += fmt::format("<th>{}</th>", escaped(s.key));
-  for (const std::size_t i : sheet.shown)
-    head += fmt::format("<th class=\"n\">{}</th>", escaped(label(c.columns[i].name)));
-  for (const Point& p : c.points) {
-    body += "<tr>";
-    for (std::size_t i = 0; i < p.values.size(); ++i) {
-      const std::string text = escaped(p.values[i]);
-      const bool link = i == 0 && !p.folder.empty();
-      body +=
-          link ? fmt::format("<td><a href=\"{}\">{}</a></td>",
-                             escaped((fs::path(p.folder) / "report.html").generic_string()), text)
-               : fmt::format("<td>{}</td>", text);
-    }
-    for (const std::size_t i : sheet.shown)
-      body += fmt::format(
-          "<td class=\"n\">{}</td>",
-          escaped(readable(value_at(p, i), half_width_at(p, i), c.columns[i].unit).text()));
-    body += "</tr>\n";
+/// Pictures side by side where the page is wide.
+std::string panels(const std::vector<Picture>& pictures) {
+  std::string text;
+  for (const Picture& p : pictures) {
+    const std::string below =
+        p.below.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.below);
+    text += fmt::format("<figure>\n{}{}</figure>\n", p.svg, below);
   }
-  return fmt::format(
-      "<h2>Points</h2>\n<div "
-      "class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
-      "\n</table></div>\n<p><small>± is the 95 % confidence half-width over independent replicates "
-      "(Student's t).</small></p>\n",
-      head, body);
+  return text.empty() ? "" : fmt::format("<div class=\"panels\">\n{}</div>\n", text);
 }
 
-/// The points of one line of a plot, along the axis, and what the other keys say there.
-struct Line {
-  std::string others;
-  std::vector<std::size_t> points;
-};
-std::vector<Line> lines(const Sheet& sheet, std::size_t axis) {
-  std::vector<Line> found;
-  for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
-    const std::string others = sheet.others(i, {axis});
-    auto line = std::ranges::find(found, others, &Line::others);
-    if (line == found.end()) line = found.insert(found.end(), {others, {}});
-    line->points.push_back(i);
-  }
-  for (Line& line : found)
-    std::ranges::stable_sort(line.points, {},
-                             [&](std::size_t i) { return sheet.keys[axis].of[i]; });
-  return found;
+std::vector<Picture> answers(const Campaign& c) {
+  std::vector<Picture> list;
+  for (const Sensitivity& s : c.sensitivities)
+    for (Picture& p : sensitivity_pictures(s)) list.push_back(std::move(p));
+  return list;
 }
 
-Plot plot_of(const Sheet& sheet, std::size_t axis, std::size_t column) {
-  const Multiple& m = sheet.multiples[column];
-  const std::string name = label(sheet.campaign.columns[column].name);
-  Plot plot;
-  plot.title = name;
-  plot.x.label = axis_label(sheet.campaign.swept[axis]);
-  plot.y.label = m.unit == "1" ? name : m.unit == "1/s" ? "per second" : m.unit;
-  plot.height = 320;
-  for (const auto& [others, points] : lines(sheet, axis)) {
-    Series series{.name = others, .x = {}, .y = {}, .error = {}, .mark = Mark::points};
-    for (const std::size_t i : points) {
-      const Point& p = sheet.campaign.points[i];
-      series.x.push_back(sheet.keys[axis].numbers[sheet.keys[axis].of[i]]);
-      series.y.push_back(value_at(p, column) / m.factor);
-      series.error.push_back(half_width_at(p, column) / m.factor);
-    }
-    plot.x.logarithmic = plot.x.logarithmic || over_decades(series.x);
-    plot.y.logarithmic = plot.y.logarithmic || over_decades(series.y);
-    plot.series.push_back(std::move(series));
+std::string answers_section(const Campaign& c) {
+  if (c.sensitivities.empty()) return "";
+  std::string words;
+  for (const Sensitivity& s : c.sensitivities)
+    if (const std::string one = sensitivity_words(s); !one.empty())
+      words += fmt::format("<p>{}</p>\n", escaped(one));
+  return "<h2>What matters</h2>\n" + words + panels(answers(c));
+}
+
+/// Every quantity in the same panels, or where each has several under a head of its own.
+std::string quantities_section(const Sheet& sheet) {
+  const Layout layout = layout_of(sheet);
+  std::vector<Picture> all;
+  std::string by_quantity;
+  bool several = false;
+  for (const std::size_t column : sheet.shown) {
+    const std::vector<Picture> own = quantity_pictures(sheet, layout, column);
+    several = several || own.size() > 1;
+    by_quantity +=
+        fmt::format("<h2>{}</h2>\n", escaped(label(sheet.campaign.columns[column].name))) +
+        panels(own);
+    all.insert(all.end(), own.begin(), own.end());
   }
-  return plot;
+  return all.empty() ? "" : several ? by_quantity : "<h2>Quantities</h2>\n" + panels(all);
 }
 
 }  // namespace
 
 std::string campaign_page(const Campaign& c, std::string_view version) {
   const Sheet sheet(c);
-  std::string keys;
-  for (const Swept& s : c.swept) keys += (keys.empty() ? "" : ", ") + s.key;
-  std::string body = fmt::format("<p class=\"lead\">{} points; what varies: {}.</p>\n",
-                                 c.points.size(), escaped(keys));
-  body += point_table(sheet);
-  if (const std::size_t axis = sheet.axis(); axis < c.swept.size())
-    for (const std::size_t column : sheet.shown) body += figure(plot_of(sheet, axis, column), "");
+  const std::vector<Picture> regimes = regime_map(sheet);
+  const std::string body = campaign_lead(sheet) + failures(c) + answers_section(c) +
+                           (regimes.empty() ? "" : "<h2>Regimes</h2>\n" + panels(regimes)) +
+                           quantities_section(sheet) + point_table(sheet);
   return page(c.title, body,
               fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
                           escaped(version)));
@@ -105,10 +71,13 @@ std::string campaign_page(const Campaign& c, std::string_view version) {
 
 std::map<std::string, std::string> campaign_figures(const Campaign& c) {
   const Sheet sheet(c);
+  const Layout layout = layout_of(sheet);
+  std::vector<Picture> all = answers(c);
+  for (Picture& p : regime_map(sheet)) all.push_back(std::move(p));
+  for (const std::size_t column : sheet.shown)
+    for (Picture& p : quantity_pictures(sheet, layout, column)) all.push_back(std::move(p));
   std::map<std::string, std::string> figures;
-  if (const std::size_t axis = sheet.axis(); axis < c.swept.size())
-    for (const std::size_t column : sheet.shown)
-      figures["figures/" + c.columns[column].name + ".svg"] = svg(plot_of(sheet, axis, column));
+  for (Picture& p : all) figures["figures/" + p.name + ".svg"] = std::move(p.svg);
   return figures;
 }
 

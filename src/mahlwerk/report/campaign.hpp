@@ -37,6 +37,7 @@ struct Point {
   std::string regime = {};   ///< one word, "cataracting"; empty: none
   std::string folder = {};   ///< of its own result, relative to the campaign's; empty: none kept
   std::string failure = {};  ///< why it gave nothing; empty: it did
+  bool waiting = false;      ///< it was not run yet
 };
 
 enum class Method {

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -82,6 +83,16 @@ bool is_grid(const Sheet& s) {
   return true;
 }
 
+bool is_star(const Sheet& s) {
+  if (s.campaign.points.empty() || s.free.size() < 2) return false;
+  for (std::size_t i = 1; i < s.campaign.points.size(); ++i) {
+    const auto moved = std::ranges::count_if(
+        s.free, [&](std::size_t key) { return s.keys[key].of[i] != s.keys[key].of[0]; });
+    if (moved > 1) return false;
+  }
+  return true;
+}
+
 bool has_numbers(const Campaign& c, std::size_t column) {
   return std::ranges::any_of(c.points,
                              [&](const Point& p) { return std::isfinite(value_at(p, column)); });
@@ -126,6 +137,7 @@ Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {
   }
   for (std::size_t i = 0; i < c.columns.size(); ++i) multiples.push_back(multiple_of(c, i));
   grid = is_grid(*this);
+  star = !grid && is_star(*this);
 }
 
 std::size_t Sheet::axis() const {
@@ -174,21 +186,29 @@ std::string column_label(const Column& column, const Multiple& m) {
 }
 
 std::string shortened(std::string_view message, std::size_t letters) {
-  std::string text(message.substr(0, message.find('\n')));
-  if (width(text) <= letters) return text;
+  constexpr std::size_t bytes = 4;  // of a letter at most
+  if (width(message) <= letters) return std::string(message);
+  std::string text(message.substr(0, bytes * letters));
   while (width(text) >= letters) text.pop_back();  // a letter of several bytes goes with its first
   return text + "…";
 }
 
+std::string why_nothing(const Point& p, std::size_t letters) {
+  if (p.waiting) return "not run yet";
+  const std::string_view reason = p.failure;
+  return "failed: " + shortened(reason.substr(0, reason.find('\n')), letters);
+}
+
 bool over_decades(const std::vector<double>& values) {
   constexpr double far = 100;
-  double least = INFINITY, most = -INFINITY;
-  for (const double v : values) {
-    if (!std::isfinite(v)) continue;
-    least = std::min(least, v);
-    most = std::max(most, v);
-  }
-  return least > 0 && most >= far * least;
+  constexpr std::size_t tail = 20;  // one in so many at either end may lie apart
+  std::vector<double> sorted;
+  std::ranges::copy_if(values, std::back_inserter(sorted),
+                       [](double v) { return std::isfinite(v); });
+  if (sorted.empty()) return false;
+  std::ranges::sort(sorted);
+  const std::size_t out = sorted.size() / tail;
+  return sorted.front() > 0 && sorted[sorted.size() - 1 - out] >= far * sorted[out];
 }
 
 }  // namespace mahlwerk::report

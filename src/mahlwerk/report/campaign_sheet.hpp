@@ -37,6 +37,8 @@ struct Sheet {
   std::vector<Multiple> multiples;  ///< by column: of its unit, for all points
   /// Each combination of the free keys is there once, but for a few that are missing.
   bool grid = false;
+  /// Each point differs from the first in one free key at most, and there are several of them.
+  bool star = false;
 
   explicit Sheet(const Campaign& campaign);
 
@@ -58,10 +60,14 @@ std::string axis_label(const Swept& key);
 /// "D50 (µm)", "hits (/s)", in the multiple that the numbers are shown in.
 std::string column_label(const Column& column, const Multiple& multiple);
 
-/// The first line of a message, at most `letters` of it.
+/// "failed: ..." with the first line of the reason, at most `letters` of it, or "not run yet".
+std::string why_nothing(const Point& point, std::size_t letters);
+
+/// At most `letters` of a message.
 std::string shortened(std::string_view message, std::size_t letters);
 
-/// Positive numbers over two decades and more are told apart on a logarithmic axis alone.
+/// Positive numbers, nine in ten of which span two decades and more, are told apart on a
+/// logarithmic axis alone.
 bool over_decades(const std::vector<double>& values);
 
 }  // namespace mahlwerk::report

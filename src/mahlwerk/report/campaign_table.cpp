@@ -46,8 +46,8 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::v
   constexpr std::size_t enough = 60;
   std::vector<std::string> line = p.values;
   line.resize(c.swept.size());
-  if (!p.failure.empty()) {
-    line.push_back("failed: " + shortened(p.failure, enough));
+  if (!p.failure.empty() || p.waiting) {
+    line.push_back(why_nothing(p, enough));
     return line;
   }
   for (const Told& one : shown) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/report/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
@@ -23,30 +24,7 @@ namespace {
 using observe::PlaneField;
 using observe::WallGrid;
 
-/// Viridis (CC0, van der Walt and Smith) at 0, 1/10, ... 1.
-constexpr std::array<std::array<int, 3>, 11> viridis{{{68, 1, 84},
-                                                      {72, 36, 117},
-                                                      {65, 68, 135},
-                                                      {53, 95, 141},
-                                                      {42, 120, 142},
-                                                      {33, 145, 140},
-                                                      {34, 168, 132},
-                                                      {68, 191, 112},
-                                                      {122, 209, 81},
-                                                      {189, 223, 38},
-                                                      {253, 231, 37}}};
 constexpr int levels = 32;
-
-std::string colour(double share) {
-  const double at = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), viridis.size() - 2);
-  const double part = at - static_cast<double>(low);
-  std::array<int, 3> mixed{};
-  for (std::size_t k = 0; k < 3; ++k)
-    mixed[k] =
-        static_cast<int>(std::lround((1 - part) * viridis[low][k] + part * viridis[low + 1][k]));
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
-}
 
 /// Cells gathered by colour, so that each colour is one path.
 class Cells {
@@ -59,7 +37,7 @@ class Cells {
     std::string all;
     for (const auto& [level, path] : paths_)
       all += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.3\" d=\"{1}\"/>\n",
-                         colour(static_cast<double>(level) / (levels - 1)), path);
+                         viridis(static_cast<double>(level) / (levels - 1)), path);
     return all;
   }
 
@@ -83,7 +61,7 @@ std::string colour_bar(double x, double y, double width, std::string_view low,
                        std::string_view high, std::string_view about) {
   std::string text;
   for (int i = 0; i < levels; ++i)
-    text += fmt::format("<path fill=\"{}\" d=\"{}\"/>", colour((i + 0.5) / levels),
+    text += fmt::format("<path fill=\"{}\" d=\"{}\"/>", viridis((i + 0.5) / levels),
                         box(x + width * i / levels, y, width / levels + 0.5, 10));
   return text + "\n" + label_at(x, y + 24, low) + label_at(x + width, y + 24, high, "end") +
          label_at(x + 0.5 * width, y + 24, about, "middle");

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
+#include <utility>
 
+#include "mahlwerk/report/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -17,8 +20,7 @@ namespace {
 constexpr double alike =
     1e-9;  ///< relative difference below which two values are told apart no more
 
-constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                  "#E69F00", "#56B4E9", "#666666"};
+constexpr std::size_t colours = 7;  // before dashes begin
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
 constexpr double letter = 6.6;  // average width of one at 12 px
 
@@ -83,9 +85,11 @@ class Canvas {
              std::string_view extra = "");
   void grid();
   void legend();
+  void band(const Series& s, std::string_view colour);
   void line(const Series& s, std::string_view colour, std::string_view dash);
   void points(const Series& s, std::string_view colour);
   void steps(const Series& s, std::string_view colour, bool filled);
+  void many(const Series& s, std::string_view colour);
 
   const Plot& plot_;
   Span x_, y_;
@@ -117,11 +121,12 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     const std::size_t number = s.colour.value_or(i);
-    const std::string_view colour = colours[number % colours.size()];
+    const std::string_view colour = kind_colour(number);
     if (s.mark == Mark::steps) {
       steps(s, colour, i == 0);
     } else {
-      if (s.mark != Mark::dots) line(s, colour, dashes[number / colours.size() % dashes.size()]);
+      if (s.band) band(s, colour);
+      if (s.mark != Mark::dots) line(s, colour, dashes[number / colours % dashes.size()]);
       if (s.mark != Mark::line) points(s, colour);
     }
   }
@@ -205,7 +210,7 @@ void Canvas::legend() {
   for (const Entry& entry : entries_) {
     const Series& s = plot_.series[entry.series];
     const std::size_t number = s.colour.value_or(entry.series);
-    const std::string_view colour = colours[number % colours.size()];
+    const std::string_view colour = kind_colour(number);
     if (s.mark == Mark::dots)
       text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n",
                            entry.x + 9, entry.y - 4, colour);
@@ -214,9 +219,30 @@ void Canvas::legend() {
           "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
           "stroke-dasharray=\"{}\"/>\n",
           entry.x, entry.y - 4, colour, s.mark == Mark::steps ? 3 : 2,
-          dashes[number / colours.size() % dashes.size()]);
+          dashes[number / colours % dashes.size()]);
     words(entry.x + 24, entry.y, "start", s.name);
   }
+}
+
+/// From point to point; where one has no error, none is shown.
+void Canvas::band(const Series& s, std::string_view colour) {
+  std::string path, back;
+  const auto close = [&] {
+    if (!back.empty()) path += back + "Z";
+    back.clear();
+  };
+  for (std::size_t i = 0; i < std::min({s.x.size(), s.y.size(), s.error.size()}); ++i) {
+    if (!inside(s.x[i], x_) || !inside(s.y[i], y_) || !std::isfinite(s.error[i])) {
+      close();
+      continue;
+    }
+    const double x = across(s.x[i]);
+    path +=
+        fmt::format("{}{:.1f} {:.1f}", back.empty() ? 'M' : 'L', x, cut_down(s.y[i] + s.error[i]));
+    back = fmt::format("L{:.1f} {:.1f}", x, cut_down(s.y[i] - s.error[i])) + back;
+  }
+  close();
+  text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.16\"/>\n", path, colour);
 }
 
 void Canvas::line(const Series& s, std::string_view colour, std::string_view dash) {
@@ -234,7 +260,24 @@ void Canvas::line(const Series& s, std::string_view colour, std::string_view das
       path, colour, s.mark == Mark::points ? 1 : 1.6, dash);
 }
 
+/// So many that each is a speck, one where several would hide each other; without errors.
+void Canvas::many(const Series& s, std::string_view colour) {
+  std::set<std::pair<int, int>> places;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
+    if (inside(s.x[i], x_) && inside(s.y[i], y_))
+      places.emplace(static_cast<int>(std::lround(across(s.x[i]))),
+                     static_cast<int>(std::lround(cut_down(s.y[i]))));
+  std::string path;
+  for (const auto& [x, y] : places) path += fmt::format("M{} {}h0", x, y);
+  text_ += fmt::format(
+      "<path d=\"{}\" stroke=\"{}\" stroke-width=\"3.6\" stroke-linecap=\"round\" "
+      "stroke-opacity=\"0.55\" fill=\"none\"/>\n",
+      path, colour);
+}
+
 void Canvas::points(const Series& s, std::string_view colour) {
+  constexpr std::size_t few = 300;
+  if (s.mark == Mark::dots && s.x.size() > few) return many(s, colour);
   for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
     if (!inside(s.x[i], x_) || !inside(s.y[i], y_)) continue;
     const double x = across(s.x[i]), y = cut_down(s.y[i]);

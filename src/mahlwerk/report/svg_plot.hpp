@@ -12,7 +12,7 @@ namespace mahlwerk::report {
 enum class Mark {
   line,    ///< points joined
   points,  ///< dots with error bars, joined by a thin line
-  dots,    ///< the same, not joined
+  dots,    ///< the same, not joined; of more than 300 specks without errors
   steps    ///< a histogram: x holds the edges, one more than y
 };
 
@@ -23,6 +23,7 @@ struct Series {
   Mark mark = Mark::line;
   /// Which of the colours, from 0; none: that of its place among the series.
   std::optional<std::size_t> colour = std::nullopt;
+  bool band = false;  ///< the errors are shaded from point to point, too
 };
 
 struct Axis {

@@ -10,33 +10,13 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/warnings.hpp"
+#include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::report {
 namespace {
 
 using results::fake_outcome;
-
-bool has(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Every tag that is opened is closed, in order.
-bool well_formed(const std::string& html) {
-  std::vector<std::string> open;
-  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
-    const std::size_t end = html.find('>', at);
-    const std::string tag = html.substr(at + 1, html.find_first_of(" />\n", at + 2) - at - 1);
-    if (html[at + 1] == '!' || tag == "meta" || html[end - 1] == '/') continue;
-    if (html[at + 1] != '/') {
-      open.push_back(tag);
-    } else {
-      if (open.empty() || open.back() != html.substr(at + 2, end - at - 2)) return false;
-      open.pop_back();
-    }
-  }
-  return open.empty();
-}
 
 TEST(Readable, RoundsWhereTheHalfWidthSaysSo) {
   EXPECT_EQ(readable(0.0024192, 0.000012345, "J").text(), "2.419 ± 0.012 mJ");

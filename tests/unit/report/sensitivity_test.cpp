@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "mahlwerk/report/campaign_plots.hpp"
+#include "unit/report/campaign_fake.hpp"
+#include "unit/report/html.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// x and width of the bars, in their order.
+std::vector<std::pair<double, double>> bars(const std::string& picture) {
+  std::vector<std::pair<double, double>> list;
+  for (std::size_t at = picture.find("<rect x=\""); at != std::string::npos;
+       at = picture.find("<rect x=\"", at + 1)) {
+    const std::size_t wide = picture.find("width=\"", at) + 7;
+    const std::string rest = picture.substr(at, picture.find("/>", at) - at);
+    if (!has(rest, "fill-opacity")) continue;  // of the legend
+    list.emplace_back(std::strtod(picture.c_str() + at + 9, nullptr),
+                      std::strtod(picture.c_str() + wide, nullptr));
+  }
+  return list;
+}
+
+Sensitivity one_at_a_time() {
+  return {.quantity = "dissipated_power",
+          .unit = "W",
+          .base = 12,
+          .base_ci95 = 0.3,
+          .effects = {{.key = "contact.friction",
+                       .low_end = "0.2",
+                       .high_end = "0.8",
+                       .low = 11.8,
+                       .low_ci95 = 0.3,
+                       .high = 12.1,
+                       .high_ci95 = 0.3},
+                      {.key = "mill.speed",
+                       .low_end = "200 rpm",
+                       .high_end = "400 rpm",
+                       .low = 4,
+                       .low_ci95 = 0.1,
+                       .high = 28,
+                       .high_ci95 = 0.6}}};
+}
+
+TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
+  const std::vector<Picture> pictures = sensitivity_pictures(one_at_a_time());
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].name, "tornado-dissipated_power");
+  const std::string& svg = pictures[0].svg;
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_TRUE(in_order(svg, {">mill.speed<", ">200 rpm<", ">400 rpm<", ">contact.friction<"}));
+  const auto drawn = bars(svg);
+  ASSERT_EQ(drawn.size(), 4U);
+  const double foot = drawn[1].first;
+  EXPECT_NEAR(drawn[0].first + drawn[0].second, foot, 0.11);  // written to a tenth
+  // 12 - 4 = 8 to the left, 28 - 12 = 16 to the right.
+  EXPECT_NEAR(drawn[0].second / drawn[1].second, 0.5, 0.005);
+  EXPECT_TRUE(has(pictures[0].below, "The case itself: 12.00 ± 0.30 W."));
+  EXPECT_TRUE(has(pictures[0].below, "data-v=\"28\">28.00 ± 0.60<"));
+}
+
+TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
+  EXPECT_EQ(sensitivity_words(one_at_a_time()),
+            "dissipated power: mill.speed matters most (it goes through 24.00 W over its range). "
+            "Not told from zero: the effect of contact.friction.");
+  Sensitivity none = one_at_a_time();
+  none.effects.pop_back();
+  EXPECT_EQ(sensitivity_words(none),
+            "dissipated power: no key has an effect that can be told from zero.");
+  // Without intervals nothing is said of zero.
+  none.base_ci95 = NAN;
+  EXPECT_EQ(sensitivity_words(none),
+            "dissipated power: contact.friction matters most (it goes "
+            "through 300.0 mW over its range).");
+}
+
+TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
+  Sensitivity s = one_at_a_time();
+  s.effects[0].low = 20;
+  s.effects[0].high = 30;
+  const std::string svg = sensitivity_pictures(s)[0].svg;
+  const auto drawn = bars(svg);
+  ASSERT_EQ(drawn.size(), 4U);
+  EXPECT_EQ(drawn[2].first, drawn[3].first) << "both from the case to the right";
+  EXPECT_NEAR(drawn[2].second / drawn[3].second, 8.0 / 18, 0.005);
+  EXPECT_TRUE(has(sensitivity_words(s), "mill.speed matters most")) << "24 W over 18 W";
+}
+
+TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::morris};
+  s.effects.push_back({.key = "contact.friction",
+                       .mean_absolute = 5e-7,
+                       .mean_absolute_ci95 = 6e-7,
+                       .mean = 1e-7,
+                       .mean_ci95 = 6e-7,
+                       .deviation = 6e-7});
+  s.effects.push_back({.key = "mill.speed",
+                       .mean_absolute = 8e-6,
+                       .mean_absolute_ci95 = 6e-7,
+                       .mean = -8e-6,
+                       .mean_ci95 = 6e-7,
+                       .deviation = 1e-6,
+                       .deviation_ci95 = 4e-7});
+  const std::vector<Picture> pictures = sensitivity_pictures(s);
+  ASSERT_EQ(pictures.size(), 2U);
+  EXPECT_EQ(pictures[1].name, "tornado-d50-scatter");
+  const auto drawn = bars(pictures[0].svg);
+  ASSERT_EQ(drawn.size(), 2U);
+  EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
+  EXPECT_TRUE(has(pictures[0].below, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
+  EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
+  EXPECT_EQ(sensitivity_words(s),
+            "D50: mill.speed matters most (on average 8.00 ± 0.60 µm over "
+            "its range). Not told from zero: the effect of "
+            "contact.friction.");
+}
+
+TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol};
+  s.effects.push_back({.key = "mill.speed",
+                       .first_order = 0.5,
+                       .first_order_ci95 = 0.04,
+                       .total = 0.75,
+                       .total_ci95 = 0.03});
+  s.effects.push_back({.key = "contact.friction",
+                       .first_order = -0.01,
+                       .first_order_ci95 = 0.04,
+                       .total = 0.02,
+                       .total_ci95 = 0.03});
+  s.effects.push_back({.key = "jar.material"});  // nothing is known of it
+  const std::vector<Picture> pictures = sensitivity_pictures(s);
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_TRUE(well_formed(pictures[0].svg));
+  EXPECT_FALSE(has(pictures[0].svg, "nan"));
+  const auto drawn = bars(pictures[0].svg);
+  ASSERT_EQ(drawn.size(), 4U);
+  EXPECT_NEAR(drawn[0].second / drawn[1].second, 2.0 / 3, 0.005);
+  EXPECT_EQ(sensitivity_words(s),
+            "D50: mill.speed matters most (with others it makes 0.750 ± "
+            "0.030 of the variance). Not told from zero: the effect of "
+            "contact.friction.");
+}
+
+TEST(Tornado, stands_on_the_page_and_among_the_figures) {
+  Campaign c = scattered(20);
+  c.sensitivities = {one_at_a_time()};
+  const std::string html = campaign_page(c, "1");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "<p>dissipated power: mill.speed matters most"));
+  EXPECT_TRUE(campaign_figures(c).contains("figures/tornado-dissipated_power.svg"));
+}
+
+}  // namespace
+}  // namespace mahlwerk::report
