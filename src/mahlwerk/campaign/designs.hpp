@@ -30,7 +30,7 @@ Places one_at_a_time_design(std::size_t keys, double base = 0.5);
 Places morris_design(std::size_t keys, std::size_t ways, std::uint64_t seed);
 
 /// `base` groups of keys + 2 rows each: a, then a with one key after the other taken from b, then
-/// b (Saltelli 2010, sen.5); a and b are the halves of a row of Sobol's sequence, shifted at random
+/// b (Saltelli 2010, sen.6); a and b are the halves of a row of Sobol's sequence, shifted at random
 /// digit by digit, which keeps it even, most so for a `base` that is a power of 2. More groups
 /// begin with the same rows. At most 1833 keys, else std::invalid_argument.
 Places saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed = 1);

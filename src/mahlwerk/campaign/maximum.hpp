@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace mahlwerk::campaign {
+
+/// How hard a highest place is looked for, in evaluations.
+struct Effort {
+  int wide = 0;  ///< over the whole box, by dividing it (DIRECT-L, Gablonsky 2001)
+  int near = 0;  ///< from each start, by simplexes (Subplex, Rowan 1990)
+};
+
+struct Highest {
+  std::vector<double> place;
+  double value = 0;
+};
+
+/// The highest place found of a function in a box; values that are NaN count as lowest. `starts`
+/// lie in the box; what the wide search finds is one more. At least one start, or a wide search.
+Highest highest(const std::function<double(const std::vector<double>&)>& function,
+                const std::vector<double>& least, const std::vector<double>& most,
+                const std::vector<std::vector<double>>& starts, const Effort& effort);
+
+}  // namespace mahlwerk::campaign
