@@ -86,8 +86,13 @@ class CampaignFolder {
   std::string title_;
 };
 
-/// What there is to tell of a campaign, from its store.
+/// What there is to tell of a campaign, from its store; where its design tells how much keys
+/// matter, that too, if its case can still be read.
 report::Campaign told(const campaign::Store& store);
+/// Which quantities answer to which keys; `design` holds the places of the points. Nothing for a
+/// design that does not tell.
+void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
+                       const std::vector<std::vector<double>>& design);
 
 /// campaign.csv, campaign.html and its pictures, into the folder.
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,

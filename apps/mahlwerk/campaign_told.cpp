@@ -2,21 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // A campaign's store as pages, pictures and tables.
+#include <algorithm>
 #include <fstream>
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/results/folder.hpp"
 
 namespace mahlwerk::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Of more points a page shows the usual quantities alone, and its table has not all points.
+constexpr std::size_t many = 5000;
+
+void add_sensitivities(report::Campaign& campaign, const campaign::Store& store) {
+  try {
+    const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
+    if (what.sweep.empty()) return;
+    const campaign::Plan plan(what.sweep, what.seed);
+    if (plan.keys() == store.keys()) add_sensitivities(campaign, what.sweep, plan.places());
+  } catch (const InputError&) {
+    // the case has gone or changed since: its numbers are told without
+  }
+}
+
+}  // namespace
+
 report::Campaign told(const campaign::Store& store) {
   report::Campaign campaign;
   campaign.title = store.title();
   std::vector<std::string> names;
+  const bool all = store.counts().points <= many;
+  const std::vector<std::string>& usual = report::usual_quantities();
   for (const results::Quantity& q : store.quantities()) {
+    if (!all && std::ranges::find(usual, q.name) == usual.end()) continue;
     names.push_back(q.name);
     campaign.columns.push_back({q.name, q.unit, q.about});
   }
@@ -33,6 +56,7 @@ report::Campaign told(const campaign::Store& store) {
   });
   campaign.swept = report::swept(store.keys(), campaign.points);
   for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
+  add_sensitivities(campaign, store);
   return campaign;
 }
 

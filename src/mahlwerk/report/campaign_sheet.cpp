@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -14,17 +13,6 @@
 
 namespace mahlwerk::report {
 namespace {
-
-/// What a campaign's page shows where its points have it, the powder first.
-constexpr std::array<std::string_view, 9> chosen{"d90",
-                                                 "d50",
-                                                 "conversion",
-                                                 "captured_mass_rate",
-                                                 "captured_grains_mean",
-                                                 "collision_rate_above_threshold",
-                                                 "energy_normal_mean_above_threshold",
-                                                 "energy_contact_point_mean_above_threshold",
-                                                 "dissipated_power"};
 
 const std::string& value_of(const Point& p, std::size_t key) {
   static const std::string none;
@@ -100,7 +88,7 @@ bool has_numbers(const Campaign& c, std::size_t column) {
 
 std::vector<std::size_t> shown_of(const Campaign& c) {
   std::vector<std::size_t> list;
-  for (const std::string_view name : chosen) {
+  for (const std::string& name : usual_quantities()) {
     const auto at = std::ranges::find(c.columns, name, &Column::name);
     const auto column = static_cast<std::size_t>(at - c.columns.begin());
     if (at != c.columns.end() && has_numbers(c, column)) list.push_back(column);
@@ -120,6 +108,25 @@ Multiple multiple_of(const Campaign& c, std::size_t column) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& usual_quantities() {
+  static const std::vector<std::string> names{"d90",  // the powder first
+                                              "d50",
+                                              "conversion",
+                                              "captured_mass_rate",
+                                              "captured_grains_mean",
+                                              "collision_rate_above_threshold",
+                                              "energy_normal_mean_above_threshold",
+                                              "energy_contact_point_mean_above_threshold",
+                                              "dissipated_power"};
+  return names;
+}
+
+std::vector<std::string> compared_quantities(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const std::size_t column : shown_of(campaign)) names.push_back(campaign.columns[column].name);
+  return names;
+}
 
 Split split(std::string_view text) {
   double number = 0;

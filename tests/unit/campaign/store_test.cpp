@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StoreTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "mahlwerk-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    here_ = name;
+  }
+  void TearDown() override { fs::remove_all(here_); }
+  fs::path file(const std::string& name = "campaign.sqlite") const { return here_ / name; }
+
+  fs::path here_;
+};
+
+/// Points whose runs have these numbers.
+Planned planned(std::vector<RunHash> runs, const std::string& unit = " rpm") {
+  Planned p;
+  p.title = "A \"campaign\"; DROP TABLE runs";
+  p.version = "1";
+  p.case_file = "/somewhere/case.toml";
+  p.overrides = {{"run.time", "3 s"}};
+  p.keys = {"mill.speed", "balls.material"};
+  p.runs = std::move(runs);
+  p.values = [unit](std::size_t i) {
+    return std::vector<std::string>{std::to_string(100 * (i + 1)) + unit, i % 2 ? "steel" : "zro2"};
+  };
+  return p;
+}
+
+Finished finished(RunHash hash, double rate) {
+  Finished f;
+  f.hash = hash;
+  f.resolved = "title = \"x\"\n";
+  f.engine = "event";
+  f.quantities = {{"rate", rate, 0.5, "1/s", "how often"},
+                  {"energy", 2 * rate, NAN, "J", "how hard", 0.25}};
+  return f;
+}
+
+std::vector<StoredPoint> points(const Store& store, const std::vector<std::string>& names) {
+  std::vector<StoredPoint> list;
+  store.read(names, [&](const StoredPoint& p) { list.push_back(p); });
+  return list;
+}
+
+TEST_F(StoreTest, what_is_kept_is_there_again) {
+  {
+    Store store(file(), Store::Access::write);
+    store.plan(planned({7, 8, 9}));
+    store.keep(finished(8, 3.25));
+    store.fail(9, "it's \"too\" large");
+  }
+  const Store store(file(), Store::Access::read);
+  EXPECT_EQ(store.title(), "A \"campaign\"; DROP TABLE runs");
+  EXPECT_EQ(store.case_file(), "/somewhere/case.toml");
+  EXPECT_EQ(store.overrides().at(0).value, "3 s");
+  const Counts counts = store.counts();
+  EXPECT_EQ(counts.points, 3U);
+  EXPECT_EQ(counts.waiting, 1U);
+  EXPECT_EQ(counts.done, 1U);
+  EXPECT_EQ(counts.failed, 1U);
+  const auto list = points(store, {"energy", "nothing", "rate"});
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[1].values, (std::vector<std::string>{"200 rpm", "steel"}));
+  EXPECT_EQ(list[1].state, RunState::done);
+  EXPECT_EQ(list[1].value[0], 6.5);
+  EXPECT_EQ(list[1].ci95[0], 0.25);  // over time, as there is none over replicates
+  EXPECT_TRUE(std::isnan(list[1].value[1]));
+  EXPECT_EQ(list[1].value[2], 3.25);
+  EXPECT_EQ(list[1].ci95[2], 0.5);
+  EXPECT_EQ(list[2].message, "it's \"too\" large");
+  EXPECT_TRUE(std::isnan(list[0].value[0]));
+}
+
+TEST_F(StoreTest, a_new_plan_keeps_the_runs_it_shares_with_the_old_one) {
+  Store store(file(), Store::Access::write);
+  store.plan(planned({1, 2}));
+  store.keep(finished(2, 5));
+  store.plan(planned({2, 3, 2}, " Hz"));
+  const auto list = points(store, {"rate"});
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].value[0], 5);
+  EXPECT_EQ(list[2].value[0], 5);  // two points may share a run
+  EXPECT_EQ(list[0].values[0], "100 Hz");
+  EXPECT_EQ(store.counts().waiting, 1U);
+  EXPECT_EQ(store.counts().done, 1U);
+  EXPECT_EQ(store.states().size(), 3U);
+}
+
+TEST_F(StoreTest, a_quantity_that_comes_later_gets_a_column) {
+  Store store(file(), Store::Access::write);
+  store.plan(planned({1, 2}));
+  store.keep(finished(1, 5));
+  Finished more = finished(2, 6);
+  more.quantities.push_back({"d50", 1e-6, 1e-7, "m", "median"});
+  store.keep(more);
+  const auto list = points(store, {"d50", "rate"});
+  EXPECT_TRUE(std::isnan(list[0].value[0]));
+  EXPECT_EQ(list[1].value[0], 1e-6);
+  EXPECT_EQ(list[0].value[1], 5);
+  std::ostringstream csv;
+  store.write_csv(csv);
+  EXPECT_EQ(csv.str().substr(0, csv.str().find('\n')),
+            "point,mill.speed_rpm,balls.material,status,engine,regime,wall_seconds,cpu_seconds,"
+            "folder,message,rate_per_s,rate_per_s_ci95,energy_J,energy_J_ci95,d50_m,d50_m_ci95");
+}
+
+TEST_F(StoreTest, what_failed_waits_again_only_when_asked) {
+  Store store(file(), Store::Access::write);
+  store.plan(planned({1, 2, 3}));
+  store.fail(1, "no");
+  store.keep(finished(2, 5));
+  store.plan(planned({1, 2, 3}));
+  EXPECT_EQ(store.states().at(1), RunState::failed);
+  EXPECT_EQ(store.retry(), 1U);
+  EXPECT_EQ(store.states().at(1), RunState::waiting);
+  EXPECT_EQ(store.states().at(2), RunState::done);
+}
+
+TEST_F(StoreTest, shards_join_with_each_run_once) {
+  for (const RunHash own : {1, 2}) {
+    Store shard(file("campaign.shard-" + std::to_string(own) + "-of-2.sqlite"),
+                Store::Access::shard);
+    shard.plan(planned({1, 2, 3}));
+    shard.keep(finished(own, static_cast<double>(own)));
+    if (own == 1) shard.fail(3, "stopped");
+  }
+  Store store(file(), Store::Access::write);
+  EXPECT_EQ(store.merge(file("campaign.shard-1-of-2.sqlite")), 2U);
+  EXPECT_EQ(store.merge(file("campaign.shard-2-of-2.sqlite")), 1U);
+  EXPECT_EQ(store.merge(file("campaign.shard-1-of-2.sqlite")), 0U);
+  const auto list = points(store, {"rate"});
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].value[0], 1);
+  EXPECT_EQ(list[1].value[0], 2);
+  EXPECT_EQ(list[2].message, "stopped");
+  EXPECT_EQ(store.title(), "A \"campaign\"; DROP TABLE runs");
+  EXPECT_EQ(store.keys(), (std::vector<std::string>{"mill.speed", "balls.material"}));
+}
+
+TEST_F(StoreTest, what_is_no_store_is_said_to_be_none) {
+  std::ofstream(file()) << "This is a letter, and rather a long one, to whom it may concern.";
+  EXPECT_THROW(Store(file(), Store::Access::write), InputError);
+  EXPECT_THROW(Store(file("nothing.sqlite"), Store::Access::read), InputError);
+  {
+    Database other(file("other.sqlite"), Database::Access::write);
+    other.run("CREATE TABLE friends(name TEXT)");
+  }
+  EXPECT_THROW(Store(file("other.sqlite"), Store::Access::write), InputError);
+  EXPECT_THROW(Store(file("other.sqlite"), Store::Access::read), InputError);
+}
+
+TEST_F(StoreTest, a_transaction_that_is_not_committed_leaves_nothing) {
+  Database database(file(), Database::Access::write);
+  database.run("CREATE TABLE t(x)");
+  try {
+    Transaction all(database);
+    database.run("INSERT INTO t VALUES(1)");
+    throw 1;
+  } catch (int) {
+  }
+  EXPECT_EQ(database.word("SELECT count(*) FROM t"), "0");
+}
+
+TEST_F(StoreTest, one_process_at_a_time_holds_a_campaign) {
+  EXPECT_FALSE(CampaignLock::held(file("campaign.lock")));
+  {
+    const CampaignLock lock(file("campaign.lock"));
+    EXPECT_TRUE(CampaignLock::held(file("campaign.lock")));
+    EXPECT_THROW(CampaignLock(file("campaign.lock")), InputError);
+  }
+  EXPECT_FALSE(CampaignLock::held(file("campaign.lock")));
+  const CampaignLock again(file("campaign.lock"));
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
