@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,9 @@ struct Effect {
   double deviation = NAN, deviation_ci95 = NAN;          ///< sigma, how much they differ
   double first_order = NAN, first_order_ci95 = NAN;      ///< Sobol: S1, share of it alone
   double total = NAN, total_ci95 = NAN;                  ///< ST, with what it does with others
+  /// Whoever computed it found it to differ from none by more than chance makes, or not; nothing:
+  /// that is judged by the intervals above.
+  std::optional<bool> told = std::nullopt;
 };
 
 /// How a quantity answers to the keys.

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/campaign_sheet.hpp"
 #include "mahlwerk/results/csv.hpp"

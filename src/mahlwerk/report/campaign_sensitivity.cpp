@@ -36,8 +36,10 @@ bool alike(double a, double a_ci95, double b, double b_ci95) {
   return std::abs(a - b) <= std::hypot(a_ci95, b_ci95);
 }
 
-/// The intervals do not tell the effect from none. Without intervals nothing is said.
+/// The effect is not told from none: as it says itself, else by the intervals. Without intervals
+/// nothing is said.
 bool may_be_none(const Effect& e, const Sensitivity& s) {
+  if (e.told) return !*e.told;
   switch (s.method) {
     case Method::morris:
       return e.mean_absolute <= e.mean_absolute_ci95;

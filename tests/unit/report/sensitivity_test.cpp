@@ -76,6 +76,15 @@ TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
             "through 300.0 mW over its range).");
 }
 
+TEST(Tornado, believes_what_an_effect_says_of_itself) {
+  Sensitivity s = one_at_a_time();
+  s.effects[0].told = true;
+  EXPECT_FALSE(has(sensitivity_words(s), "Not told from zero"));
+  s.effects[0].told = std::nullopt;
+  s.effects[1].told = false;
+  EXPECT_TRUE(has(sensitivity_words(s), "no key has an effect that can be told from zero"));
+}
+
 TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
   Sensitivity s = one_at_a_time();
   s.effects[0].low = 20;
