@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/readable.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -94,10 +95,9 @@ std::string ended(const SearchJob& job, const campaign::Optimum& found) {
                          found.tried.size());
     case campaign::Ended::nothing:
       return fmt::format(
-                 "The search ended because one more setting is expected to gain {:.2g}, "
-                 "lost in the noise",
-                 found.expected_gain) +
-             (job.outcomes.front().unit == "1" ? "" : " " + job.outcomes.front().unit);
+          "The search ended because what one more setting is expected to gain, {}, is lost in the "
+          "noise",
+          report::readable(found.expected_gain, NAN, job.outcomes.front().unit).text());
     case campaign::Ended::failed:
       break;
   }

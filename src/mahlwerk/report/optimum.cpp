@@ -36,7 +36,7 @@ std::string text_of(const Told& t, const std::string& unit) {
 }
 
 std::string percent(double share) {
-  return share > 0.995 && share < 1 ? ">99 %" : fmt::format("{:.0f} %", 100 * share);
+  return fmt::format("{:.0f} %", 100 * share);
 }
 
 /// What there is to say of where the best lies along a key.
@@ -70,12 +70,16 @@ std::vector<std::string> sentences(const OptimumReport& found) {
                       : "No setting that was tried is likely to keep the limits");
   } else {
     const OptimumSetting& best = found.settings[*found.best];
-    all.push_back(fmt::format(
-        "That the best tried is the best of those tried has a chance of {}; if it is not, {} is "
-        "expected to be lost",
-        percent(best.chance), readable(found.expected_loss, NAN, found.unit).text()));
-    all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
-                              quantity, text_of(found.model_value, found.unit)));
+    constexpr double certain = 0.995;
+    all.push_back(best.chance > certain
+                      ? std::string("The best tried is told from all others that were tried")
+                      : fmt::format("That the best tried is the best of those tried has a chance "
+                                    "of {}; if it is not, {} is expected to be lost",
+                                    percent(best.chance),
+                                    readable(found.expected_loss, NAN, found.unit).text()));
+    if (std::ranges::any_of(found.keys, [](const OptimumKey& k) { return k.model != k.best; }))
+      all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
+                                quantity, text_of(found.model_value, found.unit)));
     for (const OptimumKey& k : found.keys) tell_key(k, quantity, all);
     for (const OptimumLimit& limit : found.limits)
       all.push_back(limit.binds ? fmt::format("The limit \"{} {}\" binds: without it the best "

@@ -31,7 +31,8 @@ OptimumReport some() {
   made.keys = {{.key = "mill.speed", .unit = "rpm", .from = "200 rpm", .to = "600 rpm"},
                {.key = "mill.ratio", .from = "-3", .to = "-1"}};
   for (OptimumKey& k : made.keys) {
-    k.best = k.model = k.low = k.high = k.from;
+    k.best = k.low = k.high = k.from;
+    k.model = k.to;
     k.good_low = k.from;
     k.good_high = k.to;
     k.x = {1, 2};
@@ -83,6 +84,15 @@ TEST(OptimumReport, SaysWhatIsSureAndWhatIsNot) {
   OptimumReport free = some();
   free.limits[0].binds = false;
   EXPECT_TRUE(says(sentences(free), "does not bind"));
+}
+
+TEST(OptimumReport, SaysNoMoreThanThatTheBestIsTold) {
+  OptimumReport told = some();
+  told.settings[1].chance = 1;
+  for (OptimumKey& k : told.keys) k.model = k.best;
+  EXPECT_TRUE(says(sentences(told), "told from all others"));
+  EXPECT_FALSE(says(sentences(told), "expected to be lost"));
+  EXPECT_FALSE(says(sentences(told), "prediction"));
 }
 
 TEST(OptimumReport, SaysThatThereIsNoBest) {
@@ -166,7 +176,7 @@ TEST(MatchReport, SaysWhetherTheMillsDoTheSame) {
 
 TEST(MatchReport, ShowsBothMills) {
   const std::string table = match_table(matched());
-  EXPECT_TRUE(holds(table, "100 ± 5 W/kg")) << table;
+  EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;
   EXPECT_TRUE(holds(table, "1.1 (1.02 to 1.19)")) << table;
   EXPECT_TRUE(holds(table, "87 %"));
   const std::string page = match_page(matched(), "1");
