@@ -19,7 +19,7 @@ namespace mahlwerk::app {
 /// What the command line said.
 struct Request {
   std::string target;  ///< case, room, name, or folder of a campaign
-  std::string data;    ///< the table of measurements, of fit
+  std::string data;    ///< the table of measurements, of fit; the other mill, of match
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
@@ -50,13 +50,27 @@ int sweep_retry(const Request& request);
 int sweep_merge(const Request& request);
 int compare(const Request& request);
 int fit(const Request& request);
+int optimise(const Request& request);
+int match(const Request& request);
 int check(const Request& request);
 int list(const Request& request);
 int describe(const Request& request);
 int completion(const Request& request);
 
 /// Which options a command takes.
-enum class Takes { case_file, run, sweep, compare, fit, campaign, room, name, shell };
+enum class Takes {
+  case_file,
+  run,
+  sweep,
+  compare,
+  fit,
+  search,
+  match,
+  campaign,
+  room,
+  name,
+  shell
+};
 
 struct Command {
   std::string_view name, about;
@@ -78,6 +92,10 @@ inline constexpr std::array commands{
             Takes::compare, compare},
     Command{"fit", "find numbers of a case from what was measured of the powder, with intervals",
             Takes::fit, fit},
+    Command{"optimise", "find the settings for which a quantity is best: [optimise] of the case",
+            Takes::search, optimise},
+    Command{"match", "find the settings of one mill that do to the powder what another mill does",
+            Takes::match, match},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},
     Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room,

@@ -21,14 +21,45 @@ cases::Override override_of(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-void add_case_options(CLI::App& sub, const Command& command, Request& request,
-                      std::vector<std::string>& set) {
+/// What a command writes beside results/NAME.
+std::string_view beside(Takes takes) {
+  switch (takes) {
+    case Takes::compare:
+      return ", with -compare";
+    case Takes::fit:
+      return ", with -fit";
+    case Takes::search:
+      return ", with -optimise";
+    case Takes::match:
+      return " of mill B, with -match";
+    default:
+      return "";
+  }
+}
+
+/// The case, or cases, that a command is about.
+void add_target(CLI::App& sub, const Command& command, Request& request) {
+  if (command.takes == Takes::match) {
+    sub.add_option("CASE", request.target,
+                   "the mill A that is to be matched: a case file or folder")
+        ->required();
+    sub.add_option("--in", request.data,
+                   "the mill B whose settings are looked for: a case with [match]")
+        ->type_name("CASE")
+        ->required();
+    return;
+  }
   const bool one = command.takes == Takes::compare || command.takes == Takes::fit ||
-                   command.takes == Takes::sweep;
+                   command.takes == Takes::sweep || command.takes == Takes::search;
   auto* target = sub.add_option("CASE", request.target,
                                 one ? "a case file, or a folder with one case"
                                     : "a case file, or a folder with a case.toml or several cases");
   if (command.takes != Takes::sweep) target->required();  // else a part of it may be meant
+}
+
+void add_case_options(CLI::App& sub, const Command& command, Request& request,
+                      std::vector<std::string>& set) {
+  add_target(sub, command, request);
   if (command.takes == Takes::fit)
     sub.add_option("DATA", request.data, "a table of measurements: CSV, see docs/formats.md")
         ->required();
@@ -42,9 +73,7 @@ void add_run_options(CLI::App& sub, const Command& command, Request& request) {
   sub.add_option(
       "--out", request.out,
       fmt::format("folder for the results (default: results/ and the name of the case{})",
-                  command.takes == Takes::compare ? ", with -compare"
-                  : command.takes == Takes::fit   ? ", with -fit"
-                                                  : ""));
+                  beside(command.takes)));
   sub.add_flag("--force", request.force, "replace results that are there");
   sub.add_option("--jobs,--threads", request.threads,
                  "how many replicates run at a time (default: all cores)")
@@ -99,7 +128,8 @@ void add_sweep_options(CLI::App& sub, Request& request) {
 void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
   const bool runs = command.takes == Takes::run || command.takes == Takes::sweep ||
-                    command.takes == Takes::compare || command.takes == Takes::fit;
+                    command.takes == Takes::compare || command.takes == Takes::fit ||
+                    command.takes == Takes::search || command.takes == Takes::match;
   if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
   if (runs) add_run_options(sub, command, request);
   if (command.takes == Takes::run) add_checkpoint_options(sub, request);

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// match: settings of one mill that do to the powder what another mill does.
+#include "mahlwerk/campaign/match.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/report/match.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/writer.hpp"
+#include "progress.hpp"
+#include "searching.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A mill whose settings are found, and the one it is to be like.
+struct MatchJob {
+  cases::Case like;                           ///< A
+  const campaign::TrialRuns* runs = nullptr;  ///< of B
+  bool by_powder = false;
+  campaign::MillMark mark;  ///< of A
+};
+
+bool has_powder(const cases::Case& what) {
+  return what.powder && what.powder->mass > 0;
+}
+
+campaign::Options options(const Request& request) {
+  campaign::Options made;
+  made.threads = request.threads;
+  made.stop = &stop_wanted();
+  return made;
+}
+
+/// One case, to its end. Throws Interrupted, or RunError where it does not get there.
+results::Outcome whole(const Request& request, const cases::Case& what, const char* name) {
+  ProgressLine line(request.quiet);
+  line.show(fmt::format("running mill {}", name));
+  results::Outcome outcome = campaign::run(what, options(request));
+  if (outcome.interrupted) throw campaign::Interrupted();
+  for (const results::Replicate& r : outcome.replicates)
+    if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));
+  return outcome;
+}
+
+cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
+  cases::Case like = cases::read(file, known);
+  if (!like.sweep.empty())
+    throw InputError(Fault{like.file, "the case has a [sweep], match takes a single case",
+                           "take the section [sweep] away", "search-one-case"});
+  if (auto wrong = campaign::run_faults(like); !wrong.empty()) throw InputError(std::move(wrong));
+  return like;
+}
+
+SearchJob search_job(const MatchJob& job) {
+  const cases::Case& base = job.runs->base();
+  const campaign::TrialRuns& runs = *job.runs;
+  SearchJob made{
+      .runs = &runs,
+      .goal = {.keys = runs.over().size(),
+               .maximise = false,
+               .bounds = {},
+               .settings = static_cast<int>(base.match->settings),
+               .replicates = static_cast<int>(base.match->replicates),
+               .seed = base.seed,
+               .snap = [&runs](const campaign::Place& p) { return runs.snap(p); }},
+      .outcomes = {{"distance", "1", "of dose and spectrum from those of the other mill"}},
+      .limits = {},
+      .measure = {}};
+  made.measure = [&job](const results::Outcome& outcome, const results::Replicate& replicate) {
+    const campaign::Milled one = campaign::milled(outcome.what, replicate, job.by_powder);
+    return std::vector<double>{campaign::distance(job.mark.mean, one)};
+  };
+  return made;
+}
+
+report::Told dose_of(const campaign::MillMark& mark) {
+  std::vector<double> values;
+  for (const campaign::Milled& m : mark.replicates) values.push_back(m.dose);
+  if (values.empty()) return {};
+  const observe::Estimate e = observe::estimate(values);
+  return {e.mean, e.ci95};
+}
+
+void compare_mills(const MatchJob& job, const campaign::MillMark& b, report::MatchReport& made) {
+  const campaign::Difference d = campaign::difference(job.mark, b, job.runs->base().seed);
+  made.by_powder = job.by_powder;
+  made.dose_a = dose_of(job.mark);
+  made.dose_b = dose_of(b);
+  made.energy_a = {d.energy_a, d.energy_a_ci95};
+  made.energy_b = {d.energy_b, d.energy_b_ci95};
+  made.dose = {d.dose.value, d.dose.low, d.dose.high};
+  made.half_power = {d.half_power.value, d.half_power.low, d.half_power.high};
+  made.overlap = d.overlap;
+  made.spectral = d.spectral;
+  made.distance = d.distance;
+  made.chance = d.chance;
+  made.within_scatter = d.within_scatter();
+  made.shares_a = job.mark.mean.shares;
+  made.shares_b = b.mean.shares;
+  for (int bin = 0; bin <= observe::LogHistogram::bins; ++bin)
+    made.edges.push_back(observe::LogHistogram::lower(bin));
+}
+
+std::string match_json(const report::MatchReport& found) {
+  using nlohmann::ordered_json;
+  const auto number = [](double x) { return std::isfinite(x) ? ordered_json(x) : nullptr; };
+  const auto told = [&](const report::Told& t) {
+    return ordered_json{{"value", number(t.value)}, {"ci95", number(t.ci95)}};
+  };
+  const auto ratio = [&](const report::MatchedRatio& r) {
+    return ordered_json{
+        {"value", number(r.value)}, {"low", number(r.low)}, {"high", number(r.high)}};
+  };
+  const ordered_json all{{"a", found.file_a},
+                         {"b", found.file_b},
+                         {"dose_unit", found.by_powder ? "W/kg" : "W"},
+                         {"dose_a", told(found.dose_a)},
+                         {"dose_b", told(found.dose_b)},
+                         {"dose_ratio", ratio(found.dose)},
+                         {"energy_lost_mean_a", told(found.energy_a)},
+                         {"energy_lost_mean_b", told(found.energy_b)},
+                         {"half_power_energy_ratio", ratio(found.half_power)},
+                         {"overlap", number(found.overlap)},
+                         {"spectral_distance", number(found.spectral)},
+                         {"distance", number(found.distance)},
+                         {"chance", number(found.chance)},
+                         {"within_scatter", found.within_scatter},
+                         {"remarks", report::sentences(found)},
+                         {"search", ordered_json::parse(optimum_json(found.search, version()))}};
+  return all.dump(2) + "\n";
+}
+
+void tell(const report::MatchReport& found, const fs::path& place) {
+  fmt::print("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b, report::match_table(found));
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "match.html").string());
+  fmt::print("settings: {}\n", (place / "settings.csv").string());
+  if (found.search.best) fmt::print("case:     {}\n", (place / "best.toml").string());
+}
+
+/// Looks for the settings of B, runs it there anew, and writes what came of it.
+report::MatchReport find(const Request& request, MatchJob& job, const results::Folder& folder) {
+  constexpr int anew = 1'000'000;  // replicates that the search has not seen
+  const cases::Case& base = job.runs->base();
+  const results::Outcome a = whole(request, job.like, "A");
+  job.mark = campaign::mill_mark(a, job.by_powder);
+  if (job.mark.replicates.empty())
+    throw RunError("mill A has no collisions: there is nothing that B could be like");
+  const SearchJob search = search_job(job);
+  const campaign::Optimum found = look(request, search);
+  report::MatchReport made{.title_a = a.what.title,
+                           .title_b = base.title,
+                           .file_a = a.what.file,
+                           .file_b = base.file,
+                           .search = report_of(search, found)};
+  report::write(folder, a, version(), "a/");
+  if (!found.best) return made;
+  const campaign::Place& place = found.tried[*found.best].place;
+  const int count = static_cast<int>(base.match->replicates);
+  const results::Outcome b = whole(request, job.runs->at(place, anew, count), "B");
+  compare_mills(job, campaign::mill_mark(b, job.by_powder), made);
+  report::write(folder, b, version(), "b/");
+  results::write_case(folder, job.runs->at(place, 0, static_cast<int>(base.run.replicates)),
+                      "best.toml");
+  return made;
+}
+
+}  // namespace
+
+int match(const Request& request) {
+  const cases::Catalogue known = catalogue();
+  const std::vector<cases::Override> set = overrides(request);
+  const fs::path file_a = one_case_file(request.target, "match");
+  const fs::path file_b = one_case_file(request.data, "match");
+  const cases::Case what = cases::read(file_b, known, set);
+  if (!what.match)
+    throw InputError(Fault{what.file, "the case has no [match]",
+                           "say what may be changed in it: [match] with over = { \"mill.speed\" = "
+                           "{ from = \"200 rpm\", to = \"600 rpm\" } }",
+                           "nothing-to-match"});
+  check_keys(what, what.match->over, "[match]");
+  const campaign::TrialRuns runs(file_b, known, set, what.match->over);
+  MatchJob job{.like = read_like(file_a, known), .runs = &runs, .by_powder = false, .mark = {}};
+  job.by_powder = has_powder(job.like) && has_powder(what);
+  job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
+  const fs::path usual = default_place(request.data, file_b, false).string() + "-match";
+  results::Folder folder(request.out.value_or(usual), request.force);
+  catch_ctrl_c();
+  try {
+    const report::MatchReport found = find(request, job, folder);
+    folder.write("match.json", match_json(found));
+    folder.write("settings.csv", report::optimum_csv(found.search));
+    folder.write("match.html", report::match_page(found, version()));
+    folder.commit();
+    if (request.json) fmt::print("{}", match_json(found));
+    if (!request.json && !request.quiet) tell(found, folder.wanted());
+    return found.search.best ? fine : stopped_by_physics;
+  } catch (const campaign::Interrupted&) {
+    fmt::print(stderr, "interrupted: nothing was matched.\n");
+    return interrupted;
+  }
+}
+
+}  // namespace mahlwerk::app

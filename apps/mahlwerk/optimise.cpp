@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// optimise: the settings of a mill for which a quantity is best.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/writer.hpp"
+#include "progress.hpp"
+#include "searching.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The quantities that a run of the case will have.
+std::vector<results::Quantity> quantities(const cases::Case& what) {
+  results::Outcome nothing;
+  nothing.what = what;
+  return results::summarise(nothing, results::Replicate(what.observe.threshold));
+}
+
+/// Those that a search is judged by, in the order of their names here.
+std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wanted) {
+  const std::vector<results::Quantity> known = quantities(what);
+  std::vector<std::string> names{wanted.quantity}, all;
+  for (const cases::Limit& limit : wanted.limits) names.push_back(limit.quantity);
+  for (const results::Quantity& q : known) all.push_back(q.name);
+  std::vector<Judged> made;
+  std::vector<Fault> wrong;
+  for (const std::string& name : names) {
+    const auto q = std::ranges::find(known, name, &results::Quantity::name);
+    if (q != known.end()) {
+      made.push_back({q->name, q->unit, q->about});
+      continue;
+    }
+    const std::string near = nearest_word(name, all);
+    wrong.push_back({what.file + ": [optimise]",
+                     fmt::format("a run of this case has no quantity \"{}\"", name),
+                     near.empty() ? "choose one of summary.json: docs/formats.md lists them"
+                                  : fmt::format("did you mean \"{}\"?", near),
+                     "no-such-quantity"});
+  }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+double bound_of(const cases::Case& what, const cases::Limit& limit, const Judged& of) try {
+  return parse_in(limit.bound, of.unit == "1" ? "" : of.unit);
+} catch (const UnitError& error) {
+  throw InputError(Fault{fmt::format("{}: limits of [optimise], {}", what.file, limit.quantity),
+                         error.what(), fmt::format("give it in {}", of.unit), "bad-limit"});
+}
+
+SearchJob prepare(const campaign::TrialRuns& runs) {
+  const cases::Case& base = runs.base();
+  const cases::Optimise& wanted = *base.optimise;
+  SearchJob job{.runs = &runs,
+                .goal = {},
+                .outcomes = judged(base, wanted),
+                .limits = wanted.limits,
+                .measure = {}};
+  job.goal = {.keys = runs.over().size(),
+              .maximise = wanted.maximise,
+              .bounds = {},
+              .settings = static_cast<int>(wanted.settings),
+              .replicates = static_cast<int>(wanted.replicates),
+              .seed = base.seed,
+              .snap = [&runs](const campaign::Place& place) { return runs.snap(place); }};
+  for (std::size_t i = 0; i < wanted.limits.size(); ++i)
+    job.goal.bounds.push_back({.below = wanted.limits[i].below,
+                               .value = bound_of(base, wanted.limits[i], job.outcomes[i + 1])});
+  std::vector<std::string> names;
+  for (const Judged& j : job.outcomes) names.push_back(j.name);
+  job.measure = [names](const results::Outcome& outcome, const results::Replicate& replicate) {
+    const std::vector<results::Quantity> list = results::summarise(outcome, replicate);
+    std::vector<double> values;
+    for (const std::string& name : names)
+      values.push_back(std::ranges::find(list, name, &results::Quantity::name)->value);
+    return values;
+  };
+  return job;
+}
+
+void write(const results::Folder& folder, const report::OptimumReport& found) {
+  folder.write("optimise.json", optimum_json(found, version()));
+  folder.write("settings.csv", report::optimum_csv(found));
+  folder.write("optimise.html", report::optimum_page(found, version()));
+}
+
+void tell(const report::OptimumReport& found, const fs::path& place) {
+  fmt::print("{}\n\n{}\n", found.title, report::optimum_table(found));
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "optimise.html").string());
+  fmt::print("settings: {}\n", (place / "settings.csv").string());
+  if (found.best) fmt::print("case:     {}\n", (place / "best.toml").string());
+}
+
+}  // namespace
+
+int optimise(const Request& request) {
+  const fs::path file = one_case_file(request.target, "optimise");
+  const cases::Catalogue known = catalogue();
+  const std::vector<cases::Override> set = overrides(request);
+  const cases::Case what = cases::read(file, known, set);
+  if (!what.optimise)
+    throw InputError(Fault{what.file, "the case has no [optimise]",
+                           "say what is looked for: [optimise] with maximise = "
+                           "\"dissipated_power\" and over = { \"mill.speed\" = { from = \"200 "
+                           "rpm\", to = \"600 rpm\" } }",
+                           "nothing-to-optimise"});
+  check_keys(what, what.optimise->over, "[optimise]");
+  const campaign::TrialRuns runs(file, known, set, what.optimise->over);
+  const SearchJob job = prepare(runs);
+  const fs::path usual = default_place(request.target, file, false).string() + "-optimise";
+  results::Folder folder(request.out.value_or(usual), request.force);
+  catch_ctrl_c();
+  try {
+    const campaign::Optimum found = look(request, job);
+    const report::OptimumReport report = report_of(job, found);
+    write(folder, report);
+    if (found.best) {
+      const int count = static_cast<int>(runs.base().run.replicates);
+      results::write_case(folder, runs.at(found.tried[*found.best].place, 0, count), "best.toml");
+    }
+    folder.commit();
+    if (request.json) fmt::print("{}", optimum_json(report, version()));
+    if (!request.json && !request.quiet) tell(report, folder.wanted());
+    return found.best ? fine : stopped_by_physics;
+  } catch (const campaign::Interrupted&) {
+    fmt::print(stderr, "interrupted: no optimum was found.\n");
+    return interrupted;
+  }
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "searching.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "progress.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+using campaign::Place;
+
+report::Told told(const campaign::Guess& guess) {
+  return {guess.mean, guess.ci95};
+}
+
+/// The unit that a range is written in: what follows the number of its upper end.
+std::string unit_of(const cases::SweptKey& range) {
+  const std::string& text = range.values[1];
+  const auto end = text.find_first_not_of("+-.0123456789eE");
+  if (end == std::string::npos) return "";
+  const auto unit = text.find_first_not_of(' ', end);
+  return unit == std::string::npos ? "" : text.substr(unit);
+}
+
+double number_of(const std::string& text, const std::string& unit) {
+  const double one = unit.empty() ? 1 : parse_quantity("1 " + unit).value;
+  return parse_quantity(text).value / one;
+}
+
+report::OptimumKey key_of(const SearchJob& job, const campaign::Optimum& found, std::size_t key) {
+  const cases::SweptKey& range = job.runs->over()[key];
+  const campaign::KeyOptimum& k = found.keys[key];
+  const auto text = [&](double place) {
+    Place at(job.goal.keys, 0.5);
+    at[key] = place;
+    return job.runs->values(at)[key];
+  };
+  report::OptimumKey made{.key = range.key,
+                          .unit = unit_of(range),
+                          .logarithmic = range.logarithmic,
+                          .from = range.values[0],
+                          .to = range.values[1]};
+  if (!found.model_place.empty()) {
+    made.model = text(found.model_place[key]);
+    made.low = text(k.low);
+    made.high = text(k.high);
+    made.good_low = text(k.good_low);
+    made.good_high = text(k.good_high);
+  }
+  if (found.best) made.best = text(found.tried[*found.best].place[key]);
+  made.flat = k.flat;
+  made.at_low_end = k.at_low_end;
+  made.at_high_end = k.at_high_end;
+  for (std::size_t i = 0; i < k.slice.size(); ++i) {
+    const double place = static_cast<double>(i) / static_cast<double>(k.slice.size() - 1);
+    const double from = number_of(range.values[0], made.unit);
+    const double to = number_of(range.values[1], made.unit);
+    made.x.push_back(range.logarithmic ? from * std::pow(to / from, place)
+                                       : std::lerp(from, to, place));
+    made.model_at.push_back(told(k.slice[i]));
+  }
+  return made;
+}
+
+report::OptimumSetting setting_of(const SearchJob& job, const campaign::Tried& tried) {
+  report::OptimumSetting made{.values = job.runs->values(tried.place),
+                              .round = tried.round,
+                              .replicates = static_cast<int>(tried.replicates.size()),
+                              .model = told(tried.model),
+                              .allowed = tried.allowed,
+                              .chance = tried.chance,
+                              .failure = tried.failure};
+  for (std::size_t i = 0; i < made.values.size(); ++i)
+    made.x.push_back(number_of(made.values[i], unit_of(job.runs->over()[i])));
+  for (std::size_t i = 0; i < tried.seen.size(); ++i)
+    if (i == 0)
+      made.seen = told(tried.seen[i]);
+    else
+      made.limited.push_back(told(tried.seen[i]));
+  return made;
+}
+
+std::string ended(const SearchJob& job, const campaign::Optimum& found) {
+  switch (found.ended) {
+    case campaign::Ended::settings:
+      return fmt::format("The search ended because {} settings were tried, as many as allowed",
+                         found.tried.size());
+    case campaign::Ended::nothing:
+      return fmt::format(
+          "The search ended because what one more setting is expected to gain, {}, is lost in the "
+          "noise",
+          report::readable(found.expected_gain, NAN, job.outcomes.front().unit).text());
+    case campaign::Ended::failed:
+      break;
+  }
+  return "";
+}
+
+nlohmann::ordered_json number(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr;
+}
+
+}  // namespace
+
+void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
+                std::string_view section) {
+  constexpr std::size_t most = 8;
+  std::vector<Fault> wrong;
+  if (over.size() > most)
+    wrong.push_back(
+        {fmt::format("{}: {}", what.file, section),
+         fmt::format("{} keys are too many to look for a best setting over", over.size()),
+         fmt::format("give at most {}; design = \"morris\" tells which matter", most),
+         "too-many-keys"});
+  if (!what.sweep.empty())
+    wrong.push_back({what.file, "the case has a [sweep] beside " + std::string(section),
+                     "take the section [sweep] away", "search-one-case"});
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+}
+
+campaign::Optimum look(const Request& request, const SearchJob& job) {
+  ProgressLine line(request.quiet);
+  campaign::Options options;
+  options.threads = request.threads;
+  options.stop = &stop_wanted();
+  int settings = 0, runs = 0;
+  return campaign::optimise(job.goal, [&](const std::vector<campaign::Asked>& asked) {
+    line.show(fmt::format("{} settings tried, {} runs", settings, runs));
+    for (const campaign::Asked& one : asked) {
+      settings += one.first == 0 ? 1 : 0;
+      runs += one.count;
+    }
+    return job.runs->run(asked, job.measure, options);
+  });
+}
+
+report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found) {
+  const Judged& best = job.outcomes.front();
+  report::OptimumReport made{.title = job.runs->base().title,
+                             .case_file = job.runs->base().file,
+                             .quantity = best.name,
+                             .unit = best.unit,
+                             .about = best.about,
+                             .maximise = job.goal.maximise,
+                             .best = found.best,
+                             .best_after = found.best_after,
+                             .model_value = told(found.model_value),
+                             .expected_gain = found.expected_gain,
+                             .expected_loss = found.expected_loss,
+                             .failed = found.failed,
+                             .ended = ended(job, found)};
+  for (std::size_t key = 0; key < job.goal.keys; ++key)
+    made.keys.push_back(key_of(job, found, key));
+  for (std::size_t i = 0; i < job.limits.size(); ++i)
+    made.limits.push_back(
+        {.quantity = job.limits[i].quantity,
+         .unit = job.outcomes[i + 1].unit,
+         .text = (job.limits[i].below ? "below " : "above ") + job.limits[i].bound,
+         .binds = found.binds[i]});
+  for (const campaign::Tried& tried : found.tried) made.settings.push_back(setting_of(job, tried));
+  return made;
+}
+
+std::string optimum_json(const report::OptimumReport& found, std::string_view version) {
+  using nlohmann::ordered_json;
+  const auto pair = [](const report::Told& t) {
+    return ordered_json{{"value", number(t.value)}, {"ci95", number(t.ci95)}};
+  };
+  ordered_json keys = ordered_json::object(), limits = ordered_json::array();
+  for (const report::OptimumKey& k : found.keys)
+    keys[k.key] = {{"best", k.best},
+                   {"low", k.low},
+                   {"high", k.high},
+                   {"model", k.model},
+                   {"good_low", k.good_low},
+                   {"good_high", k.good_high},
+                   {"flat", k.flat},
+                   {"at_low_end", k.at_low_end},
+                   {"at_high_end", k.at_high_end}};
+  for (const report::OptimumLimit& limit : found.limits)
+    limits.push_back({{"quantity", limit.quantity}, {"limit", limit.text}, {"binds", limit.binds}});
+  ordered_json best = nullptr;
+  if (found.best) {
+    const report::OptimumSetting& s = found.settings[*found.best];
+    best = {{"setting", *found.best + 1},
+            {"replicates", s.replicates},
+            {"mean", pair(s.seen)},
+            {"by_model", pair(s.model)},
+            {"chance", number(s.chance)}};
+  }
+  const ordered_json all{{"mahlwerk", version},
+                         {"title", found.title},
+                         {"case", found.case_file},
+                         {"quantity", found.quantity},
+                         {"unit", found.unit},
+                         {"maximise", found.maximise},
+                         {"best", best},
+                         {"keys", keys},
+                         {"limits", limits},
+                         {"model_value", pair(found.model_value)},
+                         {"expected_gain", number(found.expected_gain)},
+                         {"expected_loss", number(found.expected_loss)},
+                         {"settings", found.settings.size()},
+                         {"failed", found.failed},
+                         {"runs", found.runs()},
+                         {"remarks", report::sentences(found)}};
+  return all.dump(2) + "\n";
+}
+
+}  // namespace mahlwerk::app

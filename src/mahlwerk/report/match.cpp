@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/match.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using Row = std::array<std::string, 4>;  // what, a, b, b over a
+
+std::vector<Row> rows(const MatchReport& found) {
+  const auto text = [](const Told& t, const char* unit, double size) {
+    return readable(t.value, t.ci95, unit, size).text();
+  };
+  const double dose = std::fmax(found.dose_a.value, found.dose_b.value);
+  const double energy = std::fmax(found.energy_a.value, found.energy_b.value);
+  const char* unit = found.by_powder ? "W/kg" : "W";
+  return {{found.by_powder ? "dose rate" : "dissipated power", text(found.dose_a, unit, dose),
+           text(found.dose_b, unit, dose), found.dose.text()},
+          {"mean energy lost in a collision", text(found.energy_a, "J", energy),
+           text(found.energy_b, "J", energy),
+           fmt::format("{:.3g}", found.energy_b.value / found.energy_a.value)},
+          {"energy with half of the power below", "", "", found.half_power.text()},
+          {"power at the same energies", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
+          {"distance", "", "", fmt::format("{:.3g}", found.distance)}};
+}
+
+}  // namespace
+
+std::string MatchedRatio::text() const {
+  if (!std::isfinite(value)) return "-";
+  if (!std::isfinite(low)) return fmt::format("{:.3g}", value);
+  return fmt::format("{:.3g} ({:.3g} to {:.3g})", value, low, high);
+}
+
+std::vector<std::string> sentences(const MatchReport& found) {
+  std::vector<std::string> all;
+  if (!found.search.best) return sentences(found.search);
+  if (!std::isfinite(found.chance))
+    all.push_back("With fewer than two replicates of each mill their scatter is not known");
+  else if (found.within_scatter)
+    all.push_back(
+        fmt::format("The two mills cannot be told apart: dealt at random, their "
+                    "replicates differ as much in {:.0f} of 100 deals",
+                    100 * found.chance));
+  else
+    all.push_back(
+        fmt::format("The two mills still differ by more than their scatter: dealt at "
+                    "random, their replicates differ as much in {:.1f} of 100 deals",
+                    100 * found.chance));
+  for (const OptimumKey& k : found.search.keys)
+    if (k.at_low_end || k.at_high_end)
+      all.push_back(
+          fmt::format("{} could not be matched within its range: the best lies at its {} "
+                      "end, {}",
+                      k.key, k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
+  for (const OptimumKey& k : found.search.keys)
+    if (k.flat)
+      all.push_back(fmt::format("{} hardly matters: anything from {} to {} does as well", k.key,
+                                k.good_low, k.good_high));
+  if (found.search.failed > 0)
+    all.push_back(fmt::format("{} of {} settings could not be run", found.search.failed,
+                              found.search.settings.size()));
+  return all;
+}
+
+std::string match_table(const MatchReport& found) {
+  std::string text;
+  if (found.search.best) {
+    for (const OptimumKey& k : found.search.keys)
+      text += fmt::format("{} = {}   ({} to {})\n", k.key, k.best, k.low, k.high);
+    text += '\n';
+    std::vector<Row> lines = rows(found);
+    lines.insert(lines.begin(), Row{"", "A", "B as found", "B/A"});
+    std::array<std::size_t, 4> widths{};
+    for (const Row& line : lines)
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (const Row& line : lines) {
+      std::string row;
+      for (std::size_t i = 0; i < line.size(); ++i)
+        row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
+      row.erase(row.find_last_not_of(' ') + 1);
+      text += row + '\n';
+    }
+    text += '\n';
+  }
+  for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
+  return text + fmt::format("{} settings tried, {} runs.\n", found.search.settings.size(),
+                            found.search.runs());
+}
+
+Plot match_plot(const MatchReport& found) {
+  std::size_t first = found.shares_a.size(), last = 0;
+  for (std::size_t i = 0; i < found.shares_a.size(); ++i)
+    if (found.shares_a[i] > 1e-4 || found.shares_b[i] > 1e-4) {
+      first = std::min(first, i);
+      last = i + 1;
+    }
+  Series a{.name = "A", .mark = Mark::steps}, b{.name = "B as found", .mark = Mark::steps};
+  const Multiple across = multiple(last > first ? found.edges[last] : 1, "J");
+  for (std::size_t i = first; i < last; ++i) {
+    a.y.push_back(100 * found.shares_a[i]);
+    b.y.push_back(100 * found.shares_b[i]);
+  }
+  for (std::size_t i = first; i <= last && last > first; ++i) {
+    a.x.push_back(found.edges[i] / across.factor);
+    b.x.push_back(found.edges[i] / across.factor);
+  }
+  return {.title = "Power by the energy lost in a collision",
+          .x = {fmt::format("energy lost in a collision ({})", across.unit), true},
+          .y = {"share of the power per bin (%)"},
+          .series = {a, b}};
+}
+
+std::string match_page(const MatchReport& found, std::string_view version) {
+  std::string extra;
+  if (found.search.best) {
+    std::string lines;
+    for (const Row& r : rows(found))
+      lines += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td "
+          "class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+          escaped(r[0]), escaped(r[1]), escaped(r[2]), escaped(r[3]));
+    extra = fmt::format(
+        "<h2>The two mills</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>"
+        "<th class=\"n\">A</th><th class=\"n\">B as found</th><th class=\"n\">B / "
+        "A</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n"
+        "<p><small>A: {} ({}). B: {} ({}), run anew at what was found.</small></p>"
+        "\n",
+        lines, escaped(found.title_a), escaped(found.file_a), escaped(found.title_b),
+        escaped(found.file_b));
+    std::string points;
+    for (const std::string& sentence : sentences(found))
+      points += fmt::format("<p>{}.</p>\n", escaped(sentence));
+    extra +=
+        fmt::format("<section class=\"box\"><h2>Do they do the same?</h2>\n{}</section>\n", points);
+    extra += figure(match_plot(found),
+                    "Where the power of collisions goes: how alike the two "
+                    "spectra are matters as much as how much power there is.");
+  }
+  return optimum_page(found.search, version, extra);
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/report/optimum.hpp"
+
+// One mill made to do what another does: terminal and page.
+namespace mahlwerk::report {
+
+/// A ratio, b over a, with its 95 % interval; NaN where there is none.
+struct MatchedRatio {
+  double value = unknown, low = unknown, high = unknown;
+  std::string text() const;  ///< "1.02 (0.97 to 1.07)"
+};
+
+struct MatchReport {
+  std::string title_a, title_b, file_a, file_b;
+  bool by_powder = false;             ///< doses are by mass of powder, else powers
+  Told dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
+  Told energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
+  MatchedRatio dose = {}, half_power = {};
+  double overlap = unknown, spectral = unknown, distance = unknown, chance = unknown;  ///< [1]
+  bool within_scatter = false;
+  std::vector<double> edges = {};                    ///< [J] of bins, one more than shares
+  std::vector<double> shares_a = {}, shares_b = {};  ///< [1] of the power of collisions
+  OptimumReport search = {};                         ///< how it was found
+};
+
+std::vector<std::string> sentences(const MatchReport& found);
+std::string match_table(const MatchReport& found);  ///< for the terminal
+std::string match_page(const MatchReport& found, std::string_view version);
+Plot match_plot(const MatchReport& found);  ///< both spectra
+
+}  // namespace mahlwerk::report

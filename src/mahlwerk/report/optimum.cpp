@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/optimum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/csv.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using Lines = std::vector<std::vector<std::string>>;
+
+/// Columns under each other.
+std::string aligned(const Lines& lines) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + '\n';
+  }
+  return text;
+}
+
+std::string text_of(const Told& t, const std::string& unit) {
+  return readable(t.value, t.ci95, unit).text();
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.0f} %", 100 * share);
+}
+
+/// What there is to say of where the best lies along a key.
+void tell_key(const OptimumKey& k, const std::string& quantity, std::vector<std::string>& all) {
+  if (k.flat)
+    all.push_back(
+        fmt::format("The optimum is flat in {}: anything from {} to {} gives {} within "
+                    "2 %, the other keys held",
+                    k.key, k.good_low, k.good_high, quantity));
+  if (k.at_low_end || k.at_high_end)
+    all.push_back(
+        fmt::format("The best {} lies at the {} end of its range, {}: a wider range may "
+                    "hold a better one",
+                    k.key, k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
+}
+
+}  // namespace
+
+int OptimumReport::runs() const {
+  int sum = 0;
+  for (const OptimumSetting& s : settings) sum += s.replicates;
+  return sum;
+}
+
+std::vector<std::string> sentences(const OptimumReport& found) {
+  std::vector<std::string> all;
+  const std::string quantity = label(found.quantity);
+  if (!found.best) {
+    all.push_back(found.failed == static_cast<int>(found.settings.size())
+                      ? "No setting that was tried could be run"
+                      : "No setting that was tried is likely to keep the limits");
+  } else {
+    const OptimumSetting& best = found.settings[*found.best];
+    constexpr double certain = 0.995;
+    all.push_back(best.chance > certain
+                      ? std::string("The best tried is told from all others that were tried")
+                      : fmt::format("That the best tried is the best of those tried has a chance "
+                                    "of {}; if it is not, {} is expected to be lost",
+                                    percent(best.chance),
+                                    readable(found.expected_loss, NAN, found.unit).text()));
+    if (std::ranges::any_of(found.keys, [](const OptimumKey& k) { return k.model != k.best; }))
+      all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
+                                quantity, text_of(found.model_value, found.unit)));
+    for (const OptimumKey& k : found.keys) tell_key(k, quantity, all);
+    for (const OptimumLimit& limit : found.limits)
+      all.push_back(limit.binds ? fmt::format("The limit \"{} {}\" binds: without it the best "
+                                              "would lie elsewhere",
+                                              label(limit.quantity), limit.text)
+                                : fmt::format("The limit \"{} {}\" does not bind",
+                                              label(limit.quantity), limit.text));
+  }
+  if (found.failed > 0)
+    all.push_back(fmt::format("{} of {} settings could not be run; their reasons are in the table",
+                              found.failed, found.settings.size()));
+  if (!found.ended.empty()) all.push_back(found.ended);
+  return all;
+}
+
+std::string optimum_table(const OptimumReport& found) {
+  std::string text;
+  if (found.best) {
+    Lines lines{{"key", "best tried", "the optimum lies (95 %)", "model's best"}};
+    for (const OptimumKey& k : found.keys)
+      lines.push_back({k.key, k.best, fmt::format("{} to {}", k.low, k.high), k.model});
+    text = aligned(lines) + '\n';
+    const OptimumSetting& best = found.settings[*found.best];
+    Lines values{{label(found.quantity), text_of(best.model, found.unit),
+                  fmt::format("by the model; of its own {} replicates {}", best.replicates,
+                              text_of(best.seen, found.unit))}};
+    for (std::size_t i = 0; i < found.limits.size(); ++i)
+      values.push_back({label(found.limits[i].quantity),
+                        text_of(best.limited[i], found.limits[i].unit),
+                        "to be " + found.limits[i].text});
+    text += aligned(values) + '\n';
+  }
+  for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
+  return text + fmt::format("{} settings tried, {} runs.\n", found.settings.size(), found.runs());
+}
+
+std::string optimum_csv(const OptimumReport& found) {
+  std::vector<std::string> head{"setting", "round", "replicates"};
+  for (const OptimumKey& k : found.keys) head.push_back(k.key);
+  for (const char* what : {"", "_ci95", "_model", "_model_ci95"})
+    head.push_back(found.quantity + what);
+  for (const OptimumLimit& limit : found.limits) {
+    head.push_back(limit.quantity);
+    head.push_back(limit.quantity + "_ci95");
+  }
+  for (const char* what : {"allowed", "chance_best", "failure"}) head.emplace_back(what);
+  std::string text = results::csv_line(head);
+  for (std::size_t i = 0; i < found.settings.size(); ++i) {
+    const OptimumSetting& s = found.settings[i];
+    std::vector<std::string> cells{std::to_string(i + 1), std::to_string(s.round),
+                                   std::to_string(s.replicates)};
+    for (const std::string& value : s.values)
+      cells.push_back(results::csv_cell(std::string_view(value)));
+    for (const Told& t : {s.seen, s.model})
+      for (const double number : {t.value, t.ci95}) cells.push_back(results::csv_cell(number));
+    for (std::size_t k = 0; k < found.limits.size(); ++k) {
+      const Told t = k < s.limited.size() ? s.limited[k] : Told{};
+      cells.push_back(results::csv_cell(t.value));
+      cells.push_back(results::csv_cell(t.ci95));
+    }
+    cells.push_back(results::csv_cell(s.allowed));
+    cells.push_back(results::csv_cell(s.chance));
+    cells.push_back(results::csv_cell(std::string_view(s.failure)));
+    text += results::csv_line(cells);
+  }
+  return text;
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/report/svg_plot.hpp"
+
+// The best settings of a mill as they were looked for: terminal, table, page.
+namespace mahlwerk::report {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A number with its half-width.
+struct Told {
+  double value = unknown, ci95 = unknown;
+};
+
+/// A key that was changed; texts are as the case says them, "412 rpm".
+struct OptimumKey {
+  std::string key, unit = {};  ///< of `x`; empty: a plain number
+  bool logarithmic = false;
+  std::string from = {}, to = {};             ///< the range
+  std::string best = {}, model = {};          ///< at the best tried, and where the model is best
+  std::string low = {}, high = {};            ///< where the optimum lies, with 95 %
+  std::string good_low = {}, good_high = {};  ///< this key alone moved: within 2 %
+  bool flat = false, at_low_end = false, at_high_end = false;
+  std::vector<double> x = {};  ///< the model through its best, this key moved alone
+  std::vector<Told> model_at = {};
+};
+
+struct OptimumLimit {
+  std::string quantity, unit, text;  ///< "below 1 mg/h"
+  bool binds = false;
+};
+
+/// A setting that was tried.
+struct OptimumSetting {
+  std::vector<std::string> values = {};  ///< by key
+  std::vector<double> x = {};            ///< the same as numbers, in the keys' units
+  int round = 0, replicates = 0;
+  Told seen = {}, model = {};      ///< mean of its replicates; what all settings say of it
+  std::vector<Told> limited = {};  ///< by limit
+  double allowed = 1, chance = 0;  ///< [1]
+  std::string failure = {};        ///< why it gave nothing; empty: it did
+};
+
+struct OptimumReport {
+  std::string title, case_file, quantity, unit, about;
+  bool maximise = true;
+  std::vector<OptimumKey> keys = {};
+  std::vector<OptimumLimit> limits = {};
+  std::vector<OptimumSetting> settings = {};
+  std::optional<std::size_t> best = std::nullopt;
+  std::vector<std::size_t> best_after = {};  ///< by round: number of the setting
+  Told model_value = {};
+  double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
+  int failed = 0;
+  std::string ended = {};  ///< a sentence: why the search ended
+
+  int runs() const;  ///< replicates in all
+};
+
+/// What is sure and what is not: sentences.
+std::vector<std::string> sentences(const OptimumReport& found);
+
+std::string optimum_table(const OptimumReport& found);  ///< for the terminal
+std::string optimum_csv(const OptimumReport& found);    ///< settings.csv (docs/formats.md)
+/// One page that loads nothing. `extra` comes before the settings.
+std::string optimum_page(const OptimumReport& found, std::string_view version,
+                         std::string_view extra = "");
+/// The plots of the page by name: history, and the quantity over each key.
+std::vector<Plot> optimum_plots(const OptimumReport& found);
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The best settings as a page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/report/optimum.hpp"
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// The multiple of the unit that suits all that is drawn.
+Multiple multiple_of(const OptimumReport& found) {
+  double most = 0;
+  for (const OptimumSetting& s : found.settings)
+    if (std::isfinite(s.seen.value)) most = std::fmax(most, std::abs(s.seen.value));
+  return multiple(most, found.unit);
+}
+
+std::string with_unit(const std::string& what, const std::string& unit) {
+  return unit.empty() || unit == "1" ? what : fmt::format("{} ({})", what, unit);
+}
+
+/// Settings in the order they were tried, and the best of those until then, as known at the end.
+Plot history(const OptimumReport& found) {
+  const Multiple up = multiple_of(found);
+  Series tried{.name = "settings tried", .mark = Mark::dots}, best{.name = "best until then"};
+  best.mark = Mark::line;
+  for (std::size_t i = 0; i < found.settings.size(); ++i) {
+    const OptimumSetting& s = found.settings[i];
+    if (!s.failure.empty() || !std::isfinite(s.seen.value)) continue;
+    tried.x.push_back(static_cast<double>(i + 1));
+    tried.y.push_back(s.seen.value / up.factor);
+    tried.error.push_back(std::isfinite(s.seen.ci95) ? s.seen.ci95 / up.factor : 0);
+  }
+  for (std::size_t round = 0; round < found.best_after.size(); ++round) {
+    std::size_t until = 0;
+    for (std::size_t i = 0; i < found.settings.size(); ++i)
+      if (found.settings[i].round <= static_cast<int>(round)) until = i + 1;
+    best.x.push_back(static_cast<double>(until));
+    best.y.push_back(found.settings[found.best_after[round]].model.value / up.factor);
+  }
+  return {.title = "What was tried",
+          .x = {"number of the setting"},
+          .y = {with_unit(label(found.quantity), up.unit)},
+          .series = {tried, best}};
+}
+
+/// The model through its best with this key moved alone, and all settings at their places.
+Plot slice(const OptimumReport& found, std::size_t key) {
+  const Multiple up = multiple_of(found);
+  const OptimumKey& k = found.keys[key];
+  Series mean{.name = "model, the other keys at its best"}, low{.name = "95 % of it", .colour = 6};
+  Series high{.name = "", .colour = 6}, tried{.name = "settings tried", .mark = Mark::dots};
+  tried.colour = 1;
+  for (std::size_t i = 0; i < k.x.size(); ++i) {
+    for (Series* s : {&mean, &low, &high}) s->x.push_back(k.x[i]);
+    mean.y.push_back(k.model_at[i].value / up.factor);
+    low.y.push_back((k.model_at[i].value - k.model_at[i].ci95) / up.factor);
+    high.y.push_back((k.model_at[i].value + k.model_at[i].ci95) / up.factor);
+  }
+  for (const OptimumSetting& s : found.settings) {
+    if (!s.failure.empty() || !std::isfinite(s.seen.value)) continue;
+    tried.x.push_back(s.x[key]);
+    tried.y.push_back(s.seen.value / up.factor);
+  }
+  return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
+          .x = {with_unit(k.key, k.unit), k.logarithmic},
+          .y = {with_unit(label(found.quantity), up.unit)},
+          .series = {low, high, mean, tried}};
+}
+
+std::string key_rows(const OptimumReport& found) {
+  std::string rows;
+  for (const OptimumKey& k : found.keys)
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><code>{}</code></th><td class=\"n\">{}</td><td class=\"n\">{} to "
+        "{}</td><td class=\"n\">{}</td><td class=\"n\">{} to {}</td><td class=\"n\">{} to "
+        "{}</td></tr>\n",
+        escaped(k.key), escaped(k.best), escaped(k.low), escaped(k.high), escaped(k.model),
+        escaped(k.good_low), escaped(k.good_high), escaped(k.from), escaped(k.to));
+  return rows;
+}
+
+std::string cell(const Told& t, const std::string& unit) {
+  return fmt::format("<td class=\"n\">{}</td>", escaped(readable(t.value, t.ci95, unit).text()));
+}
+
+std::string setting_row(const OptimumReport& found, std::size_t number) {
+  const OptimumSetting& s = found.settings[number];
+  const bool best = found.best == number;
+  std::string row = fmt::format("<tr><th scope=\"row\">{}{}{}</th>", best ? "<b>" : "", number + 1,
+                                best ? " best</b>" : "");
+  for (const std::string& value : s.values)
+    row += fmt::format("<td class=\"n\">{}</td>", escaped(value));
+  if (!s.failure.empty())
+    return row + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", 4 + found.limits.size(),
+                             escaped(s.failure));
+  row += cell(s.seen, found.unit) + cell(s.model, found.unit);
+  for (std::size_t i = 0; i < found.limits.size(); ++i)
+    row += cell(i < s.limited.size() ? s.limited[i] : Told{}, found.limits[i].unit);
+  return row + fmt::format("<td class=\"n\">{:.0f} %</td><td class=\"n\">{}</td></tr>\n",
+                           100 * s.chance, s.replicates);
+}
+
+std::string settings(const OptimumReport& found) {
+  std::string head;
+  for (const OptimumKey& k : found.keys)
+    head += fmt::format("<th class=\"n\"><code>{}</code></th>", escaped(k.key));
+  head += fmt::format("<th class=\"n\">{}</th><th class=\"n\">by the model</th>",
+                      escaped(label(found.quantity)));
+  for (const OptimumLimit& limit : found.limits)
+    head += fmt::format("<th class=\"n\">{}</th>", escaped(label(limit.quantity)));
+  std::string rows;
+  for (std::size_t i = 0; i < found.settings.size(); ++i) rows += setting_row(found, i);
+  return fmt::format(
+      "<h2>Settings tried</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}<th "
+      "class=\"n\">chance</th><th class=\"n\">runs</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+      "</table></div>\n<p><small>Chance: that it is the best of those tried.</small></p>\n",
+      head, rows);
+}
+
+std::string lead(const OptimumReport& found) {
+  std::string text = fmt::format(
+      "{} settings of {} tried, {} runs, to make the {} as {} as possible", found.settings.size(),
+      found.case_file, found.runs(), label(found.quantity), found.maximise ? "large" : "small");
+  if (found.best)
+    text +=
+        fmt::format(": {} at the best", readable(found.settings[*found.best].model.value,
+                                                 found.settings[*found.best].model.ci95, found.unit)
+                                            .text());
+  return text + ".";
+}
+
+}  // namespace
+
+std::vector<Plot> optimum_plots(const OptimumReport& found) {
+  std::vector<Plot> plots{history(found)};
+  if (found.best)
+    for (std::size_t key = 0; key < found.keys.size(); ++key) plots.push_back(slice(found, key));
+  return plots;
+}
+
+std::string optimum_page(const OptimumReport& found, std::string_view version,
+                         std::string_view extra) {
+  std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(lead(found)));
+  if (found.best)
+    body += fmt::format(
+        "<h2>The best settings</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
+        "class=\"n\">best tried</th><th class=\"n\">the optimum lies (95 %)</th><th "
+        "class=\"n\">model's best</th><th class=\"n\">alone within 2 %</th><th class=\"n\">looked "
+        "for</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+        key_rows(found));
+  std::string points;
+  for (const std::string& sentence : sentences(found))
+    points += fmt::format("<p>{}.</p>\n", escaped(sentence));
+  body += fmt::format(
+      "<section class=\"box{}\"><h2>What is sure and what is not</h2>\n{}"
+      "</section>\n",
+      found.best ? "" : " warn", points);
+  body += extra;
+  const std::vector<Plot> plots = optimum_plots(found);
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    body += figure(plots[i], i == 0 ? "Bars are 95 % over replicates. The line is what is known "
+                                      "now of the best setting until then."
+                                    : "Settings tried lie off the line where their other keys "
+                                      "differ; no band is drawn around them.");
+  body += settings(found);
+  return page(
+      found.title.empty() ? "An optimum" : found.title, body,
+      fmt::format("Mahlwerk {}. The settings are in settings.csv, the case with the best of "
+                  "them in best.toml.",
+                  escaped(version)));
+}
+
+}  // namespace mahlwerk::report

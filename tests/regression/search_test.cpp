@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Best settings, and settings that do what another mill does, as a user asks for them.
+#include <cmath>
+#include <cstdio>
+
+#include "program.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+class Search : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    // Of this ball the power has no top in the range: the faster the more.
+    write("fast.toml", mill +
+                           "[optimise]\nmaximise = \"dissipated_power\"\nsettings = 12\n"
+                           "replicates = 4\nover = { \"mill.frequency\" = { from = \"8 Hz\", to = "
+                           "\"16 Hz\" } }\n");
+    write("limited.toml", mill +
+                              "[optimise]\nmaximise = \"dissipated_power\"\nsettings = 16\n"
+                              "replicates = 6\nlimits = { impact_speed_normal_mean = \"below 1 "
+                              "m/s\" }\nover = { \"mill.frequency\" = { from = \"8 Hz\", to = "
+                              "\"16 Hz\" } }\n");
+    write("like.toml", mill);
+    write("in.toml", mill +
+                         "[match]\nsettings = 16\nreplicates = 6\nover = { \"mill.frequency\" = "
+                         "{ from = \"6 Hz\", to = \"16 Hz\" } }\n");
+  }
+  void write(const std::string& name, const std::string& said) const {
+    std::ofstream(here_ / name) << said;
+  }
+  /// The number behind "key":  in a file, from the first place that `after` is met.
+  double number(const std::string& file, const std::string& after, const std::string& key) const {
+    const std::string all = text(file);
+    const auto from = all.find(after);
+    const auto at = all.find("\"" + key + "\": ", from);
+    EXPECT_NE(at, std::string::npos) << key << " in " << all;
+    return std::strtod(all.c_str() + at + key.size() + 4 + (all[at + key.size() + 4] == '"'),
+                       nullptr);
+  }
+
+  const std::string mill = R"(title = "A ball in a vial"
+[mill]
+kind = "vibration"
+frequency = "12 Hz"
+amplitude = "25 mm"
+[jar]
+kind = "capsule"
+diameter = "12 mm"
+volume = "5 ml"
+[[balls]]
+count = 1
+diameter = "8 mm"
+density = "7850 kg/m3"
+[contact]
+restitution = 0.9
+tangential_restitution = 0.9
+[run]
+engine = "event"
+time = "10 s"
+replicates = 3
+)";
+};
+
+TEST_F(Search, the_fastest_mill_has_the_most_power_and_the_edge_is_told) {
+  const Ended e = mahlwerk("optimise fast.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.said;
+  EXPECT_NE(e.said.find("lies at the upper end of its range, 16 Hz"), std::string::npos) << e.said;
+  EXPECT_GT(number("out/optimise.json", "keys", "best"), 15.9);
+  for (const char* file : {"optimise.html", "settings.csv", "best.toml"})
+    EXPECT_TRUE(exists(std::string("out/") + file)) << file;
+  const Ended best = mahlwerk("check out/best.toml");
+  EXPECT_EQ(best.code, 0) << best.said;
+  EXPECT_EQ(text("out/best.toml").find("[optimise]"), std::string::npos);
+}
+
+TEST_F(Search, a_limit_holds_the_mill_back) {
+  const Ended e = mahlwerk("optimise limited.toml --out out --quiet");
+  ASSERT_EQ(e.code, 0) << e.said;
+  EXPECT_NE(text("out/optimise.json").find("\"binds\": true"), std::string::npos);
+  const double best = number("out/optimise.json", "keys", "best");
+  EXPECT_LT(best, 15.9);
+  ASSERT_EQ(mahlwerk("run out/best.toml --out run --quiet --set run.replicates=12").code, 0);
+  const double speed = number("run/summary.json", "impact_speed_normal_mean", "value");
+  const double half = number("run/summary.json", "impact_speed_normal_mean", "ci95");
+  stays_below("mean speed at the best [m/s]", speed - 2 * half, 1, "the limit");
+}
+
+TEST_F(Search, the_answer_does_not_hang_on_the_number_of_jobs) {
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out one --quiet --jobs 1").code, 0);
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out two --quiet --jobs 2").code, 0);
+  EXPECT_EQ(text("one/optimise.json"), text("two/optimise.json"));
+  EXPECT_EQ(text("one/settings.csv"), text("two/settings.csv"));
+  EXPECT_EQ(text("one/optimise.html"), text("two/optimise.html"));
+}
+
+TEST_F(Search, a_mill_matches_itself_at_its_own_speed) {
+  const Ended e = mahlwerk("match like.toml --in in.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.said;
+  const double low = number("out/match.json", "keys", "low");
+  const double high = number("out/match.json", "keys", "high");
+  std::printf("    frequency of the mill itself 12 Hz, found %g to %g Hz\n", low, high);
+  EXPECT_LE(low, 12);
+  EXPECT_GE(high, 12);
+  EXPECT_LT(high - low, 5);
+  EXPECT_GT(number("out/match.json", "", "overlap"), 0.8);
+  for (const char* file : {"match.html", "best.toml", "a/summary.json", "b/summary.json"})
+    EXPECT_TRUE(exists(std::string("out/") + file)) << file;
+}
+
+TEST_F(Search, what_makes_no_sense_is_refused) {
+  expect_refused("optimise like.toml --out out", "has no [optimise]");
+  expect_refused("match like.toml --in like.toml --out out", "has no [match]");
+  expect_refused("match like.toml --out out", "--in");
+  write("wrong.toml", mill +
+                          "[optimise]\nmaximise = \"disipated_power\"\nover = { "
+                          "\"mill.frequency\" = { from = \"8 Hz\", to = \"16 Hz\" } }\n");
+  expect_refused("optimise wrong.toml --out out", "did you mean \"dissipated_power\"?");
+  write("unit.toml", mill +
+                         "[optimise]\nmaximise = \"dissipated_power\"\nlimits = { drawn_power = "
+                         "\"below 3 mm\" }\nover = { \"mill.frequency\" = { from = \"8 Hz\", to "
+                         "= \"16 Hz\" } }\n");
+  expect_refused("optimise unit.toml --out out", "drawn_power");
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/optimum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mahlwerk/report/match.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+bool holds(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+bool says(const std::vector<std::string>& sentences, const std::string& words) {
+  return std::ranges::any_of(sentences, [&](const std::string& s) { return holds(s, words); });
+}
+
+/// Two keys and a limit; the second of three settings is best, the third failed.
+OptimumReport some() {
+  OptimumReport made{.title = "A <mill>",
+                     .case_file = "case.toml",
+                     .quantity = "dissipated_power",
+                     .unit = "W",
+                     .about = "power"};
+  made.keys = {{.key = "mill.speed", .unit = "rpm", .from = "200 rpm", .to = "600 rpm"},
+               {.key = "mill.ratio", .from = "-3", .to = "-1"}};
+  for (OptimumKey& k : made.keys) {
+    k.best = k.low = k.high = k.from;
+    k.model = k.to;
+    k.good_low = k.from;
+    k.good_high = k.to;
+    k.x = {1, 2};
+    k.model_at = {{1, 0.1}, {2, 0.1}};
+  }
+  made.keys[0].at_high_end = true;
+  made.keys[1].flat = true;
+  made.limits = {{.quantity = "wear_rate", .unit = "kg/s", .text = "below 1 mg/h", .binds = true}};
+  made.settings = {{.values = {"200 rpm", "-3"},
+                    .x = {200, -3},
+                    .round = 0,
+                    .replicates = 2,
+                    .seen = {1.5, 0.1},
+                    .model = {1.4, 0.1},
+                    .limited = {{1e-10, 1e-11}},
+                    .allowed = 1,
+                    .chance = 0.02},
+                   {.values = {"598 rpm", "-2"},
+                    .x = {598, -2},
+                    .round = 1,
+                    .replicates = 4,
+                    .seen = {2.5, 0.2},
+                    .model = {2.25, 0.125},
+                    .limited = {{2e-10, 1e-11}},
+                    .allowed = 0.9,
+                    .chance = 0.98},
+                   {.values = {"600 rpm", "-1"},
+                    .x = {600, -1},
+                    .round = 1,
+                    .failure = "the ball, it does not fit"}};
+  made.best = 1;
+  made.best_after = {0, 1};
+  made.model_value = {2.3, 0.2};
+  made.failed = 1;
+  made.ended = "It ended";
+  return made;
+}
+
+TEST(OptimumReport, SaysWhatIsSureAndWhatIsNot) {
+  const std::vector<std::string> told = sentences(some());
+  EXPECT_TRUE(says(told, "chance of 98 %"));
+  EXPECT_TRUE(says(told, "flat in mill.ratio: anything from -3 to -1"));
+  EXPECT_FALSE(says(told, "flat in mill.speed"));
+  EXPECT_TRUE(says(told, "best mill.speed lies at the upper end of its range, 600 rpm"));
+  EXPECT_FALSE(says(told, "best mill.ratio lies"));
+  EXPECT_TRUE(says(told, "below 1 mg/h\" binds"));
+  EXPECT_TRUE(says(told, "is a prediction"));
+  EXPECT_TRUE(says(told, "1 of 3 settings could not be run"));
+  OptimumReport free = some();
+  free.limits[0].binds = false;
+  EXPECT_TRUE(says(sentences(free), "does not bind"));
+}
+
+TEST(OptimumReport, SaysNoMoreThanThatTheBestIsTold) {
+  OptimumReport told = some();
+  told.settings[1].chance = 1;
+  for (OptimumKey& k : told.keys) k.model = k.best;
+  EXPECT_TRUE(says(sentences(told), "told from all others"));
+  EXPECT_FALSE(says(sentences(told), "expected to be lost"));
+  EXPECT_FALSE(says(sentences(told), "prediction"));
+}
+
+TEST(OptimumReport, SaysThatThereIsNoBest) {
+  OptimumReport none = some();
+  none.best.reset();
+  EXPECT_TRUE(says(sentences(none), "likely to keep the limits"));
+  none.failed = 3;
+  EXPECT_TRUE(says(sentences(none), "could be run"));
+  EXPECT_FALSE(holds(optimum_table(none), "best tried"));
+  EXPECT_FALSE(holds(optimum_page(none, "1"), "<h2>The best settings</h2>"));
+}
+
+TEST(OptimumReport, TableHasTheBestAndItsMeans) {
+  const std::string table = optimum_table(some());
+  EXPECT_TRUE(holds(table, "2.25 ± 0.12 W") || holds(table, "2.25 ± 0.13 W")) << table;
+  EXPECT_TRUE(holds(table, "of its own 4 replicates 2.5"));
+  EXPECT_TRUE(holds(table, "3 settings tried, 6 runs"));
+}
+
+TEST(OptimumReport, CsvHasARowPerSettingAndReadsBack) {
+  const std::string csv = optimum_csv(some());
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
+  EXPECT_TRUE(
+      csv.starts_with("setting,round,replicates,mill.speed,mill.ratio,dissipated_power,"
+                      "dissipated_power_ci95,dissipated_power_model,"
+                      "dissipated_power_model_ci95,wear_rate,wear_rate_ci95,allowed,"
+                      "chance_best,failure\n"))
+      << csv;
+  EXPECT_TRUE(holds(csv, "2,1,4,598 rpm,-2,2.5,0.2,2.25,0.125,2e-10,1e-11,0.9,0.98,\n")) << csv;
+  EXPECT_TRUE(holds(csv, "\"the ball, it does not fit\""));
+}
+
+TEST(OptimumReport, PageIsSafeAndShowsEverySetting) {
+  const std::string page = optimum_page(some(), "1.2.3");
+  EXPECT_TRUE(holds(page, "A &lt;mill&gt;"));
+  EXPECT_FALSE(holds(page, "<mill>"));
+  EXPECT_TRUE(holds(page, "598 rpm"));
+  EXPECT_TRUE(holds(page, "the ball, it does not fit"));
+  EXPECT_FALSE(holds(page, "nan"));
+  EXPECT_EQ(optimum_plots(some()).size(), 3U);
+}
+
+TEST(OptimumReport, HistoryIsTheBestUntilThen) {
+  const Plot history = optimum_plots(some()).front();
+  const Series& best = history.series.back();
+  EXPECT_EQ(best.x, (std::vector<double>{1, 3}));
+  EXPECT_EQ(best.y, (std::vector<double>{1.4, 2.25}));
+  EXPECT_EQ(history.series.front().x.size(), 2U);  // without the one that failed
+}
+
+MatchReport matched() {
+  MatchReport made{.title_a = "A", .title_b = "B", .file_a = "a.toml", .file_b = "b.toml"};
+  made.by_powder = true;
+  made.dose_a = {100, 5};
+  made.dose_b = {110, 5};
+  made.energy_a = made.energy_b = {1e-3, 1e-4};
+  made.dose = {1.1, 1.02, 1.19};
+  made.half_power = {1, 0.9, 1.1};
+  made.overlap = 0.87;
+  made.distance = 0.15;
+  made.chance = 0.31;
+  made.within_scatter = true;
+  made.edges = {1, 2, 4, 8};
+  made.shares_a = {0.5, 0.5, 0};
+  made.shares_b = {0.2, 0.8, 0};
+  made.search = some();
+  return made;
+}
+
+TEST(MatchReport, SaysWhetherTheMillsDoTheSame) {
+  MatchReport found = matched();
+  EXPECT_TRUE(says(sentences(found), "cannot be told apart"));
+  EXPECT_TRUE(says(sentences(found), "31 of 100"));
+  EXPECT_TRUE(says(sentences(found), "mill.speed could not be matched within its range"));
+  found.within_scatter = false;
+  found.chance = 0.001;
+  EXPECT_TRUE(says(sentences(found), "still differ"));
+  found.chance = unknown;
+  EXPECT_TRUE(says(sentences(found), "scatter is not known"));
+}
+
+TEST(MatchReport, ShowsBothMills) {
+  const std::string table = match_table(matched());
+  EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;
+  EXPECT_TRUE(holds(table, "1.1 (1.02 to 1.19)")) << table;
+  EXPECT_TRUE(holds(table, "87 %"));
+  const std::string page = match_page(matched(), "1");
+  EXPECT_TRUE(holds(page, "Do they do the same?"));
+  EXPECT_FALSE(holds(page, "nan"));
+  const Plot plot = match_plot(matched());
+  EXPECT_EQ(plot.series[0].y, (std::vector<double>{50, 50}));
+  EXPECT_EQ(plot.series[1].y, (std::vector<double>{20, 80}));
+  EXPECT_EQ(plot.series[1].x.size(), 3U);
+}
+
+}  // namespace
+}  // namespace mahlwerk::report
