@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // How much each key matters, where a campaign's design was made to tell.
-#include "mahlwerk/campaign/sensitivity.hpp"
-
 #include <cmath>
 
 #include "campaign_folder.hpp"
+#include "mahlwerk/campaign/sensitivity.hpp"
 
 namespace mahlwerk::app {
 namespace {

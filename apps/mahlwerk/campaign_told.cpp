@@ -19,7 +19,7 @@ namespace {
 /// Of more points a page shows the usual quantities alone, and its table has not all points.
 constexpr std::size_t many = 5000;
 
-void add_sensitivities(report::Campaign& campaign, const campaign::Store& store) {
+void tell_what_matters(report::Campaign& campaign, const campaign::Store& store) {
   try {
     const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
     if (what.sweep.empty()) return;
@@ -56,7 +56,7 @@ report::Campaign told(const campaign::Store& store) {
   });
   campaign.swept = report::swept(store.keys(), campaign.points);
   for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
-  add_sensitivities(campaign, store);
+  tell_what_matters(campaign, store);
   return campaign;
 }
 

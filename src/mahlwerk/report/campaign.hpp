@@ -89,7 +89,8 @@ void add(Campaign& campaign, Point point, const std::vector<results::Quantity>& 
 /// share one.
 std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points);
 
-/// Names of the columns that pages and tables show, in their order; none where no point has numbers.
+/// Names of the columns that pages and tables show, in their order; none where no point has
+/// numbers.
 std::vector<std::string> compared_quantities(const Campaign& campaign);
 /// Those that a page shows of any campaign that has them.
 const std::vector<std::string>& usual_quantities();

@@ -43,7 +43,7 @@ std::string formula(const Law& law, const Units& units) {
   switch (law.form) {
     case Form::power:
       return fmt::format("c (x / {}{})<sup>p</sup>", four_digits(law.reference),
-                         units.x.empty() ? "" : " " + escaped(units.x));
+                         units.x.empty() ? "" : fmt::format(" {}", escaped(units.x)));
     case Form::parabola:
       return "a + b x + c x²";
     case Form::line:

@@ -124,7 +124,8 @@ const std::vector<std::string>& usual_quantities() {
 
 std::vector<std::string> compared_quantities(const Campaign& campaign) {
   std::vector<std::string> names;
-  for (const std::size_t column : shown_of(campaign)) names.push_back(campaign.columns[column].name);
+  for (const std::size_t column : shown_of(campaign))
+    names.push_back(campaign.columns[column].name);
   return names;
 }
 

@@ -34,12 +34,9 @@ std::vector<Values> all(const Plan& plan) {
 TEST(Plan, a_grid_is_every_combination_the_last_key_fastest) {
   Sweep sweep;
   sweep.keys = {list("a", {"1", "2"}), list("b", {"x", "y", "z"})};
-  EXPECT_EQ(all(Plan(sweep, 1)), (std::vector<Values>{{"1", "x"},
-                                                      {"1", "y"},
-                                                      {"1", "z"},
-                                                      {"2", "x"},
-                                                      {"2", "y"},
-                                                      {"2", "z"}}));
+  EXPECT_EQ(all(Plan(sweep, 1)),
+            (std::vector<Values>{
+                {"1", "x"}, {"1", "y"}, {"1", "z"}, {"2", "x"}, {"2", "y"}, {"2", "z"}}));
 }
 
 TEST(Plan, keys_that_go_together_go_side_by_side) {
