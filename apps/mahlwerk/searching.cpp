@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "progress.hpp"
 
@@ -38,24 +39,21 @@ double number_of(const std::string& text, const std::string& unit) {
 report::OptimumKey key_of(const SearchJob& job, const campaign::Optimum& found, std::size_t key) {
   const cases::SweptKey& range = job.runs->over()[key];
   const campaign::KeyOptimum& k = found.keys[key];
-  const auto text = [&](double place) {
-    Place at(job.goal.keys, 0.5);
-    at[key] = place;
-    return job.runs->values(at)[key];
-  };
+  constexpr int digits = 4;
+  const auto text = [&](double place) { return campaign::value_in_range(range, place, digits); };
   report::OptimumKey made{.key = range.key,
                           .unit = unit_of(range),
                           .logarithmic = range.logarithmic,
                           .from = range.values[0],
                           .to = range.values[1]};
   if (!found.model_place.empty()) {
-    made.model = text(found.model_place[key]);
+    made.model = job.runs->values(found.model_place)[key];
     made.low = text(k.low);
     made.high = text(k.high);
     made.good_low = text(k.good_low);
     made.good_high = text(k.good_high);
   }
-  if (found.best) made.best = text(found.tried[*found.best].place[key]);
+  if (found.best) made.best = job.runs->values(found.tried[*found.best].place)[key];
   made.flat = k.flat;
   made.at_low_end = k.at_low_end;
   made.at_high_end = k.at_high_end;

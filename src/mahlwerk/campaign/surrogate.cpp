@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "mahlwerk/campaign/designs.hpp"
 #include "mahlwerk/campaign/maximum.hpp"
@@ -228,7 +229,13 @@ Place Surrogate::highest_mean(bool bounds) const {
 }
 
 void Surrogate::believe(const Place& place) {
+  constexpr double doubtful = 0.9;
   for (OutcomeModel& model : models_) model.process = model.process.believing(place, model.noise);
+  if (success_ && runs(place) < doubtful) {  // the worst, lest all of a batch fails for one reason
+    std::vector<Seen> seen = success_->seen();
+    seen.push_back({.place = place, .value = -2, .variance = 0.01});
+    success_ = GaussianProcess(success_->kernel(), std::move(seen));
+  }
 }
 
 std::vector<Place> Surrogate::draws_of_best(int kernels, int paths) const {

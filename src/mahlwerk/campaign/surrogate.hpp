@@ -58,6 +58,7 @@ class Surrogate {
   Place most_promising() const;
   /// Where the mean is highest among what is rather allowed; `bounds` false: of what can be run.
   Place highest_mean(bool bounds = true) const;
+  /// As if a place had been tried, with what is expected; a doubtful one cannot be run.
   void believe(const Place& place);
 
   /// By draws of models and of functions: where the best allowed setting may be (opt.8).

@@ -70,7 +70,10 @@ Plot slice(const OptimumReport& found, std::size_t key) {
     tried.y.push_back(s.seen.value / up.factor);
   }
   return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
-          .x = {with_unit(k.key, k.unit), k.logarithmic},
+          .x = {.label = with_unit(k.key, k.unit),
+                .logarithmic = k.logarithmic,
+                .least = k.x.front(),
+                .most = k.x.back()},
           .y = {with_unit(label(found.quantity), up.unit)},
           .series = {low, high, mean, tried}};
 }
