@@ -40,16 +40,22 @@ bool holds_campaign(const fs::path& place) {
   if (fs::exists(place / "campaign.sqlite")) return true;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(place, none))
-    if (entry.path().filename().string().starts_with("campaign.shard-")) return true;
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with("campaign.shard-") || name == "campaign.slurm")
+      return true;
   return false;
+}
+
+bool is_free(const fs::path& place) {
+  std::error_code none;
+  return !fs::exists(place, none) || fs::is_empty(place, none);
 }
 
 /// The lock's file, in a folder that is a campaign's or has been made one.
 fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
   const fs::path lock = place / (name_of(shard) + ".lock");
-  std::error_code none;
-  const bool empty = !fs::exists(place, none) || fs::is_empty(place, none);
-  if (empty && !none) {
+  if (is_free(place)) {
+    std::error_code none;
     fs::create_directories(place, none);  // what hinders it shows as the lock is taken
   } else if (!holds_campaign(place) || request.force) {
     if (fs::exists(lock)) const campaign::CampaignLock last(lock);
@@ -72,6 +78,16 @@ std::string trouble(const results::Outcome& outcome) {
 }
 
 }  // namespace
+
+void prepare_place(const fs::path& place) {
+  if (!is_free(place) && !holds_campaign(place)) results::Folder(place, false);  // which refuses
+  std::error_code failed;
+  fs::create_directories(place, failed);
+  if (failed)
+    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
+                           "check that you may write there, or give another folder with --out",
+                           "cannot-write"});
+}
 
 CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file,
                                std::vector<cases::Override> set, fs::path place, const Shard& shard)

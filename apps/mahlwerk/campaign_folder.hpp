@@ -86,6 +86,10 @@ class CampaignFolder {
   std::string title_;
 };
 
+/// Makes the folder of a campaign that others will work on. Throws InputError if it holds something
+/// else, or cannot be made.
+void prepare_place(const std::filesystem::path& place);
+
 /// What there is to tell of a campaign, from its store; where its design tells how much keys
 /// matter, that too, if its case can still be read.
 report::Campaign told(const campaign::Store& store);

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/folder.hpp"
 
@@ -91,8 +92,7 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
 }
 
 int submit_to_slurm(const Request& request, const fs::path& case_file, const fs::path& place) {
-  std::error_code failed;
-  fs::create_directories(place, failed);
+  prepare_place(place);
   const fs::path script = place / "campaign.slurm";
   results::write_text(script, slurm_script(request, case_file, place));
   const std::string array = said_by("sbatch --parsable " + shell_path(script), script);
