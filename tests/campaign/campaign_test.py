@@ -286,6 +286,39 @@ def a_store_that_cannot_be_written_is_said(program):
         assert "damaged" in said or "no store" in said, said
 
 
+def slurm_jobs_killed_and_submitted_again_lose_nothing_and_do_nothing_twice(program):
+    """Needs a cluster: one node with slurmctld, slurmd and munge will do."""
+    if not shutil.which("sbatch") or subprocess.run(["sinfo"], capture_output=True).returncode:
+        return SKIPPED
+    with Campaign(program, frequencies(40), time="200 s") as c:
+        c.run("--quiet", "--results", "summary", out=c.here / "whole")
+
+        def submit():
+            said = c.run("--slurm", "3", "--results", "summary")
+            return said.split("as job ")[1].split(";")[0]
+
+        def wait():
+            while subprocess.run(["squeue", "-h"], capture_output=True, text=True).stdout.strip():
+                time.sleep(0.5)
+
+        job = submit()
+        time.sleep(3)
+        subprocess.run(["scancel", "-s", "KILL", "--full", job], capture_output=True)
+        time.sleep(1)
+        subprocess.run(["scancel", job])
+        wait()
+        done = sum(asked(c.out, "SELECT count(*) FROM runs WHERE status = 'done'", path.name)[0][0]
+                   for path in c.out.glob("campaign.shard-*.sqlite"))
+        print(done, "runs done when the jobs were killed")
+        assert done < 40, done
+        submit()
+        wait()
+        check_sound(c.out)
+        assert asked(c.out, "SELECT count(*), sum(attempts) FROM runs WHERE status = 'done'") == [
+            (40, 40)]
+        assert numbers(c.out) == numbers(c.here / "whole")
+
+
 def main():
     program, name = sys.argv[1:]
     tests = {f.__name__: f for f in globals().values() if callable(f) and
