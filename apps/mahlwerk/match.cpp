@@ -33,7 +33,8 @@ struct MatchJob {
   cases::Case like;                           ///< A
   const campaign::TrialRuns* runs = nullptr;  ///< of B
   bool by_powder = false;
-  campaign::MillMark mark;  ///< of A
+  campaign::MillMark mark;     ///< of A
+  std::filesystem::path kept;  ///< where what was run is kept until the search has ended
 };
 
 bool has_powder(const cases::Case& what) {
@@ -162,7 +163,11 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   job.mark = campaign::mill_mark(a, job.by_powder);
   if (job.mark.replicates.empty())
     throw RunError("mill A has no collisions: there is nothing that B could be like");
-  const SearchJob search = search_job(job);
+  SearchJob search = search_job(job);
+  search.kept = job.kept;
+  search.measure_name =
+      fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
+                  job.by_powder ? "powder" : "mill");
   const campaign::Optimum found = look(request, search);
   report::MatchReport made{.title_a = a.what.title,
                            .title_b = base.title,
@@ -196,11 +201,16 @@ int match(const Request& request) {
                            "nothing-to-match"});
   check_keys(what, what.match->over, "[match]");
   const campaign::TrialRuns runs(file_b, known, set, what.match->over);
-  MatchJob job{.like = read_like(file_a, known), .runs = &runs, .by_powder = false, .mark = {}};
+  MatchJob job{.like = read_like(file_a, known),
+               .runs = &runs,
+               .by_powder = false,
+               .mark = {},
+               .kept = {}};
   job.by_powder = has_powder(job.like) && has_powder(what);
   job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
   const fs::path usual = default_place(request.data, file_b, false).string() + "-match";
   results::Folder folder(request.out.value_or(usual), request.force);
+  job.kept = folder.wanted().string() + ".trials";
   catch_ctrl_c();
   try {
     const report::MatchReport found = find(request, job, folder);
@@ -208,11 +218,13 @@ int match(const Request& request) {
     folder.write("settings.csv", report::optimum_csv(found.search));
     folder.write("match.html", report::match_page(found, version()));
     folder.commit();
+    fs::remove(job.kept);
     if (request.json) fmt::print("{}", match_json(found));
     if (!request.json && !request.quiet) tell(found, folder.wanted());
     return found.search.best ? fine : stopped_by_physics;
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: nothing was matched.\n");
+    fmt::print(stderr, "interrupted: what was run is kept in {}; the same command goes on\n",
+               job.kept.string());
     return interrupted;
   }
 }

@@ -81,7 +81,10 @@ SearchJob prepare(const campaign::TrialRuns& runs) {
     job.goal.bounds.push_back({.below = wanted.limits[i].below,
                                .value = bound_of(base, wanted.limits[i], job.outcomes[i + 1])});
   std::vector<std::string> names;
-  for (const Judged& j : job.outcomes) names.push_back(j.name);
+  for (const Judged& j : job.outcomes) {
+    names.push_back(j.name);
+    job.measure_name += j.name + " ";
+  }
   job.measure = [names](const results::Outcome& outcome, const results::Replicate& replicate) {
     const std::vector<results::Quantity> list = results::summarise(outcome, replicate);
     std::vector<double> values;
@@ -121,9 +124,10 @@ int optimise(const Request& request) {
                            "nothing-to-optimise"});
   check_keys(what, what.optimise->over, "[optimise]");
   const campaign::TrialRuns runs(file, known, set, what.optimise->over);
-  const SearchJob job = prepare(runs);
+  SearchJob job = prepare(runs);
   const fs::path usual = default_place(request.target, file, false).string() + "-optimise";
   results::Folder folder(request.out.value_or(usual), request.force);
+  job.kept = folder.wanted().string() + ".trials";
   catch_ctrl_c();
   try {
     const campaign::Optimum found = look(request, job);
@@ -134,11 +138,13 @@ int optimise(const Request& request) {
       results::write_case(folder, runs.at(found.tried[*found.best].place, 0, count), "best.toml");
     }
     folder.commit();
+    fs::remove(job.kept);
     if (request.json) fmt::print("{}", optimum_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
     return found.best ? fine : stopped_by_physics;
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: no optimum was found.\n");
+    fmt::print(stderr, "interrupted: what was run is kept in {}; the same command goes on\n",
+               job.kept.string());
     return interrupted;
   }
 }

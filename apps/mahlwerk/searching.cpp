@@ -130,13 +130,14 @@ campaign::Optimum look(const Request& request, const SearchJob& job) {
   options.threads = request.threads;
   options.stop = &stop_wanted();
   int settings = 0, runs = 0;
+  campaign::TrialStore store(job.kept, job.measure_name);
   return campaign::optimise(job.goal, [&](const std::vector<campaign::Asked>& asked) {
     line.show(fmt::format("{} settings tried, {} runs", settings, runs));
     for (const campaign::Asked& one : asked) {
       settings += one.first == 0 ? 1 : 0;
       runs += one.count;
     }
-    return job.runs->run(asked, job.measure, options);
+    return job.runs->run(asked, job.measure, options, store, version());
   });
 }
 

@@ -80,16 +80,35 @@ cases::Case TrialRuns::at(const Place& place, int first, int count) const {
 }
 
 std::vector<Told> TrialRuns::run(const std::vector<Asked>& asked, const Measure& measure,
-                                 const Options& options) const {
+                                 const Options& options, TrialStore& store,
+                                 std::string_view version) const {
+  struct Trial {
+    std::size_t number;  // in `asked`
+    cases::Case what;
+    RunHash hash;
+  };
   std::vector<Told> told(asked.size());
+  std::vector<Trial> trials;  // that are to be run
+  for (std::size_t i = 0; i < asked.size(); ++i) try {
+      cases::Case what = at(asked[i].place, asked[i].first, asked[i].count);
+      const RunHash hash = run_hash(what, version);
+      if (auto known = store.find(hash))
+        told[i] = std::move(*known);
+      else
+        trials.push_back({i, std::move(what), hash});
+    } catch (const InputError& why) {
+      told[i].failure = short_reason(why);
+    }
   Queue queue;
-  queue.size = asked.size();
-  queue.open = [&](std::size_t i) { return at(asked[i].place, asked[i].first, asked[i].count); };
+  queue.size = trials.size();
+  queue.open = [&](std::size_t i) { return trials[i].what; };
   queue.done = [&](std::size_t i, results::Outcome&& outcome) {
-    if (!outcome.interrupted) told[i] = told_by(outcome, measure);
+    if (outcome.interrupted) return;
+    Told& mine = told[trials[i].number] = told_by(outcome, measure);
+    store.keep(trials[i].hash, mine);
   };
   queue.failed = [&](std::size_t i, const std::exception& why) {
-    told[i].failure = short_reason(why);
+    told[trials[i].number].failure = short_reason(why);
   };
   Options with = options;
   with.threads = threads_of(options.threads);

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/campaign/optimise.hpp"
 #include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/trial_store.hpp"
 #include "mahlwerk/cases/read.hpp"
 
 // Settings of a case that a search asks for, run (docs/theory/optimum.md).
@@ -35,10 +36,10 @@ class TrialRuns {
   /// What a search is told of a replicate.
   using Measure =
       std::function<std::vector<double>(const results::Outcome&, const results::Replicate&)>;
-  /// A setting that cannot be built, or that physics stops, has failed. Throws Interrupted where
-  /// options.stop was set.
+  /// A setting that cannot be built, or that physics stops, has failed. What `store` has been told
+  /// by the same `version` is not run again. Throws Interrupted where options.stop was set.
   std::vector<Told> run(const std::vector<Asked>& asked, const Measure& measure,
-                        const Options& options) const;
+                        const Options& options, TrialStore& store, std::string_view version) const;
 
  private:
   cases::CaseFile file_;
