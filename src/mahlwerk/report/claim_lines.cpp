@@ -19,8 +19,7 @@ double number_in(std::string_view text) {
 }
 
 std::size_t key_at(const Campaign& c, std::string_view key) {
-  return static_cast<std::size_t>(
-      std::ranges::find(c.swept, key, &Swept::key) - c.swept.begin());
+  return static_cast<std::size_t>(std::ranges::find(c.swept, key, &Swept::key) - c.swept.begin());
 }
 
 bool chosen(const Campaign& c, const Point& p, const Where& at) {

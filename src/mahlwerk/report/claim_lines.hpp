@@ -16,10 +16,10 @@ namespace mahlwerk::report {
 /// A quantity at one value of the key.
 struct Spot {
   const Point* point = nullptr;
-  std::string text;                                     ///< the key's value: "10 mm"
-  double x = NAN;                                       ///< its number, in the unit it is said in
-  double value = NAN, ci95 = NAN;                       ///< in SI units
-  double low() const { return value - ci95; }           ///< NaN without an interval
+  std::string text = {};                       ///< the key's value: "10 mm"
+  double x = NAN;                              ///< its number, in the unit it is said in
+  double value = NAN, ci95 = NAN;              ///< in SI units
+  double low() const { return value - ci95; }  ///< NaN without an interval
   double high() const { return value + ci95; }
   bool above(const Spot& o) const { return low() > o.high(); }  ///< by more than both intervals
 };

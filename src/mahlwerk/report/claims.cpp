@@ -41,10 +41,9 @@ Judged judge_trend(const Context& c, const Line& line) {
       ++good;
     else
       unclear += fmt::format("{}{} to {}", unclear.empty() ? "" : ", ", s[i].text, s[i + 1].text);
-  std::string found =
-      fmt::format("{} at {} {}, {} at {}; {} by more than both intervals at {} of {} steps",
-                  c.text(s.front()), c.key(), s.front().text, c.text(s.back()), s.back().text,
-                  c.claim.is, good, s.size() - 1);
+  std::string found = fmt::format(
+      "{} at {} {}, {} at {}; {} by more than both intervals at {} of {} steps", c.text(s.front()),
+      c.key(), s.front().text, c.text(s.back()), s.back().text, c.claim.is, good, s.size() - 1);
   if (!unclear.empty() && good > 0) found += ", not from " + unclear;
   if (good == s.size() - 1) return {found, Holds::yes};
   return {found, clear(s.front(), s.back()) ? Holds::partly : Holds::no};
@@ -68,8 +67,8 @@ Judged judge_compare(const Context& c, const Line& line) {
   }
   if (a == nullptr || b == nullptr) return {"not run at both values"};
   const Ratio r = ratio(*a, *b);
-  std::string found = fmt::format("{} at {} {}, {} at {}", c.text(*a), c.key(), a->text,
-                                  c.text(*b), b->text);
+  std::string found =
+      fmt::format("{} at {} {}, {} at {}", c.text(*a), c.key(), a->text, c.text(*b), b->text);
   if (std::isfinite(r.value)) found += ": " + readable(r.value, r.ci95, "").text() + " times";
   const bool larger = b->above(*a), smaller = a->above(*b);
   if (!larger && !smaller) return {found + "; the intervals overlap", Holds::open};
@@ -81,9 +80,9 @@ Judged judge_alike(const Context& c, const Line& line) {
   if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
   const auto [least, most] = std::ranges::minmax_element(s, {}, &Spot::value);
   const Ratio r = ratio(*least, *most);
-  const std::string found = fmt::format(
-      "{} at {} {} to {} at {}: {} times", c.text(*least), c.key(), least->text, c.text(*most),
-      most->text, readable(r.value, r.ci95, "").text());
+  const std::string found =
+      fmt::format("{} at {} {} to {} at {}: {} times", c.text(*least), c.key(), least->text,
+                  c.text(*most), most->text, readable(r.value, r.ci95, "").text());
   const double bound = 1 + c.claim.within;
   if (r.value + r.ci95 <= bound) return {found, Holds::yes};
   return {found, r.value - r.ci95 > bound ? Holds::no : Holds::open};
@@ -100,10 +99,10 @@ Judged judge_law(const Context& c, const Line& line) {
   if (!std::isfinite(f.r2)) return {"too few points for a fit"};
   const bool power = c.claim.law == LawKind::power;
   const Swept& key = *std::ranges::find(c.campaign.swept, c.claim.against, &Swept::key);
-  std::string found =
-      power ? fmt::format("exponent {}", readable(f.b, f.b_ci95, "").text())
-            : fmt::format("{}{}{}", readable(f.b, f.b_ci95, c.unit).text(),
-                          key.unit.empty() ? " for each 1" : " for each ", key.unit);
+  std::string found = power
+                          ? fmt::format("exponent {}", readable(f.b, f.b_ci95, "").text())
+                          : fmt::format("{}{}{}", readable(f.b, f.b_ci95, c.unit).text(),
+                                        key.unit.empty() ? " for each 1" : " for each ", key.unit);
   found += fmt::format(", R² = {:.5f}", f.r2);
   const double off = power && c.claim.exponent ? std::abs(f.b - *c.claim.exponent) : 0;
   if (f.r2 >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
@@ -147,12 +146,18 @@ Judged judge_bound(const Context& c, const Line& line) {
 
 Judged judge_line(const Context& c, const Line& line) {
   switch (c.claim.kind) {
-    case Kind::law: return judge_law(c, line);
-    case Kind::trend: return judge_trend(c, line);
-    case Kind::compare: return judge_compare(c, line);
-    case Kind::alike: return judge_alike(c, line);
-    case Kind::regime: return judge_regime(c, line);
-    case Kind::bound: return judge_bound(c, line);
+    case Kind::law:
+      return judge_law(c, line);
+    case Kind::trend:
+      return judge_trend(c, line);
+    case Kind::compare:
+      return judge_compare(c, line);
+    case Kind::alike:
+      return judge_alike(c, line);
+    case Kind::regime:
+      return judge_regime(c, line);
+    case Kind::bound:
+      return judge_bound(c, line);
   }
   return {};
 }
@@ -184,18 +189,21 @@ Fitted fit(LawKind law, const std::vector<double>& x, const std::vector<double>&
 
 std::string_view word(Holds holds) {
   switch (holds) {
-    case Holds::yes: return "yes";
-    case Holds::partly: return "partly";
-    case Holds::no: return "no";
-    case Holds::open: return "cannot be told";
+    case Holds::yes:
+      return "yes";
+    case Holds::partly:
+      return "partly";
+    case Holds::no:
+      return "no";
+    case Holds::open:
+      return "cannot be told";
   }
   return "";
 }
 
 Judged judge(const Claim& claim, const Campaign& campaign) {
   const Context context{claim, campaign, unit_of(campaign, claim.quantity)};
-  const std::vector<Line> lines =
-      lines_along(campaign, claim.at, claim.against, claim.quantity);
+  const std::vector<Line> lines = lines_along(campaign, claim.at, claim.against, claim.quantity);
   Judged all;
   bool same = true;
   for (const Line& line : lines) {

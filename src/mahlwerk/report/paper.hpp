@@ -28,8 +28,7 @@ struct PaperFigure {
   enum class Drawn {
     quantity,      ///< against a key, with intervals and a fitted law
     trajectories,  ///< ways of the balls, point by point
-    snapshots,     ///< balls and grains at one time, point by point
-    map            ///< where the charge is and how it moves
+    snapshots      ///< balls and grains at one time, point by point
   };
   std::string number;    ///< the paper's: "6a"
   std::string title;     ///< ours
@@ -63,7 +62,7 @@ struct Claim {
   LawKind law = LawKind::linear;
   double r2 = 0.99;  ///< [1] least share of the scatter that the law must explain
   std::optional<double> exponent;
-  double within = 0.1;  ///< [1] about the exponent; relative, of `alike`
+  double within = 0.1;        ///< [1] about the exponent; relative, of `alike`
   std::string first, second;  ///< of `compare`: is the second larger than the first?
   double bound = 0;           ///< in SI units
   std::string bound_text;

@@ -21,7 +21,7 @@ using Words = std::vector<std::string>;
 using Kind = Claim::Kind;
 
 // In the order of the enumerations.
-const Words drawn_words{"quantity", "trajectories", "snapshots", "map"};
+const Words drawn_words{"quantity", "trajectories", "snapshots"};
 const Words kind_words{"law", "trend", "compare", "alike", "regime", "bound"};
 const Words law_words{"linear", "power"};
 
@@ -81,8 +81,8 @@ PaperFigure read_figure(Section& in) {
     if (in.gives("law")) figure.law = chosen<LawKind>(in, "law", law_words);
   } else {
     in.refuse({"quantity", "against", "law"}, "in this kind of figure", "remove it");
-    figure.seen_from_jar = in.gives("seen_from") &&
-                           in.choice({"seen_from", {"carrier", "jar"}, ""}) == "jar";
+    figure.seen_from_jar =
+        in.gives("seen_from") && in.choice({"seen_from", {"carrier", "jar"}, ""}) == "jar";
   }
   return figure;
 }
