@@ -109,8 +109,14 @@ report::Campaign numbers_of(const cases::Case& what,
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job) {
   std::vector<cases::Case> all;
-  for (const auto& [name, points] : job.points) all.insert(all.end(), points.begin(), points.end());
-  std::vector<results::Outcome> outcomes = compute(request, all, Streams{}, nullptr);
+  Streams streams;
+  for (const auto& [name, points] : job.points)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      all.push_back(points[i]);
+      streams.add(points[i], *job.folder, below(name, i));
+    }
+  std::vector<results::Outcome> outcomes = compute(request, all, streams, nullptr);
+  streams.close();
   std::map<std::string, report::RunCampaign> run;
   auto next = std::make_move_iterator(outcomes.begin());
   for (const auto& [name, points] : job.points) {

@@ -88,6 +88,13 @@ Judged judge_alike(const Context& c, const Line& line) {
   return {found, r.value - r.ci95 > bound ? Holds::no : Holds::open};
 }
 
+/// An exponent above or below another.
+Judged judge_side(const Context& c, const Fitted& f, std::string found) {
+  const double off = (f.b - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
+  if (f.r2 < c.claim.r2 || !(std::abs(off) > f.b_ci95)) return {std::move(found), Holds::open};
+  return {std::move(found), off > 0 ? Holds::yes : Holds::no};
+}
+
 Judged judge_law(const Context& c, const Line& line) {
   std::vector<double> x, y;
   for (const Spot& s : line.spots) {
@@ -104,6 +111,7 @@ Judged judge_law(const Context& c, const Line& line) {
                           : fmt::format("{}{}{}", readable(f.b, f.b_ci95, c.unit).text(),
                                         key.unit.empty() ? " for each 1" : " for each ", key.unit);
   found += fmt::format(", R² = {:.5f}", f.r2);
+  if (!c.claim.is.empty()) return judge_side(c, f, found);
   const double off = power && c.claim.exponent ? std::abs(f.b - *c.claim.exponent) : 0;
   if (f.r2 >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
   constexpr double fair = 0.9;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
 
 // What a paper shows and says, as paper.toml has it (docs/papers.md): which campaigns its figures
@@ -58,7 +59,9 @@ struct Claim {
   Kind kind = Kind::trend;
   std::string campaign, quantity, against;
   Where at;
-  std::string is;  ///< rises, falls; larger, smaller; above, below; a regime's word
+  /// rises, falls; larger, smaller; above, below (of a bound, or of an exponent instead of at it);
+  /// a regime's word
+  std::string is;
   LawKind law = LawKind::linear;
   double r2 = 0.99;  ///< [1] least share of the scatter that the law must explain
   std::optional<double> exponent;

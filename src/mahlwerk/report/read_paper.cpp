@@ -104,6 +104,7 @@ void read_law(Section& in, Claim& claim) {
   claim.r2 = in.maybe({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
   if (claim.law == LawKind::power)
     claim.exponent = in.maybe({"exponent", "", any_number, "the power that is claimed"});
+  if (claim.exponent && in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
 }
 
 void read_test(Section& in, Claim& claim) {
@@ -113,7 +114,7 @@ void read_test(Section& in, Claim& claim) {
   if (along || in.gives("against"))
     claim.against = needed(in, "against", "a key of the campaign's [sweep]");
   if (claim.kind == Kind::law) read_law(in, claim);
-  if (claim.exponent || claim.kind == Kind::alike)
+  if ((claim.exponent && claim.is.empty()) || claim.kind == Kind::alike)
     claim.within = in.maybe({"within", "", positive, "how far off is still alike"}).value_or(0.1);
   if (claim.kind == Kind::trend) claim.is = in.choice({"is", {"rises", "falls"}, ""});
   if (claim.kind == Kind::compare) {
