@@ -106,25 +106,52 @@ report::Campaign numbers_of(const cases::Case& what,
   return made;
 }
 
+/// The points of all campaigns, those that campaigns share once.
+class Shared {
+ public:
+  /// Where a point stands among them.
+  std::size_t add(const cases::Case& point) {
+    cases::Case bare = point;
+    bare.title.clear();
+    const bool alone = point.observe.collisions || point.observe.frames;  // files of its own
+    const std::string what = alone ? "" : cases::write(bare) + cases::contents_of_files(bare);
+    if (!alone) {
+      const auto [known, fresh] = places_.try_emplace(what, points.size());
+      if (!fresh) return known->second;
+    }
+    points.push_back(point);
+    return points.size() - 1;
+  }
+  std::vector<cases::Case> points;
+
+ private:
+  std::map<std::string, std::size_t> places_;
+};
+
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job) {
-  std::vector<cases::Case> all;
+  Shared shared;
   Streams streams;
+  std::map<std::string, std::vector<std::size_t>> at;
   for (const auto& [name, points] : job.points)
     for (std::size_t i = 0; i < points.size(); ++i) {
-      all.push_back(points[i]);
-      streams.add(points[i], *job.folder, below(name, i));
+      const std::size_t before = shared.points.size();
+      at[name].push_back(shared.add(points[i]));
+      if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  std::vector<results::Outcome> outcomes = compute(request, all, streams, nullptr);
+  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, nullptr);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
-  auto next = std::make_move_iterator(outcomes.begin());
+  std::vector<bool> counted(outcomes.size(), false);
   for (const auto& [name, points] : job.points) {
     report::RunCampaign& one = run[name];
-    const auto end = next + static_cast<std::ptrdiff_t>(points.size());
-    one.outcomes.assign(next, end);
-    next = end;
-    for (const results::Outcome& outcome : one.outcomes) one.seconds += outcome.cpu_seconds;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t k = at[name][i];
+      one.outcomes.push_back(outcomes[k]);
+      one.outcomes.back().what = points[i];
+      if (!counted[k]) one.seconds += outcomes[k].cpu_seconds;
+      counted[k] = true;
+    }
     one.numbers = numbers_of(job.whole.at(name), one.outcomes);
   }
   return run;

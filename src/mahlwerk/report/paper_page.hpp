@@ -17,7 +17,7 @@ namespace mahlwerk::report {
 struct RunCampaign {
   Campaign numbers;
   std::vector<results::Outcome> outcomes;
-  double seconds = 0;  ///< of the wall clock
+  double seconds = 0;  ///< [s] of computing, on one core
 };
 
 struct Picture {

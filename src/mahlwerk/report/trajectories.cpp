@@ -143,10 +143,8 @@ std::string way(const Film& film, const Sheet& sheet, std::size_t ball, std::siz
 }
 
 std::string circle(const Sheet& sheet, const Place& p, double radius, std::string_view colour) {
-  return fmt::format(
-      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" "
-      "stroke=\"#000\" stroke-opacity=\"0.35\" stroke-width=\"0.5\"/>\n",
-      sheet.across(p), sheet.down(p), sheet.length(radius), colour);
+  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n",
+                     sheet.across(p), sheet.down(p), sheet.length(radius), colour);
 }
 
 /// Root of the mean square over the grains.
@@ -163,13 +161,13 @@ std::string balls(const Film& film, const Sheet& sheet) {
   std::vector<std::size_t> order(film.radius.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return film.place(frame, i).height; });
-  std::string text;
+  std::string text = "<g stroke=\"#000\" stroke-opacity=\"0.35\" stroke-width=\"0.5\">\n";
   for (const std::size_t i : order) {
     const bool quick = film.speed(frame, i) > fast;
     const std::string_view colour = !film.grain[i] ? "#C8102E" : quick ? "#F0C808" : "#2E8B57";
     text += circle(sheet, film.place(frame, i), film.radius[i], colour);
   }
-  return text;
+  return text + "</g>\n";
 }
 
 template <class Draw>
