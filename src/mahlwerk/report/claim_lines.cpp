@@ -72,6 +72,18 @@ bool same_value(std::string_view a, std::string_view b) {
   }
 }
 
+std::optional<Law> law_along(Form form, const Line& line) {
+  std::vector<double> x, y, ci95;
+  for (const Spot& s : line.spots) {
+    x.push_back(s.x);
+    y.push_back(s.value);
+    ci95.push_back(s.ci95);
+  }
+  const std::vector<Law> laws = fitted_laws(x, y, ci95);
+  const auto law = std::ranges::find(laws, form, &Law::form);
+  return law == laws.end() ? std::nullopt : std::optional(*law);
+}
+
 std::string unit_of(const Campaign& campaign, std::string_view quantity) {
   const auto column = std::ranges::find(campaign.columns, quantity, &Column::name);
   return column == campaign.columns.end() ? "" : column->unit;

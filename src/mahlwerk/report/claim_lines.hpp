@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/laws.hpp"
 #include "mahlwerk/report/paper.hpp"
 
 // Points of a campaign, put in lines along a key.
@@ -34,6 +36,10 @@ struct Line {
 /// be empty.
 std::vector<Line> lines_along(const Campaign& campaign, const Where& at, std::string_view against,
                               std::string_view quantity);
+
+/// A law through the points of a line, weighted by their intervals; none if they are too few for it
+/// (cam.20 to cam.24).
+std::optional<Law> law_along(Form form, const Line& line);
 
 /// "10 mm" and "0.01 m" are the same value of a key.
 bool same_value(std::string_view a, std::string_view b);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/claim_lines.hpp"
 #include "mahlwerk/report/readable.hpp"
 
@@ -89,33 +88,33 @@ Judged judge_alike(const Context& c, const Line& line) {
 }
 
 /// An exponent above or below another.
-Judged judge_side(const Context& c, const Fitted& f, std::string found) {
-  const double off = (f.b - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
-  if (f.r2 < c.claim.r2 || !(std::abs(off) > f.b_ci95)) return {std::move(found), Holds::open};
+Judged judge_side(const Context& c, const Law& law, std::string found) {
+  const double off = (law.coefficients[1] - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
+  if (law.r_squared < c.claim.r2 || !(std::abs(off) > law.ci95[1]))
+    return {std::move(found), Holds::open};
   return {std::move(found), off > 0 ? Holds::yes : Holds::no};
 }
 
-Judged judge_law(const Context& c, const Line& line) {
-  std::vector<double> x, y;
-  for (const Spot& s : line.spots) {
-    if (!std::isfinite(s.x) || !std::isfinite(s.value)) continue;
-    x.push_back(s.x);
-    y.push_back(s.value);
-  }
-  const Fitted f = fit(c.claim.law, x, y);
-  if (!std::isfinite(f.r2)) return {"too few points for a fit"};
-  const bool power = c.claim.law == LawKind::power;
+std::string law_words(const Context& c, const Law& law) {
+  const std::string r2 = fmt::format("R² = {:.5f}", law.r_squared);
+  if (law.form == Form::parabola) return r2;
+  const bool power = law.form == Form::power;
   const Swept& key = *std::ranges::find(c.campaign.swept, c.claim.against, &Swept::key);
-  std::string found = power
-                          ? fmt::format("exponent {}", readable(f.b, f.b_ci95, "").text())
-                          : fmt::format("{}{}{}", readable(f.b, f.b_ci95, c.unit).text(),
-                                        key.unit.empty() ? " for each 1" : " for each ", key.unit);
-  found += fmt::format(", R² = {:.5f}", f.r2);
-  if (!c.claim.is.empty()) return judge_side(c, f, found);
-  const double off = power && c.claim.exponent ? std::abs(f.b - *c.claim.exponent) : 0;
-  if (f.r2 >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
+  const std::string number = readable(law.coefficients[1], law.ci95[1], power ? "" : c.unit).text();
+  if (power) return fmt::format("exponent {}, {}", number, r2);
+  return fmt::format("{} for each {}, {}", number, key.unit.empty() ? "1" : key.unit, r2);
+}
+
+Judged judge_law(const Context& c, const Line& line) {
+  const std::optional<Law> law = law_along(c.claim.law, line);
+  if (!law) return {"too few points for a fit"};
+  const std::string found = law_words(c, *law);
+  if (c.claim.exponent && !c.claim.is.empty()) return judge_side(c, *law, found);
+  const double off = c.claim.exponent ? std::abs(law->coefficients[1] - *c.claim.exponent) : 0;
+  if (law->r_squared >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
   constexpr double fair = 0.9;
-  return {found, f.r2 >= fair && off <= 3 * c.claim.within ? Holds::partly : Holds::no};
+  const bool partly = law->r_squared >= fair && off <= 3 * c.claim.within;
+  return {found, partly ? Holds::partly : Holds::no};
 }
 
 /// The points of a line in words, those that follow each other with the same word together.
@@ -171,29 +170,6 @@ Judged judge_line(const Context& c, const Line& line) {
 }
 
 }  // namespace
-
-double Fitted::at(LawKind law, double x) const {
-  return law == LawKind::power ? a * std::pow(x, b) : a + b * x;
-}
-
-Fitted fit(LawKind law, const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<double>(x.size());
-  if (x.size() < 3) return {};
-  const auto put = [&](double v) { return law == LawKind::power ? std::log(v) : v; };
-  double mx = 0, my = 0, xx = 0, xy = 0, yy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) mx += put(x[i]) / n, my += put(y[i]) / n;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double dx = put(x[i]) - mx, dy = put(y[i]) - my;
-    xx += dx * dx, xy += dx * dy, yy += dy * dy;
-  }
-  Fitted f;
-  f.b = xy / xx;
-  f.a = law == LawKind::power ? std::exp(my - f.b * mx) : my - f.b * mx;
-  f.r2 = xy * xy / (xx * yy);
-  const double rest = std::max(0.0, yy - f.b * xy);
-  f.b_ci95 = observe::student95(static_cast<int>(n) - 2) * std::sqrt(rest / (n - 2) / xx);
-  return f;
-}
 
 std::string_view word(Holds holds) {
   switch (holds) {

@@ -23,14 +23,4 @@ Judged judge(const Claim& claim, const Campaign& campaign);
 
 std::string_view word(Holds holds);  ///< "yes", "partly", "no", "cannot be told"
 
-/// How a fitted law lies in the data.
-struct Fitted {
-  double a = NAN, b = NAN;  ///< a + b x, or a x^b
-  double b_ci95 = NAN;
-  double r2 = NAN;
-  double at(LawKind law, double x) const;
-};
-/// Least squares of y over x; of the logarithms for a power. NaN for fewer than three points.
-Fitted fit(LawKind law, const std::vector<double>& x, const std::vector<double>& y);
-
 }  // namespace mahlwerk::report

@@ -11,6 +11,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/report/laws.hpp"
 
 // What a paper shows and says, as paper.toml has it (docs/papers.md): which campaigns its figures
 // are drawn from, and how each of its claims is put to the test.
@@ -18,12 +19,6 @@ namespace mahlwerk::report {
 
 /// Chooses points of a campaign: swept keys, each with the values it may take there.
 using Where = std::map<std::string, std::vector<std::string>>;
-
-/// How a quantity goes with a key.
-enum class LawKind {
-  linear,  ///< a + b x
-  power    ///< a x^n
-};
 
 struct PaperFigure {
   enum class Drawn {
@@ -37,7 +32,7 @@ struct PaperFigure {
   std::string campaign;  ///< file name beside paper.toml, without .toml
   Drawn drawn = Drawn::quantity;
   std::string quantity, against;  ///< of summary.json; a key of [sweep]
-  std::optional<LawKind> law;
+  std::optional<Form> law;
   Where at;                    ///< which points; empty: all
   bool seen_from_jar = false;  ///< trajectories and snapshots; otherwise from what carries the jar
   std::string where;           ///< the place a fault cites
@@ -62,7 +57,7 @@ struct Claim {
   /// rises, falls; larger, smaller; above, below (of a bound, or of an exponent instead of at it);
   /// a regime's word
   std::string is;
-  LawKind law = LawKind::linear;
+  Form law = Form::line;
   double r2 = 0.99;  ///< [1] least share of the scatter that the law must explain
   std::optional<double> exponent;
   double within = 0.1;        ///< [1] about the exponent; relative, of `alike`

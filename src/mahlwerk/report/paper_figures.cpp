@@ -19,18 +19,16 @@ namespace {
 
 using Drawn = PaperFigure::Drawn;
 
-/// The law in the colour of its points.
-Series curve(LawKind law, const Series& points, std::size_t colour) {
-  Series line{.name = "", .mark = Mark::line, .colour = colour};
-  const Fitted f = fit(law, points.x, points.y);
+/// The law in the colour of its points; `factor` is that of the axis.
+Series curve(const Law& law, const Line& line, std::size_t colour, double factor) {
+  Series drawn{.name = "", .mark = Mark::line, .colour = colour};
   constexpr int steps = 60;
-  if (!std::isfinite(f.r2)) return line;
-  const auto [least, most] = std::ranges::minmax(points.x);
+  const auto [least, most] = std::ranges::minmax(line.spots, {}, &Spot::x);
   for (int i = 0; i <= steps; ++i) {
-    line.x.push_back(std::lerp(least, most, static_cast<double>(i) / steps));
-    line.y.push_back(f.at(law, line.x.back()));
+    drawn.x.push_back(std::lerp(least.x, most.x, static_cast<double>(i) / steps));
+    drawn.y.push_back(law.at(drawn.x.back()) / factor);
   }
-  return line;
+  return drawn;
 }
 
 std::string plot(const PaperFigure& figure, const Campaign& campaign) {
@@ -57,7 +55,8 @@ std::string plot(const PaperFigure& figure, const Campaign& campaign) {
       points.y.push_back(s.value / m.factor);
       points.error.push_back(s.ci95 / m.factor);
     }
-    if (figure.law) made.series.push_back(curve(*figure.law, points, i));
+    const std::optional<Law> law = figure.law ? law_along(*figure.law, lines[i]) : std::nullopt;
+    if (law) made.series.push_back(curve(*law, lines[i], i, m.factor));
     made.series.push_back(std::move(points));
   }
   return svg(made);

@@ -23,7 +23,7 @@ using Kind = Claim::Kind;
 // In the order of the enumerations.
 const Words drawn_words{"quantity", "trajectories", "snapshots"};
 const Words kind_words{"law", "trend", "compare", "alike", "regime", "bound"};
-const Words law_words{"linear", "power"};
+const Words law_words{"linear", "power", "quadratic"};
 
 template <class Enum>
 Enum chosen(Section& in, std::string_view key, const Words& words, std::string standard = "") {
@@ -78,7 +78,7 @@ PaperFigure read_figure(Section& in) {
   if (figure.drawn == PaperFigure::Drawn::quantity) {
     figure.quantity = needed(in, "quantity", "its name in summary.json");
     figure.against = needed(in, "against", "a key of the campaign's [sweep]");
-    if (in.gives("law")) figure.law = chosen<LawKind>(in, "law", law_words);
+    if (in.gives("law")) figure.law = chosen<Form>(in, "law", law_words);
   } else {
     in.refuse({"quantity", "against", "law"}, "in this kind of figure", "remove it");
     figure.seen_from_jar =
@@ -100,9 +100,9 @@ void read_bound(Section& in, Claim& claim) {
 }
 
 void read_law(Section& in, Claim& claim) {
-  claim.law = chosen<LawKind>(in, "law", law_words);
+  claim.law = chosen<Form>(in, "law", law_words);
   claim.r2 = in.maybe({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
-  if (claim.law == LawKind::power)
+  if (claim.law == Form::power)
     claim.exponent = in.maybe({"exponent", "", any_number, "the power that is claimed"});
   if (claim.exponent && in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
 }
@@ -166,8 +166,12 @@ Paper read_paper_text(const std::string& text, const std::filesystem::path& file
   Section top(&root, "", findings);
   Paper paper;
   paper.folder = file.parent_path();
-  paper.title = needed(top, "title", "what the page is called");
-  paper.source = needed(top, "source", "the paper");
+  for (const char* key : {"title", "source"})
+    if (!top.gives(key))
+      top.fault(root, fmt::format("the paper lacks `{}`", key),
+                fmt::format("write {} = \"...\" at its top", key), "missing-value");
+  paper.title = top.text("title").value_or("");
+  paper.source = top.text("source").value_or("");
   paper.about = top.text("about").value_or("");
   paper.figures = read_list<PaperFigure>(top, "figure", findings, read_figure);
   paper.claims = read_list<Claim>(top, "claim", findings, read_claim);

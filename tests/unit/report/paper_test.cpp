@@ -56,7 +56,7 @@ TEST(Paper, IsReadWholeWithItsDefaults) {
   EXPECT_EQ(paper.folder, "papers/x");
   EXPECT_EQ(paper.campaigns(), (std::vector<std::string>{"c", "d"}));
   ASSERT_EQ(paper.figures.size(), 1U);
-  EXPECT_EQ(paper.figures[0].law, LawKind::linear);
+  EXPECT_EQ(paper.figures[0].law, Form::line);
   ASSERT_EQ(paper.claims.size(), 2U);
   EXPECT_EQ(paper.claims[0].kind, Claim::Kind::trend);
   EXPECT_DOUBLE_EQ(paper.claims[1].bound, 0.003);
@@ -65,7 +65,9 @@ TEST(Paper, IsReadWholeWithItsDefaults) {
 }
 
 TEST(Paper, FaultsNameTheLineAndComeTogether) {
-  expect_fault("title = \"T\"\n", "missing-value", 1);
+  const std::vector<Fault> nameless = faults_of("title = \"T\"\n");
+  ASSERT_EQ(nameless.size(), 1U);
+  EXPECT_EQ(nameless[0].what, "the paper lacks `source`");
   expect_fault(head + "titel = \"T\"\n", "unknown-key", 3);
   expect_fault(head + figure + "quantiy = \"x\"\n", "unknown-key", 10);
   expect_fault(head + claim + "kindly = 1\n", "unknown-key", 12);

@@ -23,7 +23,7 @@ Outcome drum() {
   Outcome outcome;
   cases::Case& c = outcome.what;
   c.mill.motion = kinematics::Tumbling{2.0};
-  c.mill.jar_axis = {0, 1, 0};
+  c.mill.jar_axis = kinematics::Tumbling::jar_axis;
   c.jar.shape = geometry::Cylinder{2 * radius, 0.1};
   c.balls = {{1, 2 * ball, 7850, ""}};
   outcome.replicates.emplace_back(0.1, observe::BallKinds{},
@@ -68,10 +68,11 @@ TEST(Motion, AnEvenChargeOccupiesAllAndHalfACircleOfItHalf) {
 TEST(Motion, ABallAtOnePlaceOccupiesTheCellsItIsSharedAmong) {
   Outcome outcome = drum();
   for (int i = 0; i < 10; ++i) look(outcome, i, 0.03, 1.0);
-  // Cells whose middle is within 95 mm: pi 95^2/(200/48)^2 = 1633, of which it takes at most four.
+  // Cells whose middle is within 95 mm: pi 95^2/(200/48)^2 = 1633, give or take what their rim
+  // cuts, a few in a hundred. The ball is shared out among four, each with more than a tenth of
+  // 1/1633.
   const double share = value(outcome, "occupied_share");
-  EXPECT_GE(share, 0.9 / 1633);
-  EXPECT_LE(share, 4.1 / 1633 * 1.01);
+  EXPECT_NEAR(share * 1633, 4, 0.2);
 }
 
 TEST(Motion, SpeedsAreRootMeanSquaresInEachFrame) {
