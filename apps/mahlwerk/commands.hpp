@@ -52,6 +52,7 @@ int compare(const Request& request);
 int fit(const Request& request);
 int optimise(const Request& request);
 int match(const Request& request);
+int papers(const Request& request);
 int check(const Request& request);
 int list(const Request& request);
 int describe(const Request& request);
@@ -66,6 +67,7 @@ enum class Takes {
   fit,
   search,
   match,
+  papers,
   campaign,
   room,
   name,
@@ -96,6 +98,8 @@ inline constexpr std::array commands{
             Takes::search, optimise},
     Command{"match", "find the settings of one mill that do to the powder what another mill does",
             Takes::match, match},
+    Command{"papers", "regenerate every figure of a paper and put its claims to the test",
+            Takes::papers, papers},
     Command{"check", "read a case without running it: its faults, or what follows from it",
             Takes::case_file, check},
     Command{"list", "list what the catalogue holds: mills, jars, materials or media", Takes::room,

@@ -32,6 +32,8 @@ std::string_view beside(Takes takes) {
       return ", with -optimise";
     case Takes::match:
       return " of mill B, with -match";
+    case Takes::papers:
+      return "; papers in results/papers";
     default:
       return "";
   }
@@ -47,6 +49,11 @@ void add_target(CLI::App& sub, const Command& command, Request& request) {
                    "the mill B whose settings are looked for: a case with [match]")
         ->type_name("CASE")
         ->required();
+    return;
+  }
+  if (command.takes == Takes::papers) {
+    sub.add_option("PAPER", request.target,
+                   "a folder of papers/, or any with a paper.toml (default: all papers)");
     return;
   }
   const bool one = command.takes == Takes::compare || command.takes == Takes::fit ||
@@ -129,7 +136,8 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
                  std::vector<std::string>& set) {
   const bool runs = command.takes == Takes::run || command.takes == Takes::sweep ||
                     command.takes == Takes::compare || command.takes == Takes::fit ||
-                    command.takes == Takes::search || command.takes == Takes::match;
+                    command.takes == Takes::search || command.takes == Takes::match ||
+                    command.takes == Takes::papers;
   if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
   if (runs) add_run_options(sub, command, request);
   if (command.takes == Takes::run) add_checkpoint_options(sub, request);

@@ -33,7 +33,8 @@ std::vector<fs::path> case_files(const std::string& target) {
   if (fs::exists(place / "case.toml", failed)) return {place / "case.toml"};
   std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(place, failed))
-    if (entry.path().extension() == ".toml" && entry.path().stem() != "expected")
+    if (entry.path().extension() == ".toml" && entry.path().stem() != "expected" &&
+        entry.path().stem() != "paper")
       found.push_back(entry.path());
   if (failed)
     throw InputError(

@@ -63,6 +63,9 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("fit.csv"),
                                std::string_view("fit.html"),
                                std::string_view("fitted.toml"),
+                               std::string_view("paper.html"),
+                               std::string_view("claims.csv"),
+                               std::string_view("claims.md"),
                                std::string_view("jar.stl"),
                                std::string_view("motion.csv")};
 
@@ -112,14 +115,15 @@ std::string beginning(const fs::path& file) {
   return text;
 }
 
-/// Ours is a folder with a summary, or a table of a campaign, a comparison or a fit, that begins
-/// as we write it.
+/// Ours is a folder with a summary, or a table of a campaign, a comparison, a fit or a paper's
+/// claims, that begins as we write it.
 bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
          beginning(folder / "campaign.sqlite").starts_with("SQLite format 3") ||
          beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||
-         beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m");
+         beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m") ||
+         beginning(folder / "claims.csv").starts_with("figure,the_paper_says,we_find,holds,why");
 }
 
 /// Names inside a folder that no result of ours has.

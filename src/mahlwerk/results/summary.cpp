@@ -12,6 +12,7 @@
 #include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/milling.hpp"
+#include "mahlwerk/results/motion.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/wear.hpp"
@@ -279,6 +280,8 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   gathering.add(ledger_measures());
   gathering.add(dose_measures(outcome.what));
   gathering.add(regime_measures(outcome.what));
+  gathering.add(motion_measures(outcome.what));
+  gathering.add(tangential_measures());
   gathering.add(wear_measures(outcome.what));
   gathering.add(heat_measures(outcome.what));
   gathering.add(capture_measures(outcome.what));

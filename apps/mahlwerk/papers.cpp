@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// papers: every figure of a paper from its campaigns, and its claims put to the test.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/plan.hpp"
+#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/report/paper_page.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/regime.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A paper with the cases of its campaigns.
+struct Job {
+  report::Paper paper;
+  std::map<std::string, cases::Case> whole;                ///< with [sweep], by campaign
+  std::map<std::string, std::vector<cases::Case>> points;  ///< each
+  std::unique_ptr<results::Folder> folder;
+};
+
+/// Folders with a paper.toml: the one that is meant by path or name, or all there are.
+std::vector<fs::path> folders(const std::string& target) {
+  const fs::path home = fs::path(MAHLWERK_HOME) / "papers";
+  if (!target.empty()) {
+    const fs::path named =
+        fs::exists(fs::path(target) / "paper.toml") ? fs::path(target) : home / target;
+    if (fs::exists(named / "paper.toml")) return {named};
+    throw InputError(Fault{target, "there is no paper of this name, nor a folder with a paper.toml",
+                           "the names are those of the folders in papers/", "no-such-paper"});
+  }
+  std::vector<fs::path> found;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(home, failed))
+    if (fs::exists(entry.path() / "paper.toml")) found.push_back(entry.path());
+  if (found.empty())
+    throw InputError(Fault{home.string(), "there is no paper", "name a folder with a paper.toml",
+                           "no-such-paper"});
+  std::ranges::sort(found);
+  return found;
+}
+
+/// The name of a folder, whatever stands behind its last slash.
+std::string name_of(const fs::path& folder) {
+  return fs::weakly_canonical(folder).filename().string();
+}
+
+Job prepare(const Request& request, const fs::path& folder, bool several,
+            const cases::Catalogue& catalogue) {
+  Job job;
+  job.paper = report::read_paper(folder / "paper.toml");
+  const std::vector<cases::Override> set = overrides(request);
+  std::vector<Fault> wrong;
+  for (const std::string& name : job.paper.campaigns()) try {
+      const fs::path file = job.paper.folder / (name + ".toml");
+      job.whole[name] = cases::read(file, catalogue, set);
+      job.points[name] = campaign::points(job.whole[name], catalogue, set);
+      for (const cases::Case& point : job.points[name])
+        for (Fault& fault : campaign::run_faults(point)) wrong.push_back(std::move(fault));
+    } catch (const InputError& e) {
+      wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
+    }
+  if (wrong.empty()) wrong = report::paper_faults(job.paper, job.whole);
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  const fs::path usual = fs::path("results") / "papers" / name_of(folder);
+  const fs::path place = !request.out ? usual
+                         : several    ? *request.out / name_of(folder)
+                                      : *request.out;
+  job.folder = std::make_unique<results::Folder>(place, request.force);
+  return job;
+}
+
+std::string below(const std::string& campaign, std::size_t point) {
+  return fmt::format("{}/point-{:03}/", campaign, point + 1);
+}
+
+report::Campaign numbers_of(const cases::Case& what,
+                            const std::vector<results::Outcome>& outcomes) {
+  const campaign::Plan plan(what.sweep, what.seed);
+  report::Campaign made{.title = what.title};
+  for (const results::Outcome& outcome : outcomes) {
+    const std::size_t i = made.points.size();
+    report::add(made,
+                {.number = i + 1,
+                 .values = plan.values(i),
+                 .regime = results::regime(outcome),
+                 .folder = fmt::format("point-{:03}/", i + 1)},
+                results::summarise(outcome));
+  }
+  made.swept = report::swept(plan.keys(), made.points);
+  return made;
+}
+
+/// The points of all campaigns, those that campaigns share once.
+class Shared {
+ public:
+  /// Where a point stands among them.
+  std::size_t add(const cases::Case& point) {
+    cases::Case bare = point;
+    bare.title.clear();
+    const bool alone = point.observe.collisions || point.observe.frames;  // files of its own
+    const std::string what = alone ? "" : cases::write(bare) + cases::contents_of_files(bare);
+    if (!alone) {
+      const auto [known, fresh] = places_.try_emplace(what, points.size());
+      if (!fresh) return known->second;
+    }
+    points.push_back(point);
+    return points.size() - 1;
+  }
+  std::vector<cases::Case> points;
+
+ private:
+  std::map<std::string, std::size_t> places_;
+};
+
+/// All points of all campaigns of the paper together, so that no core waits for another.
+std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job) {
+  Shared shared;
+  Streams streams;
+  std::map<std::string, std::vector<std::size_t>> at;
+  for (const auto& [name, points] : job.points)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t before = shared.points.size();
+      at[name].push_back(shared.add(points[i]));
+      if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
+    }
+  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, nullptr);
+  streams.close();
+  std::map<std::string, report::RunCampaign> run;
+  std::vector<bool> counted(outcomes.size(), false);
+  for (const auto& [name, points] : job.points) {
+    report::RunCampaign& one = run[name];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t k = at[name][i];
+      one.outcomes.push_back(outcomes[k]);
+      one.outcomes.back().what = points[i];
+      if (!counted[k]) one.seconds += outcomes[k].cpu_seconds;
+      counted[k] = true;
+    }
+    one.numbers = numbers_of(job.whole.at(name), one.outcomes);
+  }
+  return run;
+}
+
+void write(const Job& job, const std::map<std::string, report::RunCampaign>& run,
+           const report::PaperResult& result) {
+  for (const auto& [name, one] : run) {
+    for (std::size_t i = 0; i < one.outcomes.size(); ++i)
+      report::write(*job.folder, one.outcomes[i], version(), below(name, i), false);
+    job.folder->write(name + "/campaign.csv", report::campaign_csv(one.numbers));
+    job.folder->write(name + "/campaign.html", report::campaign_page(one.numbers, version()));
+  }
+  for (const report::Picture& picture : result.pictures)
+    job.folder->write("figures/" + picture.file, picture.svg);
+  job.folder->write("claims.csv", report::claims_csv(result));
+  job.folder->write("claims.md", report::claims_markdown(result));
+  job.folder->write("paper.html", report::paper_page(result, version()));
+  job.folder->commit();
+}
+
+void tell(const Job& job, const report::PaperResult& result, double seconds) {
+  const fs::path place = job.folder->wanted();
+  fmt::print("{}\n{}\n\n{}\n", job.paper.title, job.paper.source, report::claims_text(result));
+  fmt::print("page:     {}\n", (place / "paper.html").string());
+  fmt::print("figures:  {}\n", (place / "figures").string());
+  fmt::print("claims:   {}\n\n", (place / "claims.csv").string());
+  fmt::print("done in {:.2g} s\n", seconds);
+}
+
+nlohmann::ordered_json as_json(const Job& job, const report::PaperResult& result) {
+  auto claims = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < result.judged.size(); ++i)
+    claims.push_back({{"figure", job.paper.claims[i].figure},
+                      {"says", job.paper.claims[i].says},
+                      {"found", result.judged[i].found},
+                      {"holds", report::word(result.judged[i].holds)}});
+  return {
+      {"title", job.paper.title}, {"results", job.folder->wanted().string()}, {"claims", claims}};
+}
+
+}  // namespace
+
+int papers(const Request& request) {
+  const cases::Catalogue known = catalogue();
+  const std::vector<fs::path> places = folders(request.target);
+  std::vector<Job> jobs;
+  for (const fs::path& place : places)
+    jobs.push_back(prepare(request, place, places.size() > 1, known));
+  catch_ctrl_c();
+  int ended = fine;
+  auto list = nlohmann::ordered_json::array();
+  for (const Job& job : jobs) {
+    const auto started = std::chrono::steady_clock::now();
+    const std::map<std::string, report::RunCampaign> run = run_all(request, job);
+    const report::PaperResult result = report::paper_result(job.paper, run);
+    write(job, run, result);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    if (request.json) list.push_back(as_json(job, result));
+    if (!request.json && !request.quiet) tell(job, result, seconds);
+    for (const auto& [name, one] : run)
+      if (const int how = how_it_ended(one.outcomes); how != fine) ended = how;
+    if (ended == interrupted) break;
+  }
+  if (request.json) fmt::print("{}\n", list.dump(2));
+  return ended;
+}
+
+}  // namespace mahlwerk::app

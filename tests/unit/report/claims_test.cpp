@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Claims against campaigns that were put there by hand.
+#include "mahlwerk/report/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mahlwerk::report {
+namespace {
+
+using Kind = Claim::Kind;
+
+/// y at x for each key "mill.speed", in rpm, with the same interval everywhere.
+Campaign campaign(const std::vector<double>& x, const std::vector<double>& y, double ci95) {
+  Campaign c;
+  c.title = "by hand";
+  c.swept = {{"mill.speed", "rpm"}};
+  c.columns = {{"power", "W", "made up"}};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Point p;
+    p.number = i + 1;
+    p.values = {std::to_string(static_cast<int>(x[i])) + " rpm"};
+    p.value = {y[i]};
+    p.ci95 = {ci95};
+    p.regime = x[i] > 250 ? "cataracting" : "cascading";
+    c.points.push_back(std::move(p));
+  }
+  return c;
+}
+
+Claim claim(Kind kind, const std::string& is = "") {
+  Claim made;
+  made.kind = kind;
+  made.quantity = "power";
+  made.against = "mill.speed";
+  made.is = is;
+  return made;
+}
+
+bool has(const Judged& judged, const std::string& part) {
+  return judged.found.find(part) != std::string::npos;
+}
+
+TEST(Claims, ATrendHoldsIfEachStepIsLargerThanBothIntervals) {
+  const Claim rises = claim(Kind::trend, "rises");
+  const Judged all = judge(rises, campaign({100, 200, 300}, {1, 2, 3}, 0.49));
+  EXPECT_EQ(all.holds, Holds::yes);
+  EXPECT_TRUE(has(all, "1.00 ± 0.49 W at speed 100 rpm, 3.00 ± 0.49 W at 300 rpm")) << all.found;
+  EXPECT_TRUE(has(all, "at 2 of 2 steps")) << all.found;
+  const Judged some = judge(rises, campaign({100, 200, 300}, {1, 1.5, 3}, 0.49));
+  EXPECT_EQ(some.holds, Holds::partly);
+  EXPECT_TRUE(has(some, "not from 100 rpm to 200 rpm")) << some.found;
+  EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {3, 2, 1}, 0.49)).holds, Holds::no);
+  EXPECT_EQ(judge(claim(Kind::trend, "falls"), campaign({100, 200, 300}, {3, 2, 1}, 0.49)).holds,
+            Holds::yes);
+  EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {1, 2, 3}, NAN)).holds, Holds::open);
+}
+
+TEST(Claims, TheOrderOfATrendIsThatOfTheKeyNotOfTheRuns) {
+  const Judged judged =
+      judge(claim(Kind::trend, "rises"), campaign({300, 100, 200}, {3, 1, 2}, 0.1));
+  EXPECT_EQ(judged.holds, Holds::yes);
+}
+
+TEST(Claims, AComparisonGivesTheRatioWithItsInterval) {
+  Claim larger = claim(Kind::compare, "larger");
+  larger.first = "100 rpm", larger.second = "300 rpm";
+  // 6/2 = 3; its half-width sqrt(0.4^2 + (3*0.4)^2)/2 = 0.632.
+  const Judged judged = judge(larger, campaign({100, 200, 300}, {2, 4, 6}, 0.4));
+  EXPECT_EQ(judged.holds, Holds::yes);
+  EXPECT_TRUE(has(judged, "3.00 ± 0.63 times")) << judged.found;
+  EXPECT_EQ(judge(larger, campaign({100, 300}, {6, 2}, 0.4)).holds, Holds::no);
+  EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 2.5}, 0.4)).holds, Holds::open);
+  EXPECT_EQ(judge(larger, campaign({100, 200}, {2, 4}, 0.4)).holds, Holds::open);
+  larger.first = "36000 deg/min";  // the same in another unit
+  EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 6}, 0.4)).holds, Holds::yes);
+}
+
+TEST(Claims, WhatIsAlikeStaysWithinItsBound) {
+  Claim alike = claim(Kind::alike);
+  alike.within = 0.1;
+  EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.01)).holds, Holds::yes);
+  EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 2, 1}, 0.01)).holds, Holds::no);
+  EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.2)).holds, Holds::open);
+}
+
+TEST(Claims, ALawIsFoundWithItsSlopeOrExponent) {
+  Claim law = claim(Kind::law);
+  law.law = Form::line;
+  const Judged line = judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1));
+  EXPECT_EQ(line.holds, Holds::yes);
+  EXPECT_TRUE(has(line, "mW for each rpm")) << line.found;
+  EXPECT_TRUE(line.found.starts_with("20")) << line.found;  // 2 W for each 100 rpm
+  EXPECT_TRUE(has(line, "R² = 1.00000")) << line.found;
+
+  law.law = Form::power;
+  law.exponent = 2;
+  law.within = 0.05;
+  const Campaign square = campaign({100, 200, 300, 400}, {1, 4, 9, 16}, 0.1);
+  EXPECT_EQ(judge(law, square).holds, Holds::yes);
+  law.exponent = 1.9;  // off by twice `within`
+  EXPECT_EQ(judge(law, square).holds, Holds::partly);
+  law.exponent = 1;
+  EXPECT_EQ(judge(law, square).holds, Holds::no);
+  law.is = "above";
+  EXPECT_EQ(judge(law, square).holds, Holds::yes);
+  law.is = "below";
+  EXPECT_EQ(judge(law, square).holds, Holds::no);
+  law = claim(Kind::law);
+  law.law = Form::parabola;
+  EXPECT_EQ(judge(law, square).holds, Holds::yes);
+  EXPECT_EQ(judge(law, campaign({100, 200, 300}, {1, 4, 9}, 0.1)).holds, Holds::open);
+}
+
+TEST(Claims, RegimesAreCountedAndTold) {
+  const Campaign c = campaign({100, 200, 300}, {1, 2, 3}, 0.1);
+  const Judged judged = judge(claim(Kind::regime, "cascading"), c);
+  EXPECT_EQ(judged.holds, Holds::partly);
+  EXPECT_EQ(judged.found, "cascading at speed 100 rpm, 200 rpm; cataracting at speed 300 rpm");
+  EXPECT_EQ(judge(claim(Kind::regime, "rolling"), c).holds, Holds::no);
+  Claim slow = claim(Kind::regime, "cascading");
+  slow.at = {{"mill.speed", {"100 rpm", "200 rpm"}}};
+  EXPECT_EQ(judge(slow, c).holds, Holds::yes);
+}
+
+TEST(Claims, ABoundIsKeptByMoreThanTheInterval) {
+  Claim bound = claim(Kind::bound, "above");
+  bound.bound = 0.8;
+  EXPECT_EQ(judge(bound, campaign({100, 200}, {1, 2}, 0.1)).holds, Holds::yes);
+  EXPECT_EQ(judge(bound, campaign({100, 200}, {0.5, 2}, 0.1)).holds, Holds::partly);
+  EXPECT_EQ(judge(bound, campaign({100, 200}, {0.5, 0.6}, 0.1)).holds, Holds::no);
+  EXPECT_EQ(judge(bound, campaign({100, 200}, {0.8, 0.8}, 0.1)).holds, Holds::open);
+}
+
+TEST(Claims, OtherKeysMakeLinesOfTheirOwnButNotThoseThatGoTogether) {
+  Campaign c;
+  c.title = "two lines";
+  c.swept = {{"mill.speed", "rpm"}, {"run.time", "s"}, {"contact.friction", ""}};
+  c.columns = {{"power", "W", "made up"}};
+  for (const bool rough : {false, true})
+    for (const int i : {1, 2, 3}) {
+      Point p;
+      p.values = {std::to_string(100 * i) + " rpm", std::to_string(i) + " s", rough ? "0.5" : "0"};
+      p.value = {rough ? 1.0 * i : 1.0};
+      p.ci95 = {0.1};
+      c.points.push_back(std::move(p));
+    }
+  const Judged judged = judge(claim(Kind::trend, "rises"), c);
+  EXPECT_EQ(judged.holds, Holds::partly);
+  EXPECT_TRUE(judged.found.starts_with("friction 0: ")) << judged.found;
+  EXPECT_TRUE(has(judged, "; friction 0.5: ")) << judged.found;
+  EXPECT_FALSE(has(judged, "time")) << judged.found;
+}
+
+TEST(Claims, APointThatGaveNothingIsNoEvidence) {
+  Campaign c = campaign({100, 200, 300}, {1, NAN, 3}, 0.1);
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::open);
+  c.points.clear();
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::open);
+}
+
+}  // namespace
+}  // namespace mahlwerk::report

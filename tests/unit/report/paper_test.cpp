@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// paper.toml as it is read, its faults, and the page made of it.
+#include "mahlwerk/report/paper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/report/paper_page.hpp"
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+const std::string head = "title = \"T\"\nsource = \"S\"\n";
+const std::string figure =
+    "[[figure]]\nnumber = \"1\"\ntitle = \"rate <b>\"\ncampaign = \"c\"\n"
+    "quantity = \"collision_rate\"\nagainst = \"mill.frequency\"\nlaw = \"linear\"\n";
+const std::string claim =
+    "[[claim]]\nfigure = \"1\"\nsays = \"it rises | <b>\"\ncampaign = \"c\"\nkind = \"trend\"\n"
+    "quantity = \"collision_rate\"\nagainst = \"mill.frequency\"\nis = \"rises\"\nwhy = \"w\"\n";
+
+std::vector<Fault> faults_of(const std::string& text) {
+  try {
+    read_paper_text(text, "paper.toml");
+  } catch (const InputError& e) {
+    return e.faults();
+  }
+  return {};
+}
+
+/// One fault, of this code, at this line.
+void expect_fault(const std::string& text, const std::string& code, int line) {
+  const std::vector<Fault> faults = faults_of(text);
+  ASSERT_EQ(faults.size(), 1U) << text << describe(faults);
+  EXPECT_EQ(faults[0].code, code) << faults[0].what;
+  EXPECT_EQ(faults[0].where, "paper.toml:" + std::to_string(line)) << faults[0].what;
+}
+
+cases::Case swept_case() {
+  cases::Case c = results::fake_outcome().what;
+  c.sweep.keys = {{.key = "mill.frequency", .values = {"10 Hz", "20 Hz"}}};
+  return c;
+}
+
+TEST(Paper, IsReadWholeWithItsDefaults) {
+  const Paper paper = read_paper_text(
+      head + figure + claim +
+          "[[claim]]\nfigure = \"2\"\nsays = \"s\"\ncampaign = \"d\"\nkind = \"bound\"\n"
+          "at = { \"mill.frequency\" = [10, \"20 Hz\"], \"contact.friction\" = 0.5 }\n"
+          "quantity = \"energy_normal_mean\"\nis = \"below\"\nbound = \"3 mJ\"\n",
+      "papers/x/paper.toml");
+  EXPECT_EQ(paper.folder, "papers/x");
+  EXPECT_EQ(paper.campaigns(), (std::vector<std::string>{"c", "d"}));
+  ASSERT_EQ(paper.figures.size(), 1U);
+  EXPECT_EQ(paper.figures[0].law, Form::line);
+  ASSERT_EQ(paper.claims.size(), 2U);
+  EXPECT_EQ(paper.claims[0].kind, Claim::Kind::trend);
+  EXPECT_DOUBLE_EQ(paper.claims[1].bound, 0.003);
+  EXPECT_EQ(paper.claims[1].at,
+            (Where{{"mill.frequency", {"10", "20 Hz"}}, {"contact.friction", {"0.5"}}}));
+}
+
+TEST(Paper, FaultsNameTheLineAndComeTogether) {
+  const std::vector<Fault> nameless = faults_of("title = \"T\"\n");
+  ASSERT_EQ(nameless.size(), 1U);
+  EXPECT_EQ(nameless[0].what, "the paper lacks `source`");
+  expect_fault(head + "titel = \"T\"\n", "unknown-key", 3);
+  expect_fault(head + figure + "quantiy = \"x\"\n", "unknown-key", 10);
+  expect_fault(head + claim + "kindly = 1\n", "unknown-key", 12);
+  std::string wrong = claim;
+  wrong.replace(wrong.find("\"rises\""), 7, "\"grows\"");
+  expect_fault(head + wrong, "unknown-word", 10);
+  expect_fault(head + claim + "at = 3\n", "wrong-type", 12);
+  wrong = head + "[[claim]]\nfigure = \"1\"\n";
+  EXPECT_GE(faults_of(wrong).size(), 4U);  // says, kind, campaign, quantity at least
+}
+
+TEST(Paper, WhatItAsksOfCampaignsIsCheckedBeforeTheyRun) {
+  const auto faults = [](const std::string& text) {
+    return paper_faults(read_paper_text(text, "paper.toml"), {{"c", swept_case()}});
+  };
+  EXPECT_TRUE(faults(head + figure + claim).empty());
+  const auto expect = [&](std::string text, const std::string& from, const std::string& to,
+                          const std::string& code) {
+    text.replace(text.find(from), from.size(), to);
+    const std::vector<Fault> found = faults(head + text);
+    ASSERT_EQ(found.size(), 1U) << describe(found);
+    EXPECT_EQ(found[0].code, code);
+    EXPECT_TRUE(found[0].where.starts_with("paper.toml:3")) << found[0].where;
+  };
+  expect(figure, "mill.frequency", "mill.amplitude", "paper-unknown-key");
+  expect(figure, "collision_rate", "colision_rate", "paper-unknown-quantity");
+  expect(claim, "mill.frequency", "jar.diameter", "paper-unknown-key");
+  expect(claim, "collision_rate", "flight_share", "paper-unknown-quantity");
+  expect(claim + "at = { \"mill.frequency\" = \"11 Hz\" }\n", "why", "why", "paper-unknown-value");
+}
+
+TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
+  const Paper paper = read_paper_text(head + figure + claim, "paper.toml");
+  std::map<std::string, RunCampaign> run;
+  RunCampaign& c = run["c"];
+  c.numbers.title = "c";
+  for (const int hits : {100, 300}) {
+    c.outcomes.push_back(results::fake_outcome({hits, hits, hits + 1}));
+    add(c.numbers, {.number = c.outcomes.size(), .values = {hits == 100 ? "10 Hz" : "20 Hz"}},
+        results::summarise(c.outcomes.back()));
+  }
+  c.numbers.swept = swept({"mill.frequency"}, c.numbers.points);
+  const PaperResult result = paper_result(paper, run);
+  ASSERT_EQ(result.judged.size(), 1U);
+  EXPECT_EQ(result.judged[0].holds, Holds::yes) << result.judged[0].found;
+  ASSERT_EQ(result.pictures.size(), 1U);
+  EXPECT_EQ(result.pictures[0].file, "figure-1-collision_rate.svg");
+  EXPECT_NE(result.pictures[0].svg.find("<svg"), std::string::npos);
+  const std::string page = paper_page(result, "1");
+  EXPECT_NE(page.find("it rises | &lt;b&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("<b>\""), std::string::npos);
+  EXPECT_NE(page.find("10.03"), std::string::npos)
+      << result.judged[0].found;  // mean of 100,100,101
+  EXPECT_NE(claims_markdown(result).find("| 1 | it rises \\| <b> |"), std::string::npos);
+  EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why\n"));
+  EXPECT_NE(claims_text(result).find("Of 1 claims: yes 1."), std::string::npos);
+}
+
+TEST(Paper, EveryPaperOfTheProjectAsksForWhatItsCampaignsHave) {
+  const std::filesystem::path home(MAHLWERK_HOME);
+  const cases::Catalogue catalogue(home / "catalogue");
+  int papers = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(home / "papers")) {
+    const Paper paper = read_paper(entry.path() / "paper.toml");
+    std::map<std::string, cases::Case> cases;
+    for (const std::string& name : paper.campaigns())
+      cases[name] = cases::read(paper.folder / (name + ".toml"), catalogue);
+    const std::vector<Fault> faults = paper_faults(paper, cases);
+    EXPECT_TRUE(faults.empty()) << describe(faults);
+    ++papers;
+  }
+  EXPECT_EQ(papers, 2);
+}
+
+}  // namespace
+}  // namespace mahlwerk::report

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Ways and snapshots of balls whose places are known.
+#include "mahlwerk/report/trajectories.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "mahlwerk/cases/build.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr double speed = 40, radius = 0.05;
+
+/// A ball that rests 25 mm outwards on the disc of a planetary mill, and a grain at the middle.
+results::Outcome outcome() {
+  results::Outcome o;
+  kinematics::Planetary mill;
+  mill.orbit_radius = 0.3, mill.speed = speed, mill.ratio = -2;
+  o.what.mill.motion = mill;
+  o.what.jar.shape = geometry::Cylinder{2 * radius, 0.1};
+  o.what.balls = {{1, 0.01, 7850, ""}, {1, 0.002, 2000, ""}};
+  o.what.balls[1].grains = true;
+  o.replicates.emplace_back(0.1, observe::BallKinds{},
+                            observe::WallGrid{.radius = radius, .bottom = -0.05, .top = 0.05});
+  std::vector<scene::Ball> balls = cases::starting_balls(o.what, 0);
+  observe::Replay film(cases::chamber(o.what), 2, 0, 1);
+  for (double t = film.next(); std::isfinite(t); t = film.next()) {
+    balls[0].position = {0.025 * std::cos(speed * t), 0.025 * std::sin(speed * t), 0};
+    balls[0].velocity = {};
+    balls[1].position = balls[1].velocity = {};
+    film.add(t, balls);
+  }
+  o.replicates[0].replay = film;
+  return o;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+/// Largest distance [px] between any point of the first path and its beginning.
+double spread(const std::string& svg) {
+  const std::size_t at = svg.find("d=\"M");
+  const std::string path = svg.substr(at + 3, svg.find('"', at + 3) - at - 3);
+  double x0 = NAN, y0 = NAN, most = 0;
+  for (std::size_t i = 0; i < path.size(); i = path.find_first_of("ML", i + 1)) {
+    double x = 0, y = 0;
+    if (std::sscanf(path.c_str() + i + 1, "%lf %lf", &x, &y) != 2) break;
+    if (std::isnan(x0)) x0 = x, y0 = y;
+    most = std::max(most, std::hypot(x - x0, y - y0));
+    if (path.find_first_of("ML", i + 1) == std::string::npos) break;
+  }
+  return most;
+}
+
+TEST(Trajectories, ABallAtRestOnTheDiscIsAPointThereAndACircleSeenFromTheJar) {
+  const results::Outcome o = outcome();
+  const std::string disc = trajectories_picture({{"p", &o}}, View::carrier);
+  EXPECT_EQ(count(disc, "<path"), 1);  // of the ball; the grain has none
+  EXPECT_LE(spread(disc), 0.2);        // places are told to 0.1 px
+  // A panel of 340 px less its rim holds a jar 100 mm wide: the circle's diameter is half of that.
+  const std::string jar = trajectories_picture({{"p", &o}}, View::jar);
+  EXPECT_NEAR(spread(jar), 0.5 * 336, 1);
+}
+
+TEST(Trajectories, ASnapshotHasBallsRedAndGrainsGreenAtTheirSizes) {
+  const results::Outcome o = outcome();
+  const std::string svg = snapshot_picture({{"<p>", &o}}, View::carrier);
+  EXPECT_EQ(count(svg, "#C8102E"), 1);
+  EXPECT_EQ(count(svg, "#2E8B57"), 1);
+  EXPECT_NE(svg.find("r=\"16.8\" fill=\"#C8102E\""), std::string::npos) << svg;  // 5 of 50 mm
+  EXPECT_NE(svg.find("&lt;p&gt;"), std::string::npos);
+  EXPECT_EQ(count(svg, "<circle"), 3);  // and the wall
+}
+
+TEST(Trajectories, WithoutAFilmThereIsNoPicture) {
+  results::Outcome o = outcome();
+  o.replicates[0].replay = {};
+  EXPECT_EQ(trajectories_picture({{"p", &o}}, View::jar), "");
+  EXPECT_EQ(snapshot_picture({}, View::jar), "");
+}
+
+}  // namespace
+}  // namespace mahlwerk::report
