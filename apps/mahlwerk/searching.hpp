@@ -24,8 +24,8 @@ struct SearchJob {
   std::vector<Judged> outcomes;      ///< what is to be best, then what is limited
   std::vector<cases::Limit> limits;  ///< of the latter
   campaign::TrialRuns::Measure measure;
-  std::string measure_name;    ///< tells it apart from others
-  std::filesystem::path kept;  ///< where what was run is kept until the search has ended
+  std::string measure_name = {};    ///< tells it apart from others
+  std::filesystem::path kept = {};  ///< where what was run is kept until the search has ended
 };
 
 /// Throws InputError if there are more keys than can be looked over, or the case has a [sweep].
