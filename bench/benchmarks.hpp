@@ -34,6 +34,7 @@ std::vector<Row> cost_curve();
 std::vector<Row> mixing();
 std::vector<Row> observers();
 std::vector<Row> grinding();
+std::vector<Row> campaign();
 
 struct Benchmark {
   std::string_view name, about;
@@ -50,6 +51,8 @@ inline constexpr std::array benchmarks{
               observers},
     Benchmark{"grinding", "sizes after 20 hours from 2 s of a run; hits on a sample of grains",
               grinding},
+    Benchmark{"campaign", "campaigns: paper A's, the store, cores kept busy, 100 000 runs; minutes",
+              campaign, true},
     Benchmark{"peers",
               "beside LAMMPS, LIGGGHTS, YADE: five balls, then crowd; a quarter of an hour",
               beside_peers},

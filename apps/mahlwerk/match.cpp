@@ -201,11 +201,8 @@ int match(const Request& request) {
                            "nothing-to-match"});
   check_keys(what, what.match->over, "[match]");
   const campaign::TrialRuns runs(file_b, known, set, what.match->over);
-  MatchJob job{.like = read_like(file_a, known),
-               .runs = &runs,
-               .by_powder = false,
-               .mark = {},
-               .kept = {}};
+  MatchJob job{
+      .like = read_like(file_a, known), .runs = &runs, .by_powder = false, .mark = {}, .kept = {}};
   job.by_powder = has_powder(job.like) && has_powder(what);
   job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
   const fs::path usual = default_place(request.data, file_b, false).string() + "-match";

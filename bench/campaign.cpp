@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What campaigns cost beside their runs: paper A's, a large one, one of few balls, and the store
+// alone.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "benchmarks.hpp"
+#include "child.hpp"
+#include "mahlwerk/campaign/store.hpp"
+
+namespace mahlwerk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int runs = 5;
+constexpr double long_enough = 1800;  // [s]
+
+struct Took {
+  double wall = 0, cpu = 0, memory = 0;  // [s], [s], [MB]
+  double busy() const { return cpu / wall / std::thread::hardware_concurrency(); }
+};
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+double cpu_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// The program beside this one, to its end. Wall times here: a campaign is about keeping cores
+/// busy.
+Took run(const std::vector<std::string>& words, const fs::path& folder) {
+  std::vector<std::string> all{
+      (fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk").string()};
+  all.insert(all.end(), words.begin(), words.end());
+  const double before = cpu_of_children();
+  const auto began = std::chrono::steady_clock::now();
+  const Ended ended =
+      watch_child({.words = all, .folder = folder, .environment = {}, .limit = long_enough},
+                  [](std::string_view) {});
+  if (!ended.fault.empty())
+    fmt::print(stderr, "bench campaign: {} {}\n", ended.fault, complaint(folder));
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
+          cpu_of_children() - before, ended.peak_memory};
+}
+
+/// Figures 4, 5 and 6: 15 settings, five times a minute each.
+void paper_a(std::vector<Row>& rows) {
+  for (const std::string kept : {"all", "summary"}) {
+    std::vector<double> walls;
+    for (int i = 0; i < runs; ++i) {
+      const TemporaryFolder folder;
+      double wall = 0;
+      for (const std::string figure : {"diameter", "amplitude", "frequency"})
+        wall +=
+            run({"sweep",
+                 (fs::path(MAHLWERK_HOME) / "papers/vertical-vibration-mill" / (figure + ".toml"))
+                     .string(),
+                 "--out", (folder.path() / figure).string(), "--quiet", "--results", kept},
+                folder.path())
+                .wall;
+      walls.push_back(wall);
+    }
+    rows.push_back({"campaign", "paper A, figures 4 to 6, keeps " + kept, "mahlwerk", "seconds",
+                    median(walls)});
+  }
+}
+
+constexpr const char* tiny = R"(
+title = "Many runs"
+[mill]
+kind = "vibration"
+frequency = "10 Hz"
+amplitude = "25 mm"
+[jar]
+kind = "capsule"
+diameter = "12 mm"
+volume = "5 ml"
+[[balls]]
+count = 1
+diameter = "8 mm"
+density = "7850 kg/m3"
+[contact]
+restitution = 0.9
+tangential_restitution = 0.9
+[run]
+engine = "event"
+time = "0.1 s"
+replicates = 1
+[sweep]
+"mill.frequency" = {{ from = "10 Hz", to = "20 Hz", steps = {} }}
+)";
+
+/// As many one-ball runs as asked for: memory must not grow with them.
+void large(std::vector<Row>& rows) {
+  for (const int points : {1000, 10'000, 100'000}) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "case.toml") << fmt::format(tiny, points);
+    const Took took = run({"sweep", "case.toml", "--out", "out", "--quiet", "--results", "summary"},
+                          folder.path());
+    const std::string what = fmt::format("{} one-ball runs of 0.1 s", points);
+    rows.push_back({"campaign", what, "mahlwerk", "peak MB", took.memory});
+    rows.push_back({"campaign", what, "mahlwerk", "ms of a core a run", 1e3 * took.cpu / points});
+    rows.push_back({"campaign", what, "mahlwerk", "share of the cores' time", took.busy()});
+    rows.push_back(
+        {"campaign", what, "mahlwerk", "store, kB a run",
+         static_cast<double>(fs::file_size(folder.path() / "out/campaign.sqlite")) / 1e3 / points});
+  }
+}
+
+/// Paper B's five balls at several speeds.
+void few_balls(std::vector<Row>& rows) {
+  std::vector<double> busy, walls;
+  for (int i = 0; i < 3; ++i) {
+    const TemporaryFolder folder;
+    const Took took =
+        run({"sweep", (fs::path(MAHLWERK_HOME) / "papers/planetary-mill/speed.toml").string(),
+             "--out", "out", "--quiet"},
+            folder.path());
+    busy.push_back(took.busy());
+    walls.push_back(took.wall);
+  }
+  rows.push_back({"campaign", "paper B, five balls by speed", "mahlwerk",
+                  "share of the cores' time", median(busy)});
+  rows.push_back(
+      {"campaign", "paper B, five balls by speed", "mahlwerk", "seconds", median(walls)});
+}
+
+/// What a run costs in the store: its row with a hundred quantities, as one transaction.
+void store(std::vector<Row>& rows) {
+  constexpr std::size_t points = 2000;
+  const TemporaryFolder folder;
+  campaign::Store store(folder.path() / "campaign.sqlite", campaign::Store::Access::write);
+  campaign::Planned planned;
+  planned.keys = {"mill.speed"};
+  for (std::size_t i = 0; i < points; ++i) planned.runs.push_back(i + 1);
+  planned.values = [](std::size_t i) { return std::vector<std::string>{fmt::format("{} rpm", i)}; };
+  store.plan(planned);
+  campaign::Finished finished;
+  finished.resolved = std::string(4000, 'x');
+  for (int i = 0; i < 100; ++i)
+    finished.quantities.push_back({fmt::format("quantity_{}", i), 1.0 * i, 0.1, "J", "about"});
+  std::vector<double> times;
+  for (std::size_t i = 0; i < points; ++i) {
+    finished.hash = i + 1;
+    const auto began = std::chrono::steady_clock::now();
+    store.keep(finished);
+    times.push_back(
+        1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+  }
+  rows.push_back({"campaign", "store, a run of 100 quantities", "mahlwerk", "ms", median(times)});
+}
+
+}  // namespace
+
+std::vector<Row> campaign() {
+  std::vector<Row> rows;
+  store(rows);
+  paper_a(rows);
+  few_balls(rows);
+  large(rows);
+  return rows;
+}
+
+}  // namespace mahlwerk::bench
