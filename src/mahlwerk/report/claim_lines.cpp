@@ -59,6 +59,17 @@ std::vector<std::size_t> telling(const Campaign& c, const std::vector<const Poin
   return keys;
 }
 
+/// With its section where another key has the same last word: "balls filling".
+std::string told_apart(const Campaign& c, std::size_t key) {
+  const std::string last = key_words(c.swept[key].key);
+  const auto alike = [&](const Swept& s) { return key_words(s.key) == last; };
+  if (std::ranges::count_if(c.swept, alike) == 1) return last;
+  std::string words = c.swept[key].key;
+  std::ranges::replace_if(
+      words, [](char ch) { return ch == '.' || ch == '_'; }, ' ');
+  return words;
+}
+
 }  // namespace
 
 bool same_value(std::string_view a, std::string_view b) {
@@ -108,7 +119,7 @@ std::vector<Line> lines_along(const Campaign& campaign, const Where& at, std::st
   for (const Point* p : points) {
     std::string label;
     for (const std::size_t k : others)
-      label += (label.empty() ? "" : ", ") + key_words(campaign.swept[k].key) + " " + p->values[k];
+      label += (label.empty() ? "" : ", ") + told_apart(campaign, k) + " " + p->values[k];
     Spot spot{.point = p};
     if (axis < p->values.size()) spot.text = p->values[axis], spot.x = number_in(spot.text);
     if (column < p->value.size()) spot.value = p->value[column];

@@ -153,6 +153,10 @@ TEST(Claims, OtherKeysMakeLinesOfTheirOwnButNotThoseThatGoTogether) {
   EXPECT_TRUE(judged.found.starts_with("friction 0: ")) << judged.found;
   EXPECT_TRUE(has(judged, "; friction 0.5: ")) << judged.found;
   EXPECT_FALSE(has(judged, "time")) << judged.found;
+  c.swept[0].key = "wall.friction";  // then the word alone does not tell
+  Claim along = claim(Kind::trend, "rises");
+  along.against = "wall.friction";
+  EXPECT_TRUE(judge(along, c).found.starts_with("contact friction 0: "));
 }
 
 TEST(Claims, APointThatGaveNothingIsNoEvidence) {
