@@ -27,10 +27,6 @@ RunState state_of(std::string_view word) {
   return static_cast<RunState>(std::ranges::find(state_words, word) - state_words.begin());
 }
 
-std::string ci95_of(const std::string& name) {
-  return name + "_ci95";
-}
-
 /// "%" is no name for a column.
 std::string column_of(const std::string& key, std::string_view unit) {
   return results::column_name(key, unit == "%" ? "percent" : unit);
@@ -48,6 +44,10 @@ RunHash run_hash(const cases::Case& what, std::string_view version) {
   bare.fit.clear();
   return fingerprint(
       fmt::format("{}\n{}{}", version, cases::write(bare), cases::contents_of_files(bare)));
+}
+
+std::array<std::string, 2> columns_of(const results::Quantity& q) {
+  return {results::column_name(q.name, q.unit), results::column_name(q.name + "_ci95", q.unit)};
 }
 
 std::string hash_text(RunHash hash) {
@@ -91,7 +91,7 @@ void Store::make_tables() {
       " attempts INTEGER NOT NULL DEFAULT 0, began TEXT, wall_seconds REAL, cpu_seconds REAL,"
       " engine TEXT, regime TEXT, folder TEXT, \"case\" TEXT) WITHOUT ROWID;"
       "CREATE TABLE quantities(position INTEGER PRIMARY KEY, name TEXT UNIQUE, unit TEXT,"
-      " about TEXT, \"column\" TEXT);"
+      " about TEXT, \"column\" TEXT, ci95_column TEXT);"
       "CREATE TABLE summary(hash TEXT PRIMARY KEY) WITHOUT ROWID;");
   make_view();
   database_.run(fmt::format("PRAGMA user_version={}", format));
@@ -103,11 +103,10 @@ void Store::make_view() {
   std::string columns = "p.point";
   for (const Swept& s : swept()) columns += ", p." + as_name(s.column);
   columns += ", r.status, r.engine, r.regime, r.wall_seconds, r.cpu_seconds, r.folder, r.message";
-  Statement known = database_.prepare("SELECT \"column\" FROM quantities ORDER BY position");
-  while (known.step()) {
-    const std::string name = known.text(0);
-    columns += fmt::format(", s.{}, s.{}", as_name(name), as_name(ci95_of(name)));
-  }
+  Statement known =
+      database_.prepare("SELECT \"column\", ci95_column FROM quantities ORDER BY position");
+  while (known.step())
+    columns += fmt::format(", s.{}, s.{}", as_name(known.text(0)), as_name(known.text(1)));
   database_.run(
       fmt::format("DROP VIEW IF EXISTS results; CREATE VIEW results AS SELECT {} FROM "
                   "points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash "
@@ -202,20 +201,20 @@ std::unordered_map<RunHash, RunState> Store::states() const {
 /// Columns for quantities that no run has given yet.
 void Store::add_columns(const std::vector<results::Quantity>& quantities) {
   Statement known = database_.prepare("SELECT 1 FROM quantities WHERE name = ?");
-  Statement add =
-      database_.prepare("INSERT INTO quantities(name, unit, about, \"column\") VALUES(?, ?, ?, ?)");
+  Statement add = database_.prepare(
+      "INSERT INTO quantities(name, unit, about, \"column\", ci95_column) VALUES(?, ?, ?, ?, ?)");
   bool added = false;
   for (const results::Quantity& q : quantities) {
     bool there = false;
     known.bind(1, q.name);
     while (known.step()) there = true;
     if (there) continue;
-    const std::string column = results::column_name(q.name, q.unit);
-    add.bind(1, q.name).bind(2, q.unit).bind(3, q.about).bind(4, column).run();
+    const auto [column, ci95] = columns_of(q);
+    add.bind(1, q.name).bind(2, q.unit).bind(3, q.about).bind(4, column).bind(5, ci95).run();
     database_.run(
         fmt::format("ALTER TABLE summary ADD COLUMN {} REAL; ALTER TABLE summary ADD "
                     "COLUMN {} REAL",
-                    as_name(column), as_name(ci95_of(column))));
+                    as_name(column), as_name(ci95)));
     added = true;
   }
   if (added) make_view();
@@ -230,8 +229,8 @@ void Store::prepare_summary(const std::vector<results::Quantity>& quantities) {
   std::string columns = "hash", marks = "?";
   for (const results::Quantity& q : quantities) {
     summary_names_.push_back(q.name);
-    const std::string column = results::column_name(q.name, q.unit);
-    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95_of(column)));
+    const auto [column, ci95] = columns_of(q);
+    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
     marks += ", ?, ?";
   }
   summary_.emplace(database_.prepare(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -24,6 +25,9 @@ namespace mahlwerk::campaign {
 using RunHash = std::uint64_t;
 RunHash run_hash(const cases::Case& what, std::string_view version);
 std::string hash_text(RunHash hash);  ///< 16 hexadecimal digits
+
+/// The columns of a quantity: its value and its half-width, with their unit.
+std::array<std::string, 2> columns_of(const results::Quantity& q);
 
 /// A campaign as it is planned.
 struct Planned {

@@ -109,14 +109,14 @@ void Store::read(const std::vector<std::string>& quantities,
   std::string columns =
       "p.point, r.status, r.engine, r.regime, r.folder, r.message, r.wall_seconds, r.cpu_seconds";
   for (const Swept& s : keys) columns += ", p." + as_name(s.column);
-  Statement named = database_.prepare("SELECT \"column\" FROM quantities WHERE name = ?");
+  Statement named =
+      database_.prepare("SELECT \"column\", ci95_column FROM quantities WHERE name = ?");
   for (const std::string& name : quantities) {
-    std::string column;
+    std::string pair = ", NULL, NULL";
     named.bind(1, name);
-    while (named.step()) column = named.text(0);
-    columns += column.empty()
-                   ? ", NULL, NULL"
-                   : fmt::format(", s.{}, s.{}", as_name(column), as_name(column + "_ci95"));
+    while (named.step())
+      pair = fmt::format(", s.{}, s.{}", as_name(named.text(0)), as_name(named.text(1)));
+    columns += pair;
   }
   Statement asked = database_.prepare(
       fmt::format("SELECT {} FROM points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON "
@@ -196,8 +196,8 @@ std::size_t Store::merge(const std::filesystem::path& other) {
       "'waiting'))";
   std::string columns = "hash";
   for (const results::Quantity& q : quantities) {
-    const std::string column = results::column_name(q.name, q.unit);
-    columns += fmt::format(", {}, {}", as_name(column), as_name(column + "_ci95"));
+    const auto [column, ci95] = columns_of(q);
+    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
   }
   database_.run(fmt::format(
       "INSERT OR REPLACE INTO main.summary({0}) SELECT {0} FROM other.summary WHERE {1}", columns,

@@ -106,7 +106,8 @@ std::map<std::string, std::string> campaign_figures(const Campaign& campaign);
 /// says what holds the points that are too many for it.
 std::string campaign_table(const Campaign& campaign, std::string_view where = "campaign.csv");
 
-/// campaign.csv: a row per point; the swept keys, then every quantity and its ci95.
+/// The table of a campaign that has no store: a row per point; the swept keys, then every quantity
+/// and its ci95.
 std::string campaign_csv(const Campaign& campaign);
 
 }  // namespace mahlwerk::report

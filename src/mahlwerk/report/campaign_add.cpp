@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/campaign_sheet.hpp"
 
@@ -37,9 +38,9 @@ void add(Campaign& campaign, Point point, const std::vector<results::Quantity>& 
 std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points) {
   std::vector<Swept> list;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const std::string_view unit = points.empty() ? "" : split(points.front().values[i]).rest;
+    const std::string_view unit = points.empty() ? "" : number_text(points.front().values[i]).rest;
     const bool shared = std::ranges::all_of(points, [&](const Point& p) {
-      const Split s = split(p.values[i]);
+      const NumberText s = number_text(p.values[i]);
       return std::isfinite(s.number) && s.rest == unit;
     });
     list.push_back({keys[i], shared ? std::string(unit) : ""});

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/report/campaign.hpp"
 #include "mahlwerk/report/campaign_sheet.hpp"
 #include "mahlwerk/results/csv.hpp"
@@ -26,7 +27,7 @@ std::string campaign_csv(const Campaign& c) {
   for (const Point& p : c.points) {
     std::vector<std::string> cells{std::to_string(p.number)};
     for (std::size_t k = 0; k < c.swept.size(); ++k)
-      cells.push_back(sheet.keys[k].numeric() ? results::csv_cell(split(p.values[k]).number)
+      cells.push_back(sheet.keys[k].numeric() ? results::csv_cell(number_text(p.values[k]).number)
                                               : results::csv_cell(p.values[k]));
     for (std::size_t i = 0; i < c.columns.size(); ++i) {
       cells.push_back(results::csv_cell(value_at(p, i)));

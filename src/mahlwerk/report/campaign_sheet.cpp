@@ -11,6 +11,8 @@
 #include <map>
 #include <set>
 
+#include "mahlwerk/base/number_text.hpp"
+
 namespace mahlwerk::report {
 namespace {
 
@@ -21,21 +23,22 @@ const std::string& value_of(const Point& p, std::size_t key) {
 
 bool is_number(const Campaign& c, std::size_t key) {
   return std::ranges::all_of(c.points, [&](const Point& p) {
-    const Split s = split(value_of(p, key));
+    const NumberText s = number_text(value_of(p, key));
     return std::isfinite(s.number) && s.rest == c.swept[key].unit;
   });
 }
 
 Levels numbers_of(const Campaign& c, std::size_t key) {
   std::map<double, std::string> texts;
-  for (const Point& p : c.points) texts.emplace(split(value_of(p, key)).number, value_of(p, key));
+  for (const Point& p : c.points)
+    texts.emplace(number_text(value_of(p, key)).number, value_of(p, key));
   Levels made;
   for (const auto& [number, text] : texts) {
     made.numbers.push_back(number);
     made.texts.push_back(text);
   }
   for (const Point& p : c.points) {
-    const auto at = std::ranges::lower_bound(made.numbers, split(value_of(p, key)).number);
+    const auto at = std::ranges::lower_bound(made.numbers, number_text(value_of(p, key)).number);
     made.of.push_back(static_cast<std::size_t>(at - made.numbers.begin()));
   }
   return made;
@@ -127,15 +130,6 @@ std::vector<std::string> compared_quantities(const Campaign& campaign) {
   for (const std::size_t column : shown_of(campaign))
     names.push_back(campaign.columns[column].name);
   return names;
-}
-
-Split split(std::string_view text) {
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (read.ec != std::errc{}) return {NAN, text};
-  std::string_view rest = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
-  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  return {number, rest};
 }
 
 Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {

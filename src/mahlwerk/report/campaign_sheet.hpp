@@ -13,13 +13,6 @@
 // A campaign sorted by what its keys take, ready to be drawn and tabled.
 namespace mahlwerk::report {
 
-/// "400 rpm" is 400 and "rpm"; a word is NaN and all of it.
-struct Split {
-  double number = NAN;
-  std::string_view rest;
-};
-Split split(std::string_view text);
-
 /// What a key takes, and what of it each point has.
 struct Levels {
   std::vector<std::string> texts;  ///< each once: numbers by size, words as they come
