@@ -219,5 +219,20 @@ TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
   EXPECT_GT(refused, 0);
 }
 
+TEST(Cuts, an_engine_is_never_told_to_be_before_the_time_it_was_asked_for) {
+  // Whoever waits for that time would wait for ever, if clocks that turn back round it down.
+  Random random(5, 0);
+  for (const double f : {16.6555184, 17.1237458, 10.0, 13.7}) {
+    const auto engine = event::one_ball(mill_a(f), ball_a({}, {0.1, 0.02, 0.3}), rules_a(), 0.1);
+    Recorder all;
+    double time = 0;
+    for (int i = 0; i < 20000; ++i) {
+      time += random.uniform(0, 1e-3);
+      engine->advance(time, all);
+      ASSERT_GE(engine->account().time, time) << f << " Hz, " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests

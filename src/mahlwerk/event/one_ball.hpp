@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -69,7 +70,8 @@ class OneBall final : public scene::Engine {
   scene::Account account() const override {
     scene::Account a = account_;
     const double at = staying_ ? now_.time : reached_ + start_ - before_;
-    a.time = reached_;  // to the bit what was asked for, or whoever waits for it waits for ever
+    // Never a rounding below what was asked for: whoever waits for it would wait for ever.
+    a.time = staying_ ? std::max(reached_, before_ + at - start_) : reached_;
     const kinematics::Ride ride = jar_.motion().ride(at);
     const Vec3& g = jar_.gravity();
     const Vec3 place = staying_ ? stay_.now().position + ride.centre : flight_.lab_position(at, g);
