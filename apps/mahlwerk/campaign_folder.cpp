@@ -97,10 +97,33 @@ CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file
       set_(std::move(set)),
       place_(std::move(place)),
       case_file_(fs::weakly_canonical(case_file)),
-      shard_(shard),
-      lock_(opened(request, place_, shard)),
-      store_(place_ / (name_of(shard) + ".sqlite"),
-             shard.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard) {}
+      shard_(shard) {
+  if (!is_free(place_) && !holds_campaign(place_))
+    results::Folder(place_, request.force);  // which refuses what is not ours
+}
+
+/// Only once the case is known to be sound: until then nothing is written.
+void CampaignFolder::open() {
+  using campaign::CampaignLock;
+  const fs::path own = opened(request_, place_, shard_);
+  own_lock_.emplace(own);
+  if (!shard_.whole()) lock_.emplace(place_ / "campaign.lock", CampaignLock::Holds::with_others);
+  store_.emplace(place_ / (name_of(shard_) + ".sqlite"),
+                 shard_.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard);
+  if (shard_.whole()) clear_remains();
+}
+
+/// What runs that were killed had begun to write.
+void CampaignFolder::clear_remains() const {
+  std::error_code none;
+  std::vector<fs::path> remains;
+  for (const auto& entry : fs::directory_iterator(place_ / results::campaign_runs, none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && name.find(".partial-") != std::string::npos)
+      remains.push_back(entry.path());
+  }
+  for (const fs::path& one : remains) fs::remove_all(one, none);
+}
 
 std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
   std::vector<cases::Override> all = set_;
@@ -136,6 +159,7 @@ void CampaignFolder::plan(const Points& points) {
   std::vector<std::optional<InputError>> wrong(points.size);
   std::atomic<std::size_t> faulty = 0;
   campaign::in_parallel(campaign::threads_of(request_.threads), points.size, [&](std::size_t i) {
+    if (stop_wanted()) return;
     try {
       runs_[i] = read_run(i);
     } catch (const InputError& e) {
@@ -146,6 +170,7 @@ void CampaignFolder::plan(const Points& points) {
       if (++faulty == points_.size || i == 0) wrong[i] = e;
     }
   });
+  if (stop_wanted()) return;
   if (faulty == points.size)
     for (const auto& one : wrong)
       if (one) throw *one;
@@ -158,13 +183,14 @@ void CampaignFolder::plan(const Points& points) {
   planned.follow = points_.follow;
   for (const Run& run : runs_) planned.runs.push_back(run.hash);
   planned.values = [this](std::size_t i) { return said(i); };
-  store_.plan(planned);
+  open();
+  store_->plan(planned);
 }
 
 /// Points whose runs wait, the longest first so that the last to end are short; those that a shard
 /// or the whole has done are not done again.
 std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
-  auto states = store_.states();
+  auto states = store_->states();
   for (const auto& entry : fs::directory_iterator(place_)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("campaign") || entry.path().extension() != ".sqlite") continue;
@@ -173,6 +199,8 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
          campaign::Store(entry.path(), campaign::Store::Access::read).states())
       if (state == campaign::RunState::done) states[hash] = state;
   }
+  for (const campaign::RunHash hash : store_->without_folder(place_))
+    states[hash] = campaign::RunState::waiting;  // somebody took its results away
   std::vector<std::size_t> points;
   std::unordered_set<campaign::RunHash> met;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -296,7 +324,7 @@ class CampaignFolder::Desk {
       finished.cpu_seconds = outcome.cpu_seconds;
       finished.failure = trouble(outcome);
       finished.quantities = results::summarise(outcome);
-      owner_.store_.keep(finished);
+      owner_.store_->keep(finished);
       mine.checkpoint->remove();
       const std::lock_guard lock(mutex_);
       ++(finished.failure.empty() ? worked_.done : worked_.failed);
@@ -305,7 +333,7 @@ class CampaignFolder::Desk {
   }
 
   void failed(std::size_t i, const std::exception& why) {
-    owner_.store_.fail(owner_.runs_[todo_[i]].hash, why.what());
+    owner_.store_->fail(owner_.runs_[todo_[i]].hash, why.what());
     clear(i);
     const std::lock_guard lock(mutex_);
     ++worked_.failed;

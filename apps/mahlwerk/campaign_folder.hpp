@@ -41,20 +41,20 @@ struct Worked {
 /// process alone until it is destroyed; what is in it stays, however the process ends.
 class CampaignFolder {
  public:
-  /// Opens what is in `place`, or begins anew there; with request.force always anew. Throws
-  /// InputError where it cannot be written to, another process is at work there, or it holds
-  /// something else.
+  /// Of what is in `place`, or anew there; with request.force always anew. Throws InputError where
+  /// it holds something else.
   CampaignFolder(const Request& request, const std::filesystem::path& case_file,
                  std::vector<cases::Override> set, std::filesystem::path place,
                  const Shard& shard = {});
 
-  /// Reads the cases of all points. A point whose case has faults fails as its turn comes; throws
-  /// InputError if all have.
+  /// Reads the cases of all points, then opens the folder. A point whose case has faults fails as
+  /// its turn comes; throws InputError if all have, the folder cannot be written to, or another
+  /// process is at work there. Does nothing once a stop is wanted.
   void plan(const Points& points);
   /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
   Worked work();
 
-  campaign::Store& store() { return store_; }
+  campaign::Store& store() { return *store_; }  ///< once there is a plan
   const std::filesystem::path& place() const { return place_; }
   std::size_t size() const { return runs_.size(); }  ///< points
   campaign::RunHash run(std::size_t point) const { return runs_[point].hash; }
@@ -66,6 +66,8 @@ class CampaignFolder {
     double seconds = 0;  // to be simulated
   };
   class Desk;
+  void open();
+  void clear_remains() const;
   std::vector<cases::Override> settings(std::size_t point) const;
   std::vector<std::string> said(std::size_t point) const;
   Run read_run(std::size_t point) const;
@@ -78,8 +80,8 @@ class CampaignFolder {
   std::vector<cases::Override> set_;
   std::filesystem::path place_, case_file_;
   Shard shard_;
-  campaign::CampaignLock lock_;
-  campaign::Store store_;
+  std::optional<campaign::CampaignLock> own_lock_, lock_;
+  std::optional<campaign::Store> store_;
   Points points_;
   std::vector<std::string> own_;  // what the case itself says of the keys
   std::vector<Run> runs_;

@@ -134,9 +134,16 @@ int sweep_case(const Request& request, const fs::path& file,
   catch_ctrl_c();
   CampaignFolder folder(request, file, set, place, shard);
   folder.plan(points_of(what));
+  if (stop_wanted()) {
+    if (!request.quiet) fmt::print(stderr, "interrupted: nothing was run yet\n");
+    return interrupted;
+  }
   const Worked worked = folder.work();
   if (!shard.whole()) return end_shard(request, folder, shard, worked);
   const campaign::Counts counts = folder.store().counts();
+  if (!fs::exists(place / "campaign.sqlite"))
+    throw InputError(Fault{place.string(), "the folder was taken away while the campaign ran",
+                           "start it again", "cannot-write"});
   const report::Campaign campaign = told(folder.store());
   write_pages(folder.store(), campaign, place);
   if (request.json) print_json(counts, place, &worked);
@@ -165,7 +172,9 @@ int sweep_status(const Request& request) {
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
   fmt::print("{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n",
              store.title(), counts.points, counts.done, counts.failed, counts.waiting,
-             at_work ? "a process is at work on it"
+             counts.points == 0
+                 ? "nothing is planned yet: a process reads its case, or was ended while it did"
+             : at_work ? "a process is at work on it"
              : counts.waiting > 0
                  ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
                  : "all has been run");
@@ -209,6 +218,7 @@ int sweep_retry(const Request& request) {
     const campaign::Store store = look_into(place);
     file = store.case_file();
     set = store.overrides();
+    swept_case(file, set);  // that it can be run, before anything is forgotten
   }
   {
     const campaign::CampaignLock lock(place / "campaign.lock");
@@ -233,7 +243,8 @@ int sweep_merge(const Request& request) {
                            "name the folder that was given to `mahlwerk sweep --shard` as --out",
                            "no-campaign"});
   std::ranges::sort(shards);
-  const campaign::CampaignLock lock(place / "campaign.lock");
+  const campaign::CampaignLock lock(place / "campaign.lock",
+                                    campaign::CampaignLock::Holds::with_others);
   campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
   std::size_t taken = 0;
   for (const fs::path& shard : shards) taken += store.merge(shard);

@@ -12,14 +12,14 @@
 
 namespace mahlwerk::campaign {
 
-CampaignLock::CampaignLock(const std::filesystem::path& file) {
+CampaignLock::CampaignLock(const std::filesystem::path& file, Holds holds) {
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0)
     throw InputError(Fault{
         file.generic_string(),
         "the campaign's folder cannot be written to: " + std::generic_category().message(errno),
         "check that you may write there, or give another folder with --out", "store"});
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  if (::flock(descriptor_, (holds == Holds::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0) return;
   ::close(descriptor_);
   throw InputError(
       Fault{file.parent_path().generic_string(), "another process is at work on this campaign",
@@ -33,7 +33,7 @@ CampaignLock::~CampaignLock() {
 bool CampaignLock::held(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  const bool free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   ::close(descriptor);
   return !free;
 }

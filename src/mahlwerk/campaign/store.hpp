@@ -85,6 +85,9 @@ class Store {
   void plan(const Planned& planned);
   std::unordered_map<RunHash, RunState> states() const;  ///< of all runs, those of old plans, too
 
+  /// Runs whose results should be in a folder below `place`, and are not.
+  std::vector<RunHash> without_folder(const std::filesystem::path& place) const;
+
   void keep(const Finished& finished);
   void fail(RunHash hash, std::string_view why);
   std::size_t retry();  ///< failed runs wait again; how many
@@ -125,8 +128,9 @@ class Store {
 /// Holds a folder's campaign for this process, until it ends however it ends.
 class CampaignLock {
  public:
-  /// Throws InputError where another process holds it.
-  explicit CampaignLock(const std::filesystem::path& file);
+  enum class Holds { alone, with_others };  ///< with other shards, each of a part of its own
+  /// Throws InputError where another process holds it, or it is held with others and wanted alone.
+  explicit CampaignLock(const std::filesystem::path& file, Holds holds = Holds::alone);
   ~CampaignLock();
   CampaignLock(const CampaignLock&) = delete;
   CampaignLock& operator=(const CampaignLock&) = delete;

@@ -56,6 +56,18 @@ Counts Store::counts() const {
   return counts;
 }
 
+std::vector<RunHash> Store::without_folder(const std::filesystem::path& place) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<RunHash> lost;
+  Statement asked =
+      database_.prepare("SELECT hash, folder FROM runs WHERE status = 'done' AND folder <> ''");
+  std::error_code none;
+  while (asked.step())
+    if (!std::filesystem::exists(place / asked.text(1), none))
+      lost.push_back(std::stoull(asked.text(0), nullptr, 16));
+  return lost;
+}
+
 std::string Store::title() const {
   const std::lock_guard lock(mutex_);
   return database_.word("SELECT value FROM campaign WHERE key = 'title'");
@@ -186,6 +198,12 @@ std::size_t Store::merge(const std::filesystem::path& other) {
         points));
     make_view();
   }
+  if (count(database_, "SELECT count(*) FROM other.points") > 0 &&
+      count(database_,
+            "SELECT count(*) FROM other.points WHERE hash IN (SELECT hash FROM "
+            "main.points)") == 0)
+    throw InputError(Fault{other.generic_string(), "this is a shard of another campaign",
+                           "take it away, or join it in a folder of its own", "store"});
   database_.run(
       "INSERT OR IGNORE INTO main.runs(hash, status) SELECT hash, 'waiting' FROM other.runs");
   summary_.reset();

@@ -3,6 +3,7 @@
 #include "mahlwerk/campaign/trial_runs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -52,6 +53,16 @@ TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& 
       over_(std::move(over)),
       base_(file_.read(catalogue, set_)) {
   for (const cases::SweptKey& range : over_) value_in_range(range, 0.5);
+  // A key or a unit that is wrong is wrong everywhere; what does not fit may fit elsewhere.
+  constexpr std::array sure{"unknown-key", "bad-quantity", "wrong-type", "unknown-word"};
+  try {
+    at(Place(over_.size(), 0.5), 0, 1);
+  } catch (const InputError& error) {
+    if (std::ranges::any_of(error.faults(), [&](const Fault& fault) {
+          return std::ranges::find(sure, fault.code) != sure.end();
+        }))
+      throw;
+  }
 }
 
 std::vector<std::string> TrialRuns::values(const Place& place) const {

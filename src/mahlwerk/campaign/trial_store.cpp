@@ -11,7 +11,7 @@ namespace mahlwerk::campaign {
 TrialStore::TrialStore(const std::filesystem::path& file, std::string measure)
     : database_(file, Database::Access::write), measure_(std::move(measure)) {
   database_.run(
-      "PRAGMA journal_mode=TRUNCATE; PRAGMA synchronous=NORMAL;"
+      "PRAGMA journal_mode=DELETE; PRAGMA synchronous=NORMAL;"
       "CREATE TABLE IF NOT EXISTS trials(run TEXT PRIMARY KEY, failure TEXT) WITHOUT ROWID;"
       "CREATE TABLE IF NOT EXISTS told(run TEXT, replicate INTEGER, outcome INTEGER, value REAL,"
       " PRIMARY KEY(run, replicate, outcome)) WITHOUT ROWID");

@@ -134,6 +134,8 @@ class CaseReader {
       return evaluate(formula->second,
                       [&](std::string_view other) { return derived(other, depth + 1); });
     const Node* node = value_at(root_, key);
+    if (const auto gravity = case_fields().front(); node == nullptr && key == gravity.key)
+      return parse_quantity(show(*gravity.standard, gravity.unit));
     if (node == nullptr || (node->kind != Node::Kind::text && node->kind != Node::Kind::number))
       throw FormulaError(fmt::format("the case does not say {} as a quantity", key));
     try {

@@ -62,6 +62,12 @@ class KeyReader {
   }
 
   void read_key(const std::string& key, const Node& node) {
+    if (const std::string section = key.substr(0, key.find('.'));
+        section == "sweep" || section == "optimise" || section == "match" || section == "fit") {
+      fault(node, fmt::format("\"{}\" is no value of a run", key),
+            "name what a mill's user sets: \"mill.speed\"", "bad-range");
+      return;
+    }
     if (node.kind == Node::Kind::table && !is_range(node)) {
       for (const auto& [below, value] : node.members) read_key(key + "." + below, value);
       return;
@@ -76,7 +82,7 @@ class KeyReader {
   }
 
   void read_range(const std::string& key, const Node& node) {
-    Section in(&node, fmt::format("{} of {}", key, section_), findings_);
+    Section in(&node, section_, findings_);
     SweptKey made{.key = key, .values = {}, .range = true};
     for (const char* end : {"from", "to"}) {
       const Node* at = in.find(end);
@@ -98,15 +104,19 @@ class KeyReader {
     SweptKey made{.key = key, .values = {}};
     for (const Node& item : node.items) made.values.push_back(item.text);
     const bool sound = node.kind == Node::Kind::list && !node.items.empty() &&
-                       std::ranges::all_of(node.items, is_value);
+                       std::ranges::all_of(node.items, is_value) &&
+                       std::ranges::none_of(node.items, &std::string::empty, &Node::text);
     if (sound)
       keys_.push_back(std::move(made));
     else
-      fault(node, fmt::format("\"{}\" must be a list of values, a range or a formula", key),
-            fmt::format("write \"{0}\" = [\"...\", \"...\"], \"{0}\" = {{ from = \"...\", to = "
-                        "\"...\", steps = 5 }} or \"{0}\" = \"= 2 * other.key\"",
-                        key),
-            "wrong-type");
+      fault(
+          node,
+          fmt::format(
+              "\"{}\" must be a list of values, none of them empty, or a range or a formula", key),
+          fmt::format("write \"{0}\" = [\"...\", \"...\"], \"{0}\" = {{ from = \"...\", to = "
+                      "\"...\", steps = 5 }} or \"{0}\" = \"= 2 * other.key\"",
+                      key),
+          "wrong-type");
   }
 
   std::string section_;
@@ -200,7 +210,7 @@ void read_search(Section& in, const Node& table, Looks& looks) {
   if (const auto n = in.whole("settings", 100'000, 4)) looks.settings = *n;
   if (const auto n = in.whole("replicates", 100'000, 2)) looks.replicates = *n;
   Places places;
-  KeyReader keys(in.heading(), places, in.findings());
+  KeyReader keys(in.name(), places, in.findings());
   const Node* over = in.find("over");
   if (over != nullptr && over->kind == Node::Kind::table) keys.read(*over);
   looks.over = keys.keys();
@@ -210,6 +220,13 @@ void read_search(Section& in, const Node& table, Looks& looks) {
              "bad-range");
     return;
   }
+  for (const SweptKey& key : looks.over)
+    if (key.key == "seed" || key.key == "run.replicates" || key.steps > 0)
+      in.fault(*over,
+               key.steps > 0
+                   ? fmt::format("\"{}\" is searched between its ends: it has no steps", key.key)
+                   : fmt::format("\"{}\" is nothing to look for a best value of", key.key),
+               "take it out", "bad-range");
   const auto derived = keys.derived();
   const auto listed_key = std::ranges::find(looks.over, false, &SweptKey::range);
   if (listed_key != looks.over.end() || !derived.empty()) {
@@ -253,7 +270,7 @@ Sweep read_sweep(const Node* table, Places& places, Findings& findings) {
         static_cast<Design>(std::ranges::find(design_words(), word) - design_words().begin());
   }
   if (const auto n = in.whole("samples", most_samples)) sweep.samples = *n;
-  KeyReader reader("[sweep]", places, findings);
+  KeyReader reader("sweep", places, findings);
   reader.read(*table, {"design", "samples", "together"});
   sweep.keys = reader.keys();
   sweep.derived = reader.derived();

@@ -73,8 +73,7 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes) {
     const Multiple& m = sheet.multiples[i];
     text += fmt::format(
         "<td class=\"n\" data-v=\"{}\">{}</td>", std::isfinite(v) ? fmt::format("{}", v) : "",
-        escaped(readable(v, half_width_at(p, i), c.columns[i].unit, m.factor == 1 ? 0 : m.factor)
-                    .number));
+        escaped(readable(v, half_width_at(p, i), c.columns[i].unit, m.factor).number));
   }
   return text + "</tr>\n";
 }

@@ -56,7 +56,12 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("campaign.sqlite-journal"),
                                std::string_view("campaign.lock"),
                                std::string_view("campaign.slurm"),
-                               std::string_view("campaign.json"),
+                               std::string_view("optimise.json"),
+                               std::string_view("optimise.html"),
+                               std::string_view("match.json"),
+                               std::string_view("match.html"),
+                               std::string_view("settings.csv"),
+                               std::string_view("best.toml"),
                                std::string_view("compare.csv"),
                                std::string_view("compare.html"),
                                std::string_view("fit.json"),
@@ -121,6 +126,8 @@ bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
          beginning(folder / "campaign.sqlite").starts_with("SQLite format 3") ||
+         beginning(folder / "optimise.json").find("\"mahlwerk\"") != std::string::npos ||
+         beginning(folder / "match.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||
          beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m") ||
          beginning(folder / "claims.csv").starts_with("figure,the_paper_says,we_find,holds,why");
