@@ -128,8 +128,7 @@ void Database::Close::operator()(sqlite3* database) const {
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
   // Even who only reads must be able to take back what a killed process had begun to write; where
   // the file cannot be written to, SQLite opens it for reading alone.
-  const int flags =
-      SQLITE_OPEN_READWRITE | (access == Access::read ? 0 : SQLITE_OPEN_CREATE);
+  const int flags = SQLITE_OPEN_READWRITE | (access == Access::read ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* made = nullptr;
   const int code = sqlite3_open_v2(file.c_str(), &made, flags | SQLITE_OPEN_FULLMUTEX, nullptr);
   database_.reset(made);

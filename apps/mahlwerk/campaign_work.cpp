@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A campaign's runs at work: from the queue into folders and the store.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "campaign_folder.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/queue.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/regime.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double checkpoint_every = 60;  // [s]
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// Why physics stopped a run; empty if it did not.
+std::string trouble(const results::Outcome& outcome) {
+  for (const results::Replicate& r : outcome.replicates)
+    if (!r.stopped.empty()) return r.stopped;
+  return "";
+}
+
+}  // namespace
+
+/// What lies open while runs are at work: their folders, streams and states.
+class CampaignFolder::Desk {
+ public:
+  Desk(CampaignFolder& owner, std::vector<std::size_t> todo)
+      : owner_(owner), todo_(std::move(todo)), line_(owner.request_.quiet) {
+    for (const std::size_t point : todo_) wanted_ += owner_.runs_[point].work;
+  }
+
+  Worked work(Worked worked) {
+    worked_ = worked;
+    const auto begin = std::chrono::steady_clock::now();
+    campaign::Options options;
+    options.threads = campaign::threads_of(owner_.request_.threads);
+    options.stop = &stop_wanted();
+    options.progress = [&](const campaign::Progress& p) { show(p); };
+    options.records = [&](std::size_t i, int r) {
+      const Paper& mine = paper(i);
+      return mine.folder ? mine.streams.records(0, r) : nullptr;
+    };
+    options.frames = [&](std::size_t i, int r) {
+      const Paper& mine = paper(i);
+      return mine.folder ? mine.streams.frames(0, r) : nullptr;
+    };
+    campaign::Queue queue;
+    queue.size = todo_.size();
+    queue.open = [&](std::size_t i) { return open(i); };
+    queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
+    queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
+    queue.kept = [&](std::size_t i) {
+      return campaign::Kept{.in = &*paper(i).checkpoint, .always = false};
+    };
+    queue.wanted = wanted_;
+    queue.weight = [&](std::size_t i) {
+      const Run& run = owner_.runs_[todo_[i]];
+      return run.work / run.seconds;
+    };
+    campaign::work_off(queue, options);
+    worked_.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    worked_.interrupted = stop_wanted();
+    return worked_;
+  }
+
+ private:
+  struct Paper {
+    std::string name;  // of its folder, below the campaign's
+    std::string began = now();
+    std::unique_ptr<results::Folder> folder;  // or null
+    Streams streams;
+    std::optional<campaign::Checkpoint> checkpoint;
+  };
+
+  Paper& paper(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    return *papers_.at(i);
+  }
+  void clear(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    papers_.erase(i);
+  }
+
+  cases::Case open(std::size_t i) {
+    const std::size_t point = todo_[i];
+    cases::Case what = owner_.file_.read(owner_.catalogue_, owner_.settings(point));
+    what.sweep = {};
+    auto made = std::make_unique<Paper>();
+    const std::string hash = campaign::hash_text(owner_.runs_[point].hash);
+    made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
+                             std::to_string(owner_.size()).size(), hash.substr(0, 8));
+    const fs::path place = owner_.place_ / made->name;
+    const bool streams = what.observe.frames || what.observe.collisions;
+    fs::create_directories(place.parent_path());
+    if (owner_.keeps_folders() || streams)
+      made->folder = std::make_unique<results::Folder>(place, true);
+    if (made->folder) made->streams.add(what, *made->folder, "");
+    made->checkpoint.emplace(place.string() + ".checkpoint", hash,
+                             static_cast<std::size_t>(what.run.replicates), checkpoint_every);
+    if (!streams && fs::exists(place.string() + ".checkpoint")) try {
+        made->checkpoint->load();
+      } catch (const InputError&) {
+        // of another version, or half written: the run begins anew
+      }
+    const std::lock_guard lock(mutex_);
+    papers_[i] = std::move(made);
+    return what;
+  }
+
+  void done(std::size_t i, const results::Outcome& outcome) {
+    Paper& mine = paper(i);
+    mine.streams.close();
+    if (!outcome.interrupted) {
+      if (mine.folder) {
+        report::write(*mine.folder, outcome, version(), "", false);
+        mine.folder->commit();
+      }
+      campaign::Finished finished;
+      finished.hash = owner_.runs_[todo_[i]].hash;
+      finished.resolved = cases::write(outcome.what);
+      finished.engine = outcome.engine;
+      finished.regime = results::regime(outcome);
+      finished.folder = mine.folder ? mine.name : "";
+      finished.began = mine.began;
+      finished.wall_seconds = outcome.wall_seconds;
+      finished.cpu_seconds = outcome.cpu_seconds;
+      finished.failure = trouble(outcome);
+      finished.quantities = results::summarise(outcome);
+      owner_.store_->keep(finished);
+      mine.checkpoint->remove();
+      const std::lock_guard lock(mutex_);
+      ++(finished.failure.empty() ? worked_.done : worked_.failed);
+    }
+    clear(i);
+  }
+
+  void failed(std::size_t i, const std::exception& why) {
+    owner_.store_->fail(owner_.runs_[todo_[i]].hash, why.what());
+    clear(i);
+    const std::lock_guard lock(mutex_);
+    ++worked_.failed;
+  }
+
+  void show(const campaign::Progress& p) {
+    using Seconds = std::chrono::duration<double>;
+    const double gone = Seconds(std::chrono::steady_clock::now() - began_).count();
+    const double share = p.wanted > 0 ? std::min(1.0, p.simulated / p.wanted) : 0;
+    const std::lock_guard lock(mutex_);
+    line_.show(
+        fmt::format("{:3.0f} %  {} of {} runs done{}  {}", 100 * share, worked_.done, todo_.size(),
+                    worked_.failed > 0 ? fmt::format(", {} failed", worked_.failed) : "",
+                    share > 0 ? fmt::format("{:.0f} s left", gone * (1 - share) / share) : ""));
+  }
+
+  CampaignFolder& owner_;
+  std::vector<std::size_t> todo_;
+  ProgressLine line_;
+  double wanted_ = 0;  // [s] of work, estimated
+  std::mutex mutex_;
+  std::map<std::size_t, std::unique_ptr<Paper>> papers_;  // by place in todo_
+  Worked worked_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+Worked CampaignFolder::work() {
+  Worked worked;
+  std::vector<std::size_t> todo = to_do(worked);
+  return Desk(*this, std::move(todo)).work(worked);
+}
+
+}  // namespace mahlwerk::app
