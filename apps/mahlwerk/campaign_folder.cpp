@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <unordered_set>
 
 #include "mahlwerk/base/error.hpp"
@@ -42,6 +43,10 @@ bool is_free(const fs::path& place) {
   return !fs::exists(place, none) || fs::is_empty(place, none);
 }
 
+void refuse_strangers(const fs::path& place, bool force) {
+  if (!is_free(place) && !holds_campaign(place)) const results::Folder tried(place, force);
+}
+
 /// The lock's file, in a folder that is a campaign's or has been made one.
 fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
   const fs::path lock = place / (name_of(shard) + ".lock");
@@ -60,7 +65,7 @@ fs::path opened(const Request& request, const fs::path& place, const Shard& shar
 }  // namespace
 
 void prepare_place(const fs::path& place) {
-  if (!is_free(place) && !holds_campaign(place)) results::Folder(place, false);  // which refuses
+  refuse_strangers(place, false);
   std::error_code failed;
   fs::create_directories(place, failed);
   if (failed)
@@ -78,8 +83,7 @@ CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file
       place_(std::move(place)),
       case_file_(fs::weakly_canonical(case_file)),
       shard_(shard) {
-  if (!is_free(place_) && !holds_campaign(place_))
-    results::Folder(place_, request.force);  // which refuses what is not ours
+  refuse_strangers(place_, request.force);
 }
 
 /// Only once the case is known to be sound: until then nothing is written.
@@ -107,14 +111,12 @@ void CampaignFolder::clear_remains() const {
 
 std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
   std::vector<cases::Override> all = set_;
-  const std::vector<std::string> values = points_.values(point);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (!values[k].empty()) all.push_back({points_.keys[k], values[k], true});
+  std::ranges::move(plan_->overrides(point), std::back_inserter(all));
   return all;
 }
 
 std::vector<std::string> CampaignFolder::said(std::size_t point) const {
-  std::vector<std::string> values = points_.values(point);
+  std::vector<std::string> values = plan_->values(point);
   for (std::size_t k = 0; k < values.size(); ++k)
     if (values[k].empty()) values[k] = own_[k];
   return values;
@@ -126,44 +128,42 @@ CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
           (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates)};
 }
 
-void CampaignFolder::plan(const Points& points) {
-  points_ = points;
+void CampaignFolder::plan(campaign::Plan plan) {
+  plan_ = std::move(plan);
   const cases::Case base = file_.read(catalogue_, set_);
-  title_ = base.title;
   own_.clear();
-  for (const std::string& key : points_.keys) {
+  for (const std::string& key : plan_->keys()) {
     const auto origin = std::ranges::find(base.origins, key, &cases::Origin::key);
     own_.push_back(origin == base.origins.end() ? "" : origin->value);
   }
-  runs_.assign(points.size, {});
-  std::vector<std::optional<InputError>> wrong(points.size);
+  runs_.assign(plan_->size(), {});
+  std::optional<InputError> first;  // of the first point
   std::atomic<std::size_t> faulty = 0;
-  campaign::in_parallel(campaign::threads_of(request_.threads), points.size, [&](std::size_t i) {
+  campaign::in_parallel(campaign::threads_of(request_.threads), runs_.size(), [&](std::size_t i) {
     if (stop_wanted()) return;
     try {
       runs_[i] = read_run(i);
     } catch (const InputError& e) {
-      std::string text = version().data();
+      std::string text(version());
       for (const auto& [key, value, swept] : settings(i))
         text += fmt::format("\n{}={}", key, value);
       runs_[i].hash = fingerprint(text);
-      if (++faulty == points_.size || i == 0) wrong[i] = e;
+      ++faulty;
+      if (i == 0) first = e;
     }
   });
   if (stop_wanted()) return;
-  if (faulty == points.size)
-    for (const auto& one : wrong)
-      if (one) throw *one;
+  if (faulty == runs_.size() && first) throw *first;
+  open();
   campaign::Planned planned;
-  planned.title = title_;
+  planned.title = base.title;
   planned.version = version();
   planned.case_file = case_file_;
   planned.overrides = set_;
-  planned.keys = points_.keys;
-  planned.follow = points_.follow;
+  planned.keys = plan_->keys();
+  planned.follow = plan_->follow();
   for (const Run& run : runs_) planned.runs.push_back(run.hash);
   planned.values = [this](std::size_t i) { return said(i); };
-  open();
   store_->plan(planned);
 }
 

@@ -9,19 +9,11 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/campaign/store.hpp"
 #include "mahlwerk/report/campaign.hpp"
 
 namespace mahlwerk::app {
-
-/// The points of a campaign: what their keys say.
-struct Points {
-  std::vector<std::string> keys;
-  std::vector<std::string> follow = {};  ///< of the keys, those that go side by side with others
-  std::size_t size = 0;
-  /// Of the keys, as text; empty where one stays as the case has it.
-  std::function<std::vector<std::string>(std::size_t point)> values;
-};
 
 /// Which part of a campaign a process does: each `of`-th run, from `number`, which is 1 ... of.
 struct Shard {
@@ -50,7 +42,7 @@ class CampaignFolder {
   /// Reads the cases of all points, then opens the folder. A point whose case has faults fails as
   /// its turn comes; throws InputError if all have, the folder cannot be written to, or another
   /// process is at work there. Does nothing once a stop is wanted.
-  void plan(const Points& points);
+  void plan(campaign::Plan plan);
   /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
   Worked work();
 
@@ -82,10 +74,9 @@ class CampaignFolder {
   Shard shard_;
   std::optional<campaign::CampaignLock> own_lock_, lock_;
   std::optional<campaign::Store> store_;
-  Points points_;
+  std::optional<campaign::Plan> plan_;
   std::vector<std::string> own_;  // what the case itself says of the keys
   std::vector<Run> runs_;
-  std::string title_;
 };
 
 /// Makes the folder of a campaign that others will work on. Throws InputError if it holds something

@@ -113,12 +113,16 @@ class CampaignFolder::Desk {
     if (owner_.keeps_folders() || streams)
       made->folder = std::make_unique<results::Folder>(place, true);
     if (made->folder) made->streams.add(what, *made->folder, "");
-    made->checkpoint.emplace(place.string() + ".checkpoint", hash,
-                             static_cast<std::size_t>(what.run.replicates), checkpoint_every);
-    if (!streams && fs::exists(place.string() + ".checkpoint")) try {
+    const fs::path kept = place.string() + ".checkpoint";
+    const auto no_state = [&] {
+      made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
+                               checkpoint_every);
+    };
+    no_state();
+    if (!streams && fs::exists(kept)) try {
         made->checkpoint->load();
       } catch (const InputError&) {
-        // of another version, or half written: the run begins anew
+        no_state();  // it was another version's, or damaged: the run begins anew
       }
     const std::lock_guard lock(mutex_);
     papers_[i] = std::move(made);

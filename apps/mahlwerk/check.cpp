@@ -46,12 +46,14 @@ struct Checked {
   std::vector<std::string> notes;  ///< on the engine that will run it
 };
 
+constexpr std::size_t looked_at = 1000;  // points of a campaign, however many it has
+
 Checked look_at(const Request& request, const std::filesystem::path& file,
                 const cases::Catalogue& known) {
   const std::vector<cases::Override> set = overrides(request);
   Checked c;
   c.what = cases::read(file, known, set);
-  const std::vector<cases::Case> points = campaign::points(c.what, known, set);
+  const std::vector<cases::Case> points = campaign::points(c.what, known, set, looked_at);
   const cases::Case& first = points.front();
   c.follows = cases::consequences(first);
   c.engine = campaign::run_faults(first);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -22,13 +23,9 @@ report::Told told(const campaign::Guess& guess) {
   return {guess.mean, guess.ci95};
 }
 
-/// The unit that a range is written in: what follows the number of its upper end.
+/// The unit that a range is written in: that of its upper end.
 std::string unit_of(const cases::SweptKey& range) {
-  const std::string& text = range.values[1];
-  const auto end = text.find_first_not_of("+-.0123456789eE");
-  if (end == std::string::npos) return "";
-  const auto unit = text.find_first_not_of(' ', end);
-  return unit == std::string::npos ? "" : text.substr(unit);
+  return std::string(number_text(range.values[1]).rest);
 }
 
 double number_of(const std::string& text, const std::string& unit) {

@@ -110,20 +110,6 @@ int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard
 
 }  // namespace
 
-namespace {
-
-Points points_of(const cases::Case& what) {
-  const auto plan = std::make_shared<campaign::Plan>(what.sweep, what.seed);
-  Points points{.keys = plan->keys(), .size = plan->size(), .values = [plan](std::size_t i) {
-                  return plan->values(i);
-                }};
-  for (const std::vector<std::string>& group : what.sweep.together)
-    points.follow.insert(points.follow.end(), group.begin() + 1, group.end());
-  return points;
-}
-
-}  // namespace
-
 int sweep_case(const Request& request, const fs::path& file,
                const std::vector<cases::Override>& set, const fs::path& place) {
   const Shard shard = shard_of(request.shard);
@@ -133,7 +119,7 @@ int sweep_case(const Request& request, const fs::path& file,
   const cases::Case what = swept_case(file, set);
   catch_ctrl_c();
   CampaignFolder folder(request, file, set, place, shard);
-  folder.plan(points_of(what));
+  folder.plan(campaign::Plan(what.sweep, what.seed));
   if (stop_wanted()) {
     if (!request.quiet) fmt::print(stderr, "interrupted: nothing was run yet\n");
     return interrupted;

@@ -213,6 +213,17 @@ def more_points_run_only_what_is_new(program):
         assert asked(c.out, "SELECT count(*) FROM results") == [(4,)]
 
 
+def one_at_a_time_leaves_the_case_as_it_is_and_can_be_checked(program):
+    sweep = ('design = "one-at-a-time"\n"mill.frequency" = { from = "8 Hz", to = "12 Hz" }\n'
+             '"contact.restitution" = { from = 0.5, to = 0.95 }')
+    with Campaign(program, sweep) as c:
+        subprocess.run([program, "check", str(c.case)], check=True, capture_output=True)
+        c.run("--quiet")
+        assert asked(c.out, 'SELECT "contact.restitution", "mill.frequency_Hz" FROM results') == [
+            (0.9, 10), (0.5, 10), (0.95, 10), (0.9, 8), (0.9, 12)]
+        assert (c.out / "figures" / "tornado-dissipated_power.svg").exists()
+
+
 def two_at_once_are_refused(program):
     with Campaign(program, frequencies(50), time="60 s") as c:
         first = subprocess.Popen(c.command("--quiet", "--results", "summary"))

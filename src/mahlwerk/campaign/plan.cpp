@@ -118,6 +118,8 @@ std::string value_in_range(const cases::SweptKey& range, double place, int digit
 
 Plan::Plan(const cases::Sweep& sweep, std::uint64_t seed) {
   for (const cases::SweptKey& key : sweep.keys) keys_.push_back(key.key);
+  for (const std::vector<std::string>& group : sweep.together)
+    follow_.insert(follow_.end(), group.begin() + 1, group.end());
   if (sweep.design != cases::Design::grid && !keys_.empty()) {
     ranges_ = sweep.keys;
     for (const cases::SweptKey& range : ranges_) ends_of(range);  // that it is one
@@ -165,6 +167,14 @@ std::vector<std::string> Plan::values(std::size_t point) const {
     point /= group->length;
   }
   return values;
+}
+
+std::vector<cases::Override> Plan::overrides(std::size_t point) const {
+  std::vector<cases::Override> list;
+  const std::vector<std::string> said = values(point);
+  for (std::size_t k = 0; k < said.size(); ++k)
+    if (!said[k].empty()) list.push_back({keys_[k], said[k], true});
+  return list;
 }
 
 }  // namespace mahlwerk::campaign

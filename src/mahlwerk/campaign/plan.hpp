@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 
 namespace mahlwerk::campaign {
@@ -20,8 +21,12 @@ class Plan {
 
   std::size_t size() const { return size_; }
   const std::vector<std::string>& keys() const { return keys_; }  ///< by name
+  /// Of the keys, those whose lists go side by side with another's.
+  const std::vector<std::string>& follow() const { return follow_; }
   /// Of the keys at a point, as text; empty where a key stays as the case has it.
   std::vector<std::string> values(std::size_t point) const;
+  /// What makes the case that of a point: the values it does not have already.
+  std::vector<cases::Override> overrides(std::size_t point) const;
   /// By point: where in the ranges it lies, 0 to 1 for each key; none on a grid.
   const std::vector<std::vector<double>>& places() const { return rows_; }
 
@@ -35,7 +40,7 @@ class Plan {
   };
   void make_groups(const cases::Sweep& sweep);
 
-  std::vector<std::string> keys_;
+  std::vector<std::string> keys_, follow_;
   std::vector<std::vector<std::string>> lists_;  ///< of a grid: by key
   std::vector<cases::SweptKey> ranges_;          ///< of any other design
   std::vector<Group> groups_;

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/campaign/queue.hpp"
 #include "mahlwerk/campaign/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
@@ -85,20 +85,16 @@ results::Outcome run(const cases::Case& what, const Options& options) {
 }
 
 std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
-                                const std::vector<cases::Override>& overrides) {
+                                const std::vector<cases::Override>& overrides, std::size_t most) {
   if (what.sweep.empty()) return {what};
-  std::vector<std::vector<cases::Override>> all;
   const Plan plan(what.sweep, what.seed);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    all.push_back(overrides);
-    const std::vector<std::string> values = plan.values(i);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      all.back().push_back({plan.keys()[k], values[k], true});
-  }
+  const cases::CaseFile file(what.file);
   std::vector<cases::Case> made;
   std::vector<Fault> wrong;
-  for (const auto& one : all) try {
-      made.push_back(cases::read(what.file, catalogue, one));
+  for (std::size_t i = 0; i < std::min(plan.size(), most); ++i) try {
+      std::vector<cases::Override> set = overrides;
+      std::ranges::move(plan.overrides(i), std::back_inserter(set));
+      made.push_back(file.read(catalogue, set));
       made.back().sweep = {};
     } catch (const InputError& e) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());

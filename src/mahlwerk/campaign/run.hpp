@@ -10,6 +10,7 @@
 
 #include "mahlwerk/campaign/checkpoint.hpp"
 #include "mahlwerk/campaign/memory.hpp"
+#include "mahlwerk/campaign/plan.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -50,9 +51,10 @@ results::Outcome run(const cases::Case& what, const Options& options = {});
 /// As many as asked for, or as the machine has cores where that is 0.
 int threads_of(int asked);
 
-/// A case without [sweep] is itself; one with it becomes a case per point of the full product, in
-/// order. Throws InputError with the faults of all points.
+/// A case without [sweep] is itself; one with it becomes a case per point of its plan, in order,
+/// but no more than `most`. Throws InputError with the faults of all points.
 std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
-                                const std::vector<cases::Override>& overrides);
+                                const std::vector<cases::Override>& overrides,
+                                std::size_t most = Plan::most_points);
 
 }  // namespace mahlwerk::campaign

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/csv.hpp"
 
@@ -20,22 +21,6 @@ int digits_for(double low, double high) {
   const double apart = std::abs(high - low), size = std::fmax(std::abs(low), std::abs(high));
   if (!(apart > 0) || !(size > 0)) return 4;
   return std::clamp(2 + static_cast<int>(std::ceil(std::log10(size / apart))), 3, 8);
-}
-
-/// Columns under each other, the last as long as it is.
-std::string aligned(const std::vector<std::array<std::string, 4>>& lines) {
-  std::array<std::size_t, 4> widths{};
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-  std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + '\n';
-  }
-  return text;
 }
 
 }  // namespace

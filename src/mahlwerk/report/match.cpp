@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
 
@@ -80,16 +81,7 @@ std::string match_table(const MatchReport& found) {
     text += '\n';
     std::vector<Row> lines = rows(found);
     lines.insert(lines.begin(), Row{"", "A", "B as found", "B/A"});
-    std::array<std::size_t, 4> widths{};
-    for (const Row& line : lines)
-      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-    for (const Row& line : lines) {
-      std::string row;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
-      row.erase(row.find_last_not_of(' ') + 1);
-      text += row + '\n';
-    }
+    text += aligned(lines);
     text += '\n';
   }
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/csv.hpp"
 
@@ -14,22 +15,6 @@ namespace mahlwerk::report {
 namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
-
-/// Columns under each other.
-std::string aligned(const Lines& lines) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
-  std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      row += line[i] + std::string(widths[i] - width(line[i]) + 2, ' ');
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + '\n';
-  }
-  return text;
-}
 
 std::string text_of(const Told& t, const std::string& unit) {
   return readable(t.value, t.ci95, unit).text();

@@ -123,6 +123,18 @@ TEST(Plan, one_at_a_time_leaves_the_others_as_the_case_has_them) {
             (std::vector<Values>{{"", ""}, {"1", ""}, {"3", ""}, {"", "5 mm"}, {"", "7 mm"}}));
 }
 
+TEST(Plan, a_key_that_stays_as_the_case_has_it_is_not_put_into_it) {
+  Sweep sweep;
+  sweep.design = Design::one_at_a_time;
+  sweep.keys = {range("a", "1", "3"), range("b", "5 mm", "7 mm")};
+  EXPECT_TRUE(Plan(sweep, 1).overrides(0).empty());
+  const auto last = Plan(sweep, 1).overrides(4);
+  ASSERT_EQ(last.size(), 1U);
+  EXPECT_EQ(last[0].key, "b");
+  EXPECT_EQ(last[0].value, "7 mm");
+  EXPECT_TRUE(last[0].swept);
+}
+
 TEST(Plan, designs_have_as_many_points_as_they_say) {
   Sweep sweep;
   sweep.samples = 6;
