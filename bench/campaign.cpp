@@ -12,7 +12,7 @@
 
 #include "benchmarks.hpp"
 #include "child.hpp"
-#include "mahlwerk/campaign/store.hpp"
+#include "mahlwerk/campaign/store/store.hpp"
 
 namespace mahlwerk::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "benchmarks.hpp"
-#include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/powder/sample.hpp"
 #include "mahlwerk/results/grinding.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks.hpp"
-#include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::bench {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/campaign/optimise.hpp"
-#include "mahlwerk/campaign/parallel.hpp"
+#include "mahlwerk/campaign/run/parallel.hpp"
+#include "mahlwerk/campaign/search/optimise.hpp"
 
 namespace mahlwerk::tests {
 

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +16,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 // The program as a user meets it, in a folder that goes away with the test.
 namespace mahlwerk::tests {
@@ -38,6 +43,35 @@ class ProgramTest : public ::testing::Test {
     char part[4096];
     while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
     return {WEXITSTATUS(pclose(pipe)), said};
+  }
+  /// Sends `signal` as soon as there is the file `once`, or a checkpoint in the folder `once`; the
+  /// code of a program that a signal ended is 128 and its number, as in a shell.
+  Ended mahlwerk_until(const std::string& once, int signal, const std::string& words) const {
+    const pid_t child = fork();
+    if (child == 0) {
+      const int said = ::open((here_ / "said").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+      dup2(said, 1);
+      dup2(said, 2);
+      const std::string command =
+          "cd '" + here_.string() + "' && exec '" + std::string(MAHLWERK_PROGRAM) + "' " + words;
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    const auto there = [&] {
+      const std::filesystem::path wanted = here_ / once;
+      std::error_code none;
+      if (!std::filesystem::is_directory(wanted, none)) return exists(once);
+      for (const auto& file : std::filesystem::directory_iterator(wanted, none))
+        if (file.path().extension() == ".checkpoint") return true;
+      return false;
+    };
+    int status = 0;
+    bool sent = false;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+      if (!sent && there()) sent = kill(child, signal) == 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), text("said")};
   }
   std::string text(const std::string& name) const {
     std::ifstream in(here_ / name);

@@ -11,8 +11,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
-#include "mahlwerk/campaign/parallel.hpp"
-#include "mahlwerk/campaign/work.hpp"
+#include "mahlwerk/campaign/run/parallel.hpp"
+#include "mahlwerk/campaign/sweep/work.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "progress.hpp"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "mahlwerk/campaign/plan.hpp"
-#include "mahlwerk/campaign/store.hpp"
-#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/campaign/store/store.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/report/campaign/campaign.hpp"
 
 namespace mahlwerk::app {
 

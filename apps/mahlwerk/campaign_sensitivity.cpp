@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "campaign_folder.hpp"
-#include "mahlwerk/campaign/sensitivity.hpp"
+#include "mahlwerk/campaign/sweep/sensitivity.hpp"
 
 namespace mahlwerk::app {
 namespace {

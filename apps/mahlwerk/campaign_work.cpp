@@ -11,7 +11,7 @@
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/queue.hpp"
+#include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"

@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // fit: numbers of a case, found from what was measured of the powder.
-#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/writer.hpp"
 #include "progress.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/report/fit.hpp"
 
 namespace mahlwerk::app {

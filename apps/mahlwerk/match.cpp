@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // match: settings of one mill that do to the powder what another mill does.
-#include "mahlwerk/campaign/match.hpp"
+#include "mahlwerk/campaign/search/match.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/fit.hpp"
-#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/match.hpp"
 #include "mahlwerk/report/report.hpp"

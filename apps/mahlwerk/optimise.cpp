@@ -11,7 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/writer.hpp"

@@ -10,16 +10,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "kept_runs.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/plan.hpp"
-#include "mahlwerk/campaign/run.hpp"
-#include "mahlwerk/campaign/soft_settings.hpp"
-#include "mahlwerk/report/paper_page.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -129,7 +129,8 @@ class Shared {
 };
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
-std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job) {
+std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job,
+                                                   const KeptRuns& kept) {
   Shared shared;
   Streams streams;
   std::map<std::string, std::vector<std::size_t>> at;
@@ -139,7 +140,7 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
       at[name].push_back(shared.add(points[i]));
       if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, nullptr);
+  const std::vector<results::Outcome> outcomes = kept.compute(request, shared.points, streams);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -165,7 +166,7 @@ void write(const Job& job, const std::map<std::string, report::RunCampaign>& run
     job.folder->write(name + "/campaign.csv", report::campaign_csv(one.numbers));
     job.folder->write(name + "/campaign.html", report::campaign_page(one.numbers, version()));
   }
-  for (const report::Picture& picture : result.pictures)
+  for (const report::PaperPicture& picture : result.pictures)
     job.folder->write("figures/" + picture.file, picture.svg);
   job.folder->write("claims.csv", report::claims_csv(result));
   job.folder->write("claims.md", report::claims_markdown(result));
@@ -206,16 +207,23 @@ int papers(const Request& request) {
   auto list = nlohmann::ordered_json::array();
   for (const Job& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
-    const std::map<std::string, report::RunCampaign> run = run_all(request, job);
+    KeptRuns kept(job.folder->wanted());
+    const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);
+    if (stop_wanted()) {
+      if (!request.quiet)
+        fmt::print(stderr, "interrupted: what was run is kept; the same command goes on\n");
+      ended = interrupted;
+      break;
+    }
     const report::PaperResult result = report::paper_result(job.paper, run);
     write(job, run, result);
+    kept.remove();
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (request.json) list.push_back(as_json(job, result));
     if (!request.json && !request.quiet) tell(job, result, seconds);
     for (const auto& [name, one] : run)
       if (const int how = how_it_ended(one.outcomes); how != fine) ended = how;
-    if (ended == interrupted) break;
   }
   if (request.json) fmt::print("{}\n", list.dump(2));
   return ended;

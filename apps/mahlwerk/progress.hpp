@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 
 namespace mahlwerk::app {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // run: one case, or every case of a folder, to result folders; those with [sweep] as campaigns.
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"

@@ -10,7 +10,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/plan.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "progress.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "mahlwerk/campaign/trial_runs.hpp"
+#include "mahlwerk/campaign/search/trial_runs.hpp"
 #include "mahlwerk/report/optimum.hpp"
 
 // What optimise and match share: settings are looked for, and told.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/hdf5.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/plan.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/csv.hpp"
 #include "progress.hpp"
 #include "slurm.hpp"

@@ -2,15 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // A run of many balls that is ended and gone on with, as a user does it.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "program.hpp"
 
 namespace mahlwerk::tests {
 namespace {
@@ -44,26 +36,23 @@ settle = "0.1 s"
 replicates = 2
 )";
 
-class Resume : public ::testing::Test {
+class Resume : public ProgramTest {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "mahlwerk-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    here_ = name;
+    ProgramTest::SetUp();
     std::ofstream(here_ / "drum.toml") << drum;
   }
-  void TearDown() override { fs::remove_all(here_); }
 
-  /// Exit code of the program; `before` is put in front of its name.
-  int mahlwerk(const std::string& words, const std::string& before = "") {
-    const std::string command = "cd '" + here_.string() + "' && " + before + " '" +
-                                MAHLWERK_PROGRAM + "' " + words + " > said 2>&1";
-    return WEXITSTATUS(std::system(command.c_str()));  // NOLINT: the test is the shell's user
+  Ended run(const std::string& words) const { return mahlwerk("run drum.toml --out " + words); }
+  /// Ended once there is a state to go on from.
+  Ended ended_run(int signal) const {
+    return mahlwerk_until("parts.checkpoint", signal,
+                          "run drum.toml --out parts --checkpoint 0.05");
   }
-  std::string text(const std::string& name) const {
-    std::ostringstream all;
-    all << std::ifstream(here_ / name).rdbuf();
-    return all.str();
+  void expect_no_resume(const std::string& because, const std::string& set = "") const {
+    const Ended e = run("parts --resume" + set);
+    EXPECT_EQ(e.code, 2);
+    EXPECT_NE(e.said.find(because), std::string::npos) << e.said;
   }
 
   void turn_a_bit(std::uintmax_t at) const {
@@ -73,20 +62,18 @@ class Resume : public ::testing::Test {
     file.seekp(static_cast<std::streamoff>(at));
     file.put(static_cast<char>(was ^ 4));
   }
-
-  fs::path here_;
 };
 
 TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
-  ASSERT_EQ(mahlwerk("run drum.toml --out whole --threads 1"), 0) << text("said");
-  ASSERT_EQ(mahlwerk("run drum.toml --out parts --checkpoint 0.1",
-                     "timeout --preserve-status -s INT 0.3"),
-            130)
-      << text("said");
-  EXPECT_NE(text("said").find("--resume"), std::string::npos) << text("said");
-  EXPECT_TRUE(fs::exists(here_ / "parts.checkpoint"));
-  ASSERT_EQ(mahlwerk("run drum.toml --out parts --resume --threads 2"), 0) << text("said");
-  EXPECT_FALSE(fs::exists(here_ / "parts.checkpoint")) << "the run is complete";
+  const Ended whole = run("whole --threads 1");
+  ASSERT_EQ(whole.code, 0) << whole.said;
+  const Ended ended = ended_run(SIGINT);
+  ASSERT_EQ(ended.code, 130) << ended.said;
+  EXPECT_NE(ended.said.find("--resume"), std::string::npos) << ended.said;
+  EXPECT_TRUE(exists("parts.checkpoint"));
+  const Ended resumed = run("parts --resume --threads 2");
+  ASSERT_EQ(resumed.code, 0) << resumed.said;
+  EXPECT_FALSE(exists("parts.checkpoint")) << "the run is complete";
   for (const char* file : {"timeseries.csv", "replicates.csv", "spectrum.csv", "speeds.csv"}) {
     EXPECT_GT(text(std::string("whole/") + file).size(), 100U);
     EXPECT_EQ(text(std::string("whole/") + file), text(std::string("parts/") + file)) << file;
@@ -94,28 +81,22 @@ TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
 }
 
 TEST_F(Resume, run_that_was_killed_goes_on_from_its_last_state) {
-  ASSERT_EQ(mahlwerk("run drum.toml --out parts --checkpoint 0.05",
-                     "timeout --preserve-status -s KILL 0.4"),
-            137);
-  ASSERT_TRUE(fs::exists(here_ / "parts.checkpoint"));
-  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 0) << text("said");
-  EXPECT_TRUE(fs::exists(here_ / "parts" / "summary.json"));
+  ASSERT_EQ(ended_run(SIGKILL).code, 128 + SIGKILL);
+  ASSERT_TRUE(exists("parts.checkpoint"));
+  const Ended resumed = run("parts --resume");
+  EXPECT_EQ(resumed.code, 0) << resumed.said;
+  EXPECT_TRUE(exists("parts/summary.json"));
 }
 
 TEST_F(Resume, other_cases_and_damaged_states_are_refused) {
-  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 2);
-  EXPECT_NE(text("said").find("no checkpoint"), std::string::npos) << text("said");
-  ASSERT_EQ(mahlwerk("run drum.toml --out parts --checkpoint 0.1",
-                     "timeout --preserve-status -s INT 0.3"),
-            130);
-  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume --set contact.friction=0.5"), 2);
-  EXPECT_NE(text("said").find("another run"), std::string::npos) << text("said");
-  turn_a_bit(fs::file_size(here_ / "parts.checkpoint") / 2);
-  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 2);
-  EXPECT_NE(text("said").find("damaged"), std::string::npos) << text("said");
-  fs::resize_file(here_ / "parts.checkpoint", fs::file_size(here_ / "parts.checkpoint") / 2);
-  EXPECT_EQ(mahlwerk("run drum.toml --out parts --resume"), 2);
-  EXPECT_NE(text("said").find("damaged"), std::string::npos) << text("said");
+  expect_no_resume("no checkpoint");
+  ASSERT_EQ(ended_run(SIGINT).code, 130);
+  expect_no_resume("another run", " --set contact.friction=0.5");
+  const fs::path states = here_ / "parts.checkpoint";
+  turn_a_bit(fs::file_size(states) / 2);
+  expect_no_resume("damaged");
+  fs::resize_file(states, fs::file_size(states) / 2);
+  expect_no_resume("damaged");
 }
 
 }  // namespace

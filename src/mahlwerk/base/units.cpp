@@ -142,12 +142,15 @@ double parse_in(std::string_view text, std::string_view unit) {
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
                                 example_unit(unit)));
-  const Dimension found =
-      celsius(p.unit) ? Dimension{.temperature = 1} : parse_unit(p.unit).dimension;
-  if (found != wanted.dimension)
+  Measure found;
+  if (celsius(p.unit))
+    found.dimension = {.temperature = 1};
+  else
+    found = parse_unit(p.unit);
+  if (found.dimension != wanted.dimension)
     throw UnitError(fmt::format("\"{}\" is not {}; write for instance \"{}\"", trimmed(text),
                                 kind_of(unit), example_of(unit)));
-  return finite_or_fault(converted(p.number, parse_unit(p.unit).scale, wanted.scale), text);
+  return finite_or_fault(converted(p.number, found.scale, wanted.scale), text);
 }
 
 std::string example_of(std::string_view unit) {
@@ -223,13 +226,13 @@ struct Way {
 /// Fewest digits in `as` that read back as `value` in `unit`; an empty text if none do.
 Way exact_in(double value, std::string_view unit, std::string_view as) {
   constexpr int enough = 17;
-  const double x = converted(value, parse_unit(unit).scale, parse_unit(as).scale);
+  const Scale here = parse_unit(unit).scale, there = parse_unit(as).scale;
+  const double x = converted(value, here, there);
   if (!std::isfinite(x)) return {};
   for (int digits = 1; digits <= enough; ++digits) {
     const double r = rounded(x, digits);
-    std::string text = with_unit(r, as);
-    if (std::isfinite(r) && converted(r, parse_unit(as).scale, parse_unit(unit).scale) == value)
-      return {std::move(text), digits + 3 * strain(r)};
+    if (std::isfinite(r) && converted(r, there, here) == value)
+      return {with_unit(r, as), digits + 3 * strain(r)};
   }
   return {};
 }

@@ -75,11 +75,16 @@ std::vector<std::string> Catalogue::names(std::string_view room) const {
   return found;
 }
 
+bool Catalogue::has(std::string_view room, std::string_view name) const {
+  std::error_code missing;
+  return name.find_first_of("/\\") == std::string_view::npos &&  // "../x" is no name
+         fs::is_regular_file(root_ / room / (std::string(name) + ".toml"), missing);
+}
+
 CatalogueEntry Catalogue::find(std::string_view room, std::string_view name,
                                std::string_view where) const {
-  const std::vector<std::string> known = names(room);
-  if (!std::ranges::binary_search(known, name)) {  // so "../x" never reaches the file system
-    const std::vector<std::string> near = near_names(name, known);
+  if (!has(room, name)) {
+    const std::vector<std::string> near = near_names(name, names(room));
     throw InputError(Fault{
         std::string(where), fmt::format("the catalogue has no {} called '{}'", thing(room), name),
         (near.empty() ? "" : fmt::format("did you mean '{}'? ", joined(near, "' or '"))) +

@@ -46,6 +46,7 @@ class Catalogue {
   explicit Catalogue(std::filesystem::path root);
 
   std::vector<std::string> names(std::string_view room) const;  ///< sorted
+  bool has(std::string_view room, std::string_view name) const;
   /// Throws InputError with the nearest names if there is no such entry, or naming what is wrong in
   /// its file. `where` is the place that asked for it.
   CatalogueEntry find(std::string_view room, std::string_view name,

@@ -4,7 +4,6 @@
 // [capture], [breakage], [fragments] and [grinding]: what collisions catch and how it breaks.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
@@ -55,7 +54,7 @@ void read_chosen(Section& in, std::variant<Models...>& any, const Case& c, bool 
 /// The powder's material, if the catalogue has it.
 std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalogue) {
   const std::string name = c.powder ? c.powder->material : "";
-  if (name.empty() || !std::ranges::binary_search(catalogue.names("materials"), name)) return {};
+  if (!catalogue.has("materials", name)) return {};
   try {
     return catalogue.find("materials", name);
   } catch (const InputError&) {

@@ -4,8 +4,6 @@
 // What a section takes from the material it names.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
@@ -34,8 +32,7 @@ std::optional<double> of_entry(Section& in, const Wanted& wanted, const Catalogu
 /// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
 std::optional<CatalogueEntry> known_material(Section& in, const std::string& material,
                                              const Catalogue& catalogue) {
-  const std::vector<std::string> known = catalogue.names("materials");
-  if (material.empty() || !std::ranges::binary_search(known, material)) return std::nullopt;
+  if (!catalogue.has("materials", material)) return std::nullopt;
   return look_up(catalogue, "materials", *in.find("material"), in.findings());
 }
 

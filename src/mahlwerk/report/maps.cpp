@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "mahlwerk/kinematics/carrier.hpp"
-#include "mahlwerk/report/colours.hpp"
+#include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/report/svg_plot.hpp"
+#include "mahlwerk/report/plot/svg_plot.hpp"
 
 // The best settings of a mill as they were looked for: terminal, table, page.
 namespace mahlwerk::report {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mahlwerk/report/svg_plot.hpp"
+#include "mahlwerk/report/plot/svg_plot.hpp"
 
 namespace mahlwerk::report {
 

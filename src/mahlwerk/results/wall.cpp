@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <memory>
 #include <mutex>
 #include <numbers>
-#include <optional>
 #include <string>
 
 #include "mahlwerk/observe/columns.hpp"
@@ -84,19 +85,34 @@ std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGr
   return areas;
 }
 
+/// A jar whose areas are reckoned when they are first asked for.
+struct KnownAreas {
+  explicit KnownAreas(const geometry::AnyShape& of) : shape(of) {}
+  const std::vector<double>& on(const WallGrid& grid) {
+    std::call_once(once, [&] { areas = reckoned_areas(shape, grid); });
+    return areas;
+  }
+  const geometry::AnyShape shape;
+  std::once_flag once;
+  std::vector<double> areas;
+};
+
+/// A result asks several times, the points of a campaign mostly for a few jars.
+std::shared_ptr<KnownAreas> known_areas(const geometry::AnyShape& shape) {
+  constexpr std::size_t most = 64;
+  static std::mutex mutex;
+  static std::deque<std::shared_ptr<KnownAreas>> known;
+  const std::lock_guard lock(mutex);
+  for (const auto& one : known)
+    if (one->shape == shape) return one;
+  if (known.size() == most) known.pop_front();
+  return known.emplace_back(std::make_shared<KnownAreas>(shape));
+}
+
 }  // namespace
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  // Of the last jar asked for: a result asks several times, a campaign mostly for one jar.
-  static std::mutex mutex;
-  static std::optional<geometry::AnyShape> known;
-  static std::vector<double> areas;
-  const std::lock_guard lock(mutex);
-  if (!known || !(*known == shape)) {
-    areas = reckoned_areas(shape, grid);
-    known = shape;
-  }
-  return areas;
+  return known_areas(shape)->on(grid);
 }
 
 double wall_area(const geometry::AnyShape& shape) {

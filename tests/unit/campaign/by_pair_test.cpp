@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mahlwerk/campaign/replicate.hpp"
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/json.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/fit.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/summary.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/gaussian_process.hpp"
+#include "mahlwerk/campaign/search/gaussian_process.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "mahlwerk/campaign/maximum.hpp"
-#include "mahlwerk/campaign/surrogate.hpp"
+#include "mahlwerk/campaign/search/maximum.hpp"
+#include "mahlwerk/campaign/search/surrogate.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::campaign {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/summary.hpp"

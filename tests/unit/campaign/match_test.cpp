@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/match.hpp"
+#include "mahlwerk/campaign/search/match.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "mahlwerk/campaign/gaussian_process.hpp"
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/campaign/search/gaussian_process.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "observed.hpp"
 #include "statement.hpp"

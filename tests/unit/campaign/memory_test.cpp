@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/memory.hpp"
+#include "mahlwerk/campaign/run/memory.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

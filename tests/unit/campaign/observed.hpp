@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/campaign/replicate.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
 
 // Runs of every kind, short enough to be run to their end in every test of what is observed.
 namespace mahlwerk::campaign {

@@ -10,7 +10,7 @@
 #include <bit>
 #include <memory>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "one_ball.hpp"

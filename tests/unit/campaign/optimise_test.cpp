@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/optimise.hpp"
+#include "mahlwerk/campaign/search/optimise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "mahlwerk/campaign/search.hpp"
+#include "mahlwerk/campaign/fit/search.hpp"
 #include "noisy.hpp"
 #include "statement.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/soft_settings.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 
 #include <gtest/gtest.h>
 

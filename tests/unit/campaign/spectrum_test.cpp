@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"

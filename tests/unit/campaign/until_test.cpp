@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/warnings.hpp"
 #include "statement.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/campaign/campaign.hpp"
 
 // Campaigns with numbers made up by formulas.
 namespace mahlwerk::report {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "mahlwerk/report/campaign_plots.hpp"
-#include "mahlwerk/report/colours.hpp"
+#include "mahlwerk/report/campaign/plots.hpp"
+#include "mahlwerk/report/plot/colours.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Claims against campaigns that were put there by hand.
-#include "mahlwerk/report/claims.hpp"
+#include "mahlwerk/report/paper/claims.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // paper.toml as it is read, its faults, and the page made of it.
-#include "mahlwerk/report/paper.hpp"
+#include "mahlwerk/report/paper/paper.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/report/paper_page.hpp"
+#include "mahlwerk/report/paper/page.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::report {

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/powder_plots.hpp"
 #include "mahlwerk/report/readable.hpp"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "mahlwerk/report/campaign.hpp"
+#include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/warnings.hpp"

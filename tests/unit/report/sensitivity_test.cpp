@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "mahlwerk/report/campaign_plots.hpp"
+#include "mahlwerk/report/campaign/plots.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/report/svg_plot.hpp"
+#include "mahlwerk/report/plot/svg_plot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Ways and snapshots of balls whose places are known.
-#include "mahlwerk/report/trajectories.hpp"
+#include "mahlwerk/report/paper/trajectories.hpp"
 
 #include <gtest/gtest.h>
 

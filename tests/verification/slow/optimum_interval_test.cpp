@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "mahlwerk/campaign/optimise.hpp"
+#include "mahlwerk/campaign/search/optimise.hpp"
 #include "noisy.hpp"
 
 namespace mahlwerk::campaign {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "mahlwerk/campaign/run.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "soft.hpp"

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kept_runs.hpp"
+
+#include <fmt/format.h>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/fingerprint.hpp"
+#include "mahlwerk/campaign/run/queue.hpp"
+#include "progress.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// [s] Replicates that take less are run again after a process was killed.
+constexpr double checkpoint_every = 1;
+
+fs::path made(const fs::path& place) {
+  std::error_code failed;
+  fs::create_directories(place, failed);
+  if (failed)
+    throw InputError(Fault{place.string(), "cannot be made: " + failed.message(),
+                           "check that you may write there, or give another folder with --out",
+                           "cannot-write"});
+  return place;
+}
+
+/// The states of a point's replicates, as far as they are known.
+std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const fs::path& place) {
+  if (point.observe.collisions || point.observe.frames) return nullptr;
+  const std::string what = fmt::format("version {}\n{}{}", version(), cases::write(point),
+                                       cases::contents_of_files(point));
+  const fs::path file = place / (campaign::hash_text(fingerprint(what)) + ".checkpoint");
+  const auto fresh = [&] {
+    return std::make_unique<campaign::Checkpoint>(
+        file, what, static_cast<std::size_t>(point.run.replicates), checkpoint_every);
+  };
+  auto states = fresh();
+  if (fs::exists(file)) try {
+      states->load();
+    } catch (const InputError&) {
+      return fresh();  // damaged: the run begins anew
+    }
+  return states;
+}
+
+}  // namespace
+
+KeptRuns::KeptRuns(const fs::path& results) : place_(made(results.string() + ".checkpoints")) {
+  const fs::path lock = place_ / "lock";
+  if (campaign::CampaignLock::held(lock))
+    throw InputError(Fault{results.string(), "another process is at work on it",
+                           "wait until it ends, or give another folder with --out",
+                           "campaign-at-work"});
+  lock_.emplace(lock);
+}
+
+std::vector<results::Outcome> KeptRuns::compute(const Request& request,
+                                                const std::vector<cases::Case>& points,
+                                                const Streams& streams) const {
+  ProgressLine line(request.quiet);
+  campaign::Options options;
+  options.threads = campaign::threads_of(request.threads);
+  options.stop = &stop_wanted();
+  options.progress = [&](const campaign::Progress& p) { line.show(p); };
+  streams.join(options);
+  std::vector<std::unique_ptr<campaign::Checkpoint>> states;
+  std::vector<results::Outcome> outcomes(points.size());
+  campaign::Queue queue;
+  std::size_t begun = 0;
+  for (const cases::Case& point : points) {
+    states.push_back(states_of(point, place_));
+    begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
+    queue.wanted += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
+  }
+  if (begun > 0 && !request.quiet)
+    fmt::print(stderr, "{} of {} settings go on where they were ended\n", begun, points.size());
+  queue.size = points.size();
+  queue.open = [&](std::size_t i) { return points[i]; };
+  queue.done = [&](std::size_t i, results::Outcome&& ended) { outcomes[i] = std::move(ended); };
+  queue.kept = [&](std::size_t i) {
+    return campaign::Kept{.in = states[i].get(), .always = false};
+  };
+  campaign::work_off(queue, options);
+  return outcomes;
+}
+
+void KeptRuns::remove() {
+  std::error_code none;
+  fs::remove_all(place_, none);
+}
+
+}  // namespace mahlwerk::app

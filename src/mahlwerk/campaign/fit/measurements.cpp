@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/fit/measurements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/fit/measurement_columns.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_faults = 20;  // one wrong column would name every row
+constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
+
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  Measurements read(const std::string& text) {
+    std::istringstream stream(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
+    for (std::string line; std::getline(stream, line);) {
+      ++line_;
+      if (const std::string row = trimmed(line); row.empty() || row.front() == '#')
+        continue;
+      else if (columns_.empty())
+        read_headings(row);
+      else if (sound_heading_)
+        read_row(cells_of(row, separator_));
+    }
+    if (columns_.empty())
+      fault("the file holds no table", "give a line of headings, and rows under it");
+    else if (faults_.empty())
+      check_all();
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+    return std::move(made_);
+  }
+
+ private:
+  void fault(std::string what, std::string remedy, std::string code = "bad-data") {
+    fault_at(line_, std::move(what), std::move(remedy), std::move(code));
+  }
+  void fault_at(int line, std::string what, std::string remedy, std::string code = "bad-data") {
+    if (faults_.size() < most_faults)
+      faults_.push_back({line > 0 ? fmt::format("{}:{}", file_, line) : file_, std::move(what),
+                         std::move(remedy), std::move(code)});
+  }
+
+  void read_headings(const std::string& line) {
+    separator_ = line.find(';') != std::string::npos ? ';' : ',';
+    for (const std::string& heading : cells_of(line, separator_)) {
+      columns_.push_back(read_heading(heading));
+      const Column& made = columns_.back();
+      for (std::size_t i = 0; i + 1 < columns_.size(); ++i)
+        if (columns_[i].name == made.name && columns_[i].role == made.role && !made.name.empty())
+          fault(fmt::format("there are two columns \"{}\"", heading), "keep one of them");
+    }
+    check_headings();
+    sound_heading_ = faults_.empty();
+  }
+
+  Column read_heading(const std::string& heading) {
+    std::optional<Column> column = column_of(heading);
+    if (!column) {
+      const std::string near = heading_near(heading);
+      fault(fmt::format("unknown column \"{}\"", heading),
+            near.empty() ? fmt::format("columns are {}, passing, and keys of the case such as "
+                                       "mill.frequency",
+                                       examples)
+                         : fmt::format("did you mean \"{}\"?", near),
+            "unknown-column");
+      return {};
+    }
+    if (column->role != Role::condition) check_unit(*column, heading);
+    return *column;
+  }
+  void check_unit(const Column& column, const std::string& heading) {
+    try {
+      parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.kept_in());
+    } catch (const UnitError& error) {
+      const std::string unit(column.kept_in());
+      fault(fmt::format("column \"{}\": {}", heading,
+                        column.unit.empty() ? "the unit is missing" : error.what()),
+            fmt::format("write for instance \"{}{} ({})\"", column.name,
+                        column.role == Role::error ? "_error" : "",
+                        unit.empty()  ? "%"
+                        : unit == "m" ? "um"
+                                      : unit),
+            "bad-quantity");
+    }
+  }
+
+  std::optional<std::size_t> find(Role role, std::string_view name) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (columns_[i].role == role && columns_[i].name == name) return i;
+    return std::nullopt;
+  }
+
+  void check_headings() {
+    bool measured = false;
+    for (Column& column : columns_) {
+      measured = measured || column.role == Role::measured;
+      if (column.role == Role::measured) column.error_in = find(Role::error, column.name);
+      if (column.role == Role::error && !find(Role::measured, column.name))
+        fault(fmt::format("there is a column of errors, but none of \"{}\"", column.name),
+              "give what was measured, too");
+    }
+    const bool sizes = find(Role::size, "size").has_value();
+    if (sizes != find(Role::measured, "passing").has_value())
+      fault("a distribution needs a column of sizes and one of what passes",
+            "give \"size (um)\" and \"passing (%)\"");
+    else if (!measured && faults_.empty())
+      fault("no column says what was measured", fmt::format("columns are {}, passing", examples));
+  }
+
+  /// The number in a cell in SI; NaN if it is empty, or wrong.
+  double number(const std::string& cell, const Column& column) {
+    if (cell.empty()) return unknown;
+    std::string text = cell;
+    if (separator_ == ';') std::ranges::replace(text, ',', '.');  // as spreadsheets may write it
+    try {
+      return parse_in(column.unit.empty() ? text : text + " " + column.unit, column.kept_in());
+    } catch (const UnitError&) {
+      fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
+            "write a number without its unit, or nothing", "bad-quantity");
+      return unknown;
+    }
+  }
+
+  void read_row(const std::vector<std::string>& cells) {
+    const bool rest = std::any_of(
+        cells.begin() + static_cast<std::ptrdiff_t>(std::min(columns_.size(), cells.size())),
+        cells.end(), [](const std::string& c) { return !c.empty(); });
+    if (cells.size() < columns_.size() || rest)
+      return fault(fmt::format("{} cells under {} headings", cells.size(), columns_.size()),
+                   "give every row a cell for each heading; it may be empty");
+    const std::size_t before = faults_.size(), had = made_.values.size();
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      numbers.push_back(columns_[i].role == Role::condition ? unknown
+                                                            : number(cells[i], columns_[i]));
+    Measurement shared{.condition = condition(cells), .line = line_};
+    if (const auto at = find(Role::time, "time")) shared.time = numbers[*at];
+    if (shared.time < 0) out_of_range("time", cells[*find(Role::time, "time")], "at least 0");
+    if (const auto at = find(Role::size, "size")) shared.size = numbers[*at];
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (columns_[i].role == Role::measured) take(shared, i, numbers, cells);
+    if (faults_.size() == before && had == made_.values.size())
+      fault("the row says nothing that was measured", "fill it, or remove it");
+    check_order(had);
+  }
+
+  void out_of_range(const std::string& column, const std::string& cell, const std::string& range) {
+    fault(fmt::format("{} = {} must be {}", column, cell, range), "correct the number or its unit",
+          "out-of-range");
+  }
+
+  std::size_t condition(const std::vector<std::string>& cells) {
+    std::vector<cases::Override> set;
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (const Column& c = columns_[i]; c.role == Role::condition && !cells[i].empty())
+        set.push_back({c.name, c.unit.empty() ? cells[i] : cells[i] + " " + c.unit});
+    const auto same = [&](const std::vector<cases::Override>& other) {
+      return std::ranges::equal(set, other, [](const auto& a, const auto& b) {
+        return a.key == b.key && a.value == b.value;
+      });
+    };
+    const auto known = std::ranges::find_if(made_.conditions, same);
+    const auto index = static_cast<std::size_t>(known - made_.conditions.begin());
+    if (known == made_.conditions.end()) made_.conditions.push_back(std::move(set));
+    return index;
+  }
+
+  /// Keeps what column `i` says, if it says something.
+  void take(const Measurement& shared, std::size_t i, const std::vector<double>& numbers,
+            const std::vector<std::string>& cells) {
+    const Column& column = columns_[i];
+    Measurement m = shared;
+    m.what = column.what;
+    m.percent = column.percent;
+    m.value = numbers[i];
+    if (column.error_in) m.error = numbers[*column.error_in];
+    const std::size_t before = faults_.size();
+    const bool share = m.what == Measured::passing || m.what == Measured::conversion;
+    if (share ? m.value < 0 || m.value > 1 : m.value <= 0)
+      out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
+    if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
+    if (m.what == Measured::passing) check_size(m, cells[i].empty(), cells);
+    if (cells[i].empty() && !std::isnan(m.error))
+      fault(fmt::format("an error of {}, but no value", column.name), "give both, or none");
+    if (faults_.size() == before && !std::isnan(m.value)) made_.values.push_back(m);
+  }
+  void check_size(const Measurement& m, bool empty, const std::vector<std::string>& cells) {
+    const std::string& size = cells[*find(Role::size, "size")];
+    if (m.size <= 0) out_of_range("size", size, "above 0");
+    if (size.empty() != empty)
+      fault(empty ? "a size, but not what passes" : "something passes, but no size is given",
+            "give both, or none");
+  }
+
+  /// Sizes of a row rise with the share that is finer, and so does what passes from row to row.
+  void check_order(std::size_t first) {
+    const std::vector<Measurement>& all = made_.values;
+    for (std::size_t i = first; i < all.size(); ++i)
+      for (std::size_t k = first; k < all.size(); ++k)
+        if (all[i].what == Measured::quantile && all[k].what == Measured::quantile &&
+            all[i].percent < all[k].percent && all[i].value > all[k].value)
+          fault(fmt::format("D{} is larger than D{}", all[i].percent, all[k].percent),
+                "correct one of them");
+    for (std::size_t i = first; i < all.size(); ++i)
+      if (all[i].what == Measured::passing) {
+        const Measurement* last = last_passing_ ? &all[*last_passing_] : nullptr;
+        if (last != nullptr && last->condition == all[i].condition &&
+            (last->time == all[i].time || std::isnan(last->time + all[i].time)) &&
+            (all[i].size - last->size) * (all[i].value - last->value) < 0)
+          fault("what passes falls as the size rises",
+                "give what passes in all, not what lies between two sizes");
+        last_passing_ = i;
+      }
+  }
+
+  void check_all() {
+    if (made_.values.empty())
+      return fault_at(0, "there is no row under the headings", "give what was measured");
+    if (made_.errors_known()) return;
+    const auto without = std::ranges::count_if(
+        made_.values, [](const Measurement& m) { return std::isnan(m.error); });
+    if (static_cast<std::size_t>(without) < made_.values.size())
+      fault_at(0, fmt::format("{} of {} values have no error", without, made_.values.size()),
+               "give the errors of all, or leave out the columns of errors");
+  }
+
+  std::string file_;
+  std::vector<Fault> faults_;
+  Measurements made_;
+  std::vector<Column> columns_;
+  char separator_ = ',';
+  int line_ = 0;
+  bool sound_heading_ = false;
+  std::optional<std::size_t> last_passing_;
+};
+
+}  // namespace
+
+std::string name_of(Measured what, int percent) {
+  switch (what) {
+    case Measured::quantile:
+      return fmt::format("D{}", percent);
+    case Measured::passing:
+      return "passing";
+    case Measured::specific_surface:
+      return "specific_surface";
+    case Measured::conversion:
+      return "conversion";
+  }
+  return "";
+}
+
+std::string_view unit_of(Measured what) {
+  if (what == Measured::quantile) return "m";
+  return what == Measured::specific_surface ? "m2/kg" : "";
+}
+
+bool Measurements::errors_known() const {
+  return std::ranges::none_of(values, [](const Measurement& m) { return std::isnan(m.error); });
+}
+
+Measurements read_measurements(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad())
+    throw InputError(Fault{file.generic_string(), "there is no such table of measurements",
+                           "check the path; it is a .csv file", "no-such-file"});
+  return read_measurements_text(text, file.generic_string());
+}
+
+Measurements read_measurements_text(const std::string& text, const std::string& file) {
+  return Reader(file).read(text);
+}
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/queue.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <ctime>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/results/making.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double thread_cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Progress of all replicates together, told at most ten times a second.
+class Teller {
+ public:
+  Teller(const Options& options, double wanted) : options_(&options) { sum_.wanted = wanted; }
+
+  void add(double simulated, double collisions, double residual) {
+    if (!options_->progress) return;
+    const std::lock_guard lock(mutex_);
+    sum_.simulated += simulated;
+    sum_.collisions += collisions;
+    sum_.residual = std::max(sum_.residual, residual);
+    const auto now = Clock::now();
+    if (now - told_ < std::chrono::milliseconds(100)) return;
+    told_ = now;
+    options_->progress(sum_);
+  }
+
+ private:
+  const Options* options_;
+  Progress sum_;
+  std::mutex mutex_;
+  Clock::time_point told_ = Clock::now();
+};
+
+/// A point at work.
+struct Open {
+  Open(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
+      : index(point), choice(choose(made, stop)), decided(made) {
+    decided.run.engine = choice.engine;
+    const auto count = static_cast<std::size_t>(made.run.replicates);
+    outcome.replicates = {count, results::empty_replicate(made)};
+    outcome.what = std::move(made);
+    outcome.engine = choice.engine;
+    left = count;
+  }
+
+  std::size_t index;
+  Choice choice;
+  cases::Case decided;  // with the engine that runs it
+  results::Outcome outcome;
+  std::size_t next = 0;  // replicate to begin
+  std::size_t left = 0;  // replicates that have not ended
+  Clock::time_point began = Clock::now();
+};
+
+/// A replicate to be run.
+struct Task {
+  std::shared_ptr<Open> point;
+  std::size_t replicate = 0;
+};
+
+class Crew {
+ public:
+  Crew(const Queue& queue, const Options& options)
+      : queue_(queue), options_(options), teller_(options, queue.wanted) {}
+
+  void work(int threads) {
+    const auto hand = [this] {
+      try {
+        while (auto task = take()) finish(*task);
+      } catch (...) {
+        give_up(std::current_exception());
+      }
+    };
+    {
+      std::vector<std::jthread> team;
+      for (int i = 1; i < threads; ++i) team.emplace_back(hand);
+      hand();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  bool stopped() const {
+    return broken_.load() || (options_.stop != nullptr && options_.stop->load());
+  }
+
+  void give_up(std::exception_ptr why) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::move(why);
+    broken_ = true;
+    changed_.notify_all();
+  }
+
+  /// The next replicate of a point at work, else of a new point; nothing once all has begun.
+  std::optional<Task> take() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      for (const auto& point : open_)
+        if (point->next < point->outcome.replicates.size())
+          return broken_ ? std::nullopt : std::optional(Task{point, point->next++});
+      if (next_ < queue_.size && !stopped()) {
+        const std::size_t index = next_++;
+        ++opening_;
+        lock.unlock();
+        auto point = open(index);
+        lock.lock();
+        --opening_;
+        changed_.notify_all();
+        if (point) open_.push_back(std::move(point));
+      } else if (opening_ > 0) {
+        changed_.wait(lock);  // it may bring work for more than one
+      } else {
+        return std::nullopt;
+      }
+    }
+  }
+
+  std::shared_ptr<Open> open(std::size_t index) try {
+    cases::Case what = queue_.open(index);
+    std::vector<Fault> wrong = run_faults(what);
+    if (wrong.empty()) wrong = memory_faults({what}, threads(), options_.memory);
+    if (!wrong.empty()) throw InputError(std::move(wrong));
+    return std::make_shared<Open>(index, std::move(what), options_.stop);
+  } catch (const std::exception& why) {
+    failed(index, why);
+    return nullptr;
+  }
+
+  int threads() const { return std::max(1, options_.threads); }
+
+  /// Runs a replicate; with the last of its point, gives the outcome away.
+  void finish(const Task& task) {
+    Open& point = *task.point;
+    try {
+      point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
+    } catch (const std::exception& why) {
+      if (drop(task.point)) failed(point.index, why);
+      return;
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      if (--point.left > 0 || std::erase(open_, task.point) == 0) return;
+    }
+    point.outcome.interrupted = stopped();
+    point.outcome.wall_seconds = seconds_since(point.began);
+    for (const results::Replicate& r : point.outcome.replicates)
+      point.outcome.cpu_seconds += r.cpu_seconds;
+    point.outcome.notes = notes_on(point.outcome, point.choice);
+    queue_.done(point.index, std::move(point.outcome));
+  }
+
+  /// No further replicate of it is begun, and its outcome is not given away; false if that was so
+  /// before.
+  bool drop(const std::shared_ptr<Open>& point) {
+    const std::lock_guard lock(mutex_);
+    return std::erase(open_, point) > 0;
+  }
+
+  void failed(std::size_t index, const std::exception& why) {
+    if (!queue_.failed) throw;
+    queue_.failed(index, why);
+  }
+
+  results::Replicate simulate(const Open& point, std::size_t replicate) {
+    const int r = static_cast<int>(replicate);
+    Replica replica(point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
+                    options_.frames ? options_.frames(point.index, r) : nullptr,
+                    queue_.threads_each);
+    const Kept kept = queue_.kept ? queue_.kept(point.index) : Kept{};
+    const std::size_t job = kept.from + replicate;
+    if (kept.in != nullptr) kept.in->restore(job, replica);
+    const double weight = queue_.weight ? queue_.weight(point.index) : 1;
+    teller_.add(weight * replica.account().time, 0, 0);  // what was done by an earlier process
+    const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
+    while (!replica.done() && !stopped()) {
+      const scene::Account before = replica.account();
+      replica.go_on();
+      const scene::Account& now = replica.account();
+      replica.cpu_seconds() = thread_cpu_seconds() - cpu;
+      teller_.add(weight * (now.time - before.time),
+                  static_cast<double>(now.collisions - before.collisions), now.worst_collision);
+      if (kept.in != nullptr && kept.in->due(job)) kept.in->keep(job, replica);
+    }
+    if (kept.in != nullptr && (kept.always || stopped() || kept.in->due(job)))
+      kept.in->keep(job, replica);
+    return replica.result();
+  }
+
+  const Queue& queue_;
+  const Options& options_;
+  Teller teller_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<std::shared_ptr<Open>> open_;  // points with replicates that have not ended
+  std::size_t next_ = 0;                   // point to open
+  int opening_ = 0;                        // points being opened
+  std::atomic<bool> broken_ = false;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+void work_off(const Queue& queue, const Options& options) {
+  Crew(queue, options).work(std::max(1, options.threads));
+}
+
+}  // namespace mahlwerk::campaign

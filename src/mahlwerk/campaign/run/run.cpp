@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <thread>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/queue.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/results/making.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+/// All that is wrong with any of the points, and what there is to be done.
+struct Load {
+  std::vector<Fault> wrong;
+  std::vector<std::size_t> first_job;  // of each point: replicates of those before it
+  std::size_t jobs = 0;
+  double wanted = 0;  // [s] simulated, of all
+};
+
+Load load_of(const std::vector<cases::Case>& points) {
+  Load load;
+  for (const cases::Case& what : points) {
+    for (Fault& fault : run_faults(what)) load.wrong.push_back(std::move(fault));
+    load.first_job.push_back(load.jobs);
+    load.jobs += static_cast<std::size_t>(what.run.replicates);
+    load.wanted += (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+  }
+  return load;
+}
+
+/// Of a point that was never begun.
+results::Outcome nothing_yet(const cases::Case& what) {
+  const auto count = static_cast<std::size_t>(what.run.replicates);
+  results::Outcome outcome{
+      .what = what, .replicates = {count, results::empty_replicate(what)}, .notes = {}};
+  outcome.interrupted = true;
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options) {
+  Load load = load_of(points);
+  Options own = options;
+  own.threads = threads_of(options.threads);
+  if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
+  if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
+  own.memory = std::nullopt;  // looked at for all of them together
+  std::vector<std::optional<results::Outcome>> ended(points.size());
+  const auto started = std::chrono::steady_clock::now();
+  Queue queue;
+  queue.size = points.size();
+  queue.open = [&](std::size_t i) { return points[i]; };
+  queue.done = [&](std::size_t i, results::Outcome&& outcome) { ended[i] = std::move(outcome); };
+  if (options.checkpoint != nullptr)
+    queue.kept = [&](std::size_t i) { return Kept{options.checkpoint, load.first_job[i]}; };
+  // Threads that no replicate is left for help those there are.
+  queue.threads_each = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
+  queue.wanted = load.wanted;
+  work_off(queue, own);
+  const double took =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  std::vector<results::Outcome> outcomes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    outcomes.push_back(ended[i] ? std::move(*ended[i]) : nothing_yet(points[i]));
+    outcomes.back().wall_seconds = took;
+  }
+  return outcomes;
+}
+
+int threads_of(int asked) {
+  if (asked > 0) return asked;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+results::Outcome run(const cases::Case& what, const Options& options) {
+  return run(std::vector{what}, options).front();
+}
+
+std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
+                                const std::vector<cases::Override>& overrides, std::size_t most) {
+  if (what.sweep.empty()) return {what};
+  const Plan plan(what.sweep, what.seed);
+  const cases::CaseFile file(what.file);
+  std::vector<cases::Case> made;
+  std::vector<Fault> wrong;
+  for (std::size_t i = 0; i < std::min(plan.size(), most); ++i) try {
+      std::vector<cases::Override> set = overrides;
+      std::ranges::move(plan.overrides(i), std::back_inserter(set));
+      made.push_back(file.read(catalogue, set));
+      made.back().sweep = {};
+    } catch (const InputError& e) {
+      wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
+    }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+}  // namespace mahlwerk::campaign

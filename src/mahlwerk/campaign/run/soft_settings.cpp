@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+/// Overlaps above this share of the radius are more than the laws are meant for.
+constexpr double deep = 0.01;
+/// Above this balls pass through each other, and through the wall.
+constexpr double sinking = 1;
+
+/// One ball of each size and set, for what depends on sizes alone.
+std::vector<scene::Ball> one_of_each(const cases::Case& what) {
+  std::vector<scene::Ball> balls;
+  for (std::size_t i = 0; i < what.balls.size(); ++i)
+    for (const cases::SizeClass& size : what.balls[i].sizes())
+      balls.push_back({.radius = 0.5 * size.diameter,
+                       .density = what.balls[i].density,
+                       .position = {},
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(i)});
+  return balls;
+}
+
+double meeting_speed(const cases::Case& what) {
+  const double reach = std::visit([](const auto& s) { return s.reach(); }, what.jar.shape);
+  const auto most = std::visit([](const auto& m) { return m.bounds(); }, what.mill.motion);
+  const double parts =
+      std::visit([](const auto& s) { return geometry::speed_of_parts(s); }, what.jar.shape);
+  const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
+  constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
+  return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
+}
+
+/// Why the time step is as long as it is.
+std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
+  if (what.run.time_step) return "as given";
+  const double fraction = what.run.time_step_fraction;
+  const double usual = steps.usual(fraction);
+  if (usual == fraction * steps.rayleigh)
+    return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
+  if (usual == steps.damper / 5)
+    return "a fifth of the time in which the damper of a contact stops a ball";
+  return what.contact.law_choice.law == contact::LawName::walton_braun
+             ? "a fiftieth of a collision along the stiff line of unloading"
+             : "a fiftieth of the shortest collision";
+}
+
+/// To two digits, downwards.
+double rounded_down(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::floor(x / unit * (1 + 1e-12)) * unit;
+}
+
+}  // namespace
+
+SoftSettings soft_settings(const cases::Case& what) {
+  SoftSettings s;
+  s.rules.law = what.contact.law_choice;
+  s.rules.hop = what.run.hop;
+  s.speed = meeting_speed(what);
+  s.steps = soft::time_steps(one_of_each(what), s.rules.law, cases::pair_table(what), s.speed);
+  s.rules.time_step = what.run.time_step ? *what.run.time_step
+                                         : rounded_down(s.steps.usual(what.run.time_step_fraction));
+  return s;
+}
+
+std::vector<std::string> soft_notes(const cases::Case& what) {
+  const SoftSettings s = soft_settings(what);
+  const double step = s.rules.time_step;
+  std::vector<std::string> notes{fmt::format(
+      "Time step {}, {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest collision ({}) "
+      "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
+      show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
+      100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
+      100 * s.steps.overlap)};
+  if (s.steps.overlap > deep)
+    notes.push_back(fmt::format(
+        "Warning: contacts are so soft that balls may overlap by {:.2g} % of their radius, more "
+        "than {:.0f} %. Forces and contact times are then those of softer bodies; a larger "
+        "contact.softening or stiffness makes them harder.",
+        100 * s.steps.overlap, 100 * deep));
+  return notes;
+}
+
+std::vector<Fault> run_faults(const cases::Case& what) {
+  std::vector<Fault> found = cases::engine_faults(what);
+  if (what.run.engine != "soft" || !found.empty()) return found;
+  const SoftSettings s = soft_settings(what);
+  if (s.steps.overlap > sinking)
+    found.push_back({cases::place_of(what, "contact.softening"),
+                     fmt::format("contacts are so soft that balls, which may meet at {:.2g} m/s, "
+                                 "would sink into each other by {:.2g} of their radius",
+                                 s.speed, s.steps.overlap),
+                     "give a larger softening, modulus or stiffness, or a smaller cohesion",
+                     "contacts-too-soft"});
+  constexpr double most_steps = 1e13;  // a month or more, and as far as a clock can count
+  const double time = what.run.settle + what.run.time;
+  if (time > most_steps * s.rules.time_step)
+    found.push_back(
+        {cases::place_of(what, what.run.time_step ? "run.time_step" : "run.time"),
+         fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
+                     show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, most_steps),
+         fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
+                     show_rounded(s.steps.usual(cases::step_share.standard.value()), "s")),
+         "time-step-too-small"});
+  if (s.rules.time_step > s.steps.limit)
+    found.push_back(
+        {cases::place_of(what, "run.time_step"),
+         fmt::format("a time step of {} is unstable: at most {} for balls that may meet at {:.2g} "
+                     "m/s",
+                     show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"),
+                     s.speed),
+         fmt::format("write time_step = \"{}\" or less, or leave it out",
+                     show(rounded_down(s.steps.usual(what.run.time_step_fraction)), "s")),
+         "time-step-too-large"});
+  return found;
+}
+
+}  // namespace mahlwerk::campaign

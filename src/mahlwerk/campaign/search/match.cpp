@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/search/match.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/measure.hpp"
+#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using observe::LogHistogram;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Of ln energy, from edge to edge of a bin.
+const double bin_width = std::log(2) / LogHistogram::per_octave;
+
+/// Replicates of a mill last equally long, so their spectra count alike.
+Milled mean_of(const std::vector<const Milled*>& some) {
+  Milled mean{.dose = none, .shares = std::vector<double>(LogHistogram::bins, 0), .energy = none};
+  if (some.empty()) return mean;
+  const auto count = static_cast<double>(some.size());
+  mean.dose = mean.energy = 0;
+  for (const Milled* one : some) {
+    mean.dose += one->dose / count;
+    mean.energy += one->energy / count;
+    for (std::size_t i = 0; i < mean.shares.size(); ++i) mean.shares[i] += one->shares[i] / count;
+  }
+  return mean;
+}
+
+bool counts(const Milled& m) {
+  return m.dose > 0 && m.energy > 0;
+}
+
+/// Of a straight line from `a` to `b` over a unit: the area between it and zero.
+double area(double a, double b) {
+  if (a * b >= 0) return std::abs(a + b) / 2;
+  return (a * a + b * b) / (2 * (std::abs(a) + std::abs(b)));
+}
+
+/// The ratio of what b and a give, with the interval that the scatter of its logarithm has.
+template <class Of>
+Ratio ratio(const MillMark& a, const MillMark& b, const Of& of) {
+  const auto logarithm = [&](const MillMark& mill) {
+    std::vector<double> values;
+    for (const Milled& m : mill.replicates) values.push_back(std::log(of(m)));
+    return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
+  };
+  const observe::Estimate first = logarithm(a), second = logarithm(b);
+  const double mean = second.mean - first.mean, half = std::hypot(first.ci95, second.ci95);
+  return {std::exp(mean), std::exp(mean - half), std::exp(mean + half)};  // (opt.13)
+}
+
+/// How often as much lies between two heaps that the replicates are dealt to at random (opt.17).
+double chance_of(const MillMark& a, const MillMark& b, double seen, std::uint64_t seed) {
+  constexpr int deals = 999;
+  constexpr double rounding = 1e-9;  // sums in another order
+  constexpr std::uint32_t stream = 0x53000000;
+  if (a.replicates.size() < 2 || b.replicates.size() < 2 || !std::isfinite(seen)) return none;
+  std::vector<const Milled*> all;
+  for (const MillMark* mill : {&a, &b})
+    for (const Milled& m : mill->replicates) all.push_back(&m);
+  const auto share = static_cast<std::ptrdiff_t>(a.replicates.size());
+  Random random(seed, stream);
+  int as_much = 1;  // as they were dealt
+  for (int deal = 0; deal < deals; ++deal) {
+    for (std::size_t i = all.size(); i > 1; --i) {
+      const auto k = static_cast<std::size_t>(random.uniform() * static_cast<double>(i));
+      std::swap(all[i - 1], all[std::min(k, i - 1)]);
+    }
+    const double other = distance(mean_of({all.begin(), all.begin() + share}),
+                                  mean_of({all.begin() + share, all.end()}));
+    if (other >= seen * (1 - rounding)) ++as_much;
+  }
+  return static_cast<double>(as_much) / (deals + 1);
+}
+
+observe::Estimate energies(const MillMark& mill) {
+  std::vector<double> values;
+  for (const Milled& m : mill.replicates) values.push_back(m.energy);
+  return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
+}
+
+}  // namespace
+
+Milled milled(const cases::Case& what, const results::Replicate& replicate, bool by_powder) {
+  const results::MeanSpectra spectra({&replicate});
+  Milled made{.dose = results::dissipated_power(replicate), .shares = {}, .energy = 0};
+  if (by_powder) made.dose /= what.powder->mass;
+  double power = 0, rate = 0;
+  for (int bin = 0; bin < LogHistogram::bins; ++bin) {
+    made.shares.push_back(spectra.power(&observe::Spectra::energy_lost, bin));
+    power += made.shares.back();
+    rate += spectra.rate(&observe::Spectra::energy_lost, bin);
+  }
+  for (double& share : made.shares) share /= power;
+  made.energy = power / rate;
+  return made;
+}
+
+MillMark mill_mark(const results::Outcome& outcome, bool by_powder) {
+  MillMark made;
+  for (const results::Replicate* r : results::averaged(outcome))
+    if (Milled one = milled(outcome.what, *r, by_powder); counts(one))
+      made.replicates.push_back(std::move(one));
+  std::vector<const Milled*> all;
+  for (const Milled& m : made.replicates) all.push_back(&m);
+  made.mean = mean_of(all);
+  return made;
+}
+
+double spectral_distance(const Milled& a, const Milled& b) {
+  if (a.shares.size() != b.shares.size()) return none;
+  double sum = 0, before = 0, behind = 0;
+  for (std::size_t i = 0; i < a.shares.size(); ++i) {
+    behind = before + a.shares[i] - b.shares[i];
+    sum += bin_width * area(before, behind);  // (opt.14)
+    before = behind;
+  }
+  return sum;
+}
+
+double overlap(const Milled& a, const Milled& b) {
+  if (a.shares.size() != b.shares.size()) return none;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.shares.size(); ++i) sum += std::min(a.shares[i], b.shares[i]);
+  return sum;  // (opt.15)
+}
+
+double distance(const Milled& a, const Milled& b) {
+  if (!counts(a) || !counts(b)) return none;
+  return std::hypot(std::log(b.dose / a.dose), spectral_distance(a, b));  // (opt.16)
+}
+
+double half_power_energy(const Milled& m) {
+  double below = 0;
+  for (std::size_t i = 0; i < m.shares.size(); ++i) {
+    if (below + m.shares[i] >= 0.5) {
+      const double part = (0.5 - below) / m.shares[i];
+      return LogHistogram::lower(static_cast<int>(i)) * std::exp(part * bin_width);
+    }
+    below += m.shares[i];
+  }
+  return none;
+}
+
+Difference difference(const MillMark& a, const MillMark& b, std::uint64_t seed) {
+  const observe::Estimate in_a = energies(a), in_b = energies(b);
+  Difference found{.dose = ratio(a, b, [](const Milled& m) { return m.dose; }),
+                   .half_power = ratio(a, b, half_power_energy),
+                   .energy_a = in_a.mean,
+                   .energy_b = in_b.mean,
+                   .energy_a_ci95 = in_a.ci95,
+                   .energy_b_ci95 = in_b.ci95,
+                   .spectral = spectral_distance(a.mean, b.mean),
+                   .overlap = overlap(a.mean, b.mean),
+                   .distance = distance(a.mean, b.mean),
+                   .chance = none};
+  found.chance = chance_of(a, b, found.distance, seed);
+  return found;
+}
+
+}  // namespace mahlwerk::campaign

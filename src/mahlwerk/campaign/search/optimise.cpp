@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/search/optimise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "mahlwerk/campaign/search/optimum.hpp"
+#include "mahlwerk/campaign/search/surrogate.hpp"
+#include "mahlwerk/campaign/sweep/designs.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr int first_replicates = 2;
+constexpr double told_apart = 0.95, still_possible = 0.05, small_loss = 0.01;
+constexpr double same_place = 1e-4;
+
+/// Tries settings, and keeps what they gave.
+class Trials {
+ public:
+  Trials(const Goal& goal, const Simulation& simulation) : goal_(goal), simulation_(simulation) {}
+
+  std::vector<Tried>& tried() { return tried_; }
+  int left() const { return goal_.settings - static_cast<int>(tried_.size() + fresh_); }
+  bool ran() const {
+    return std::ranges::any_of(tried_, [](const Tried& t) { return t.failure.empty(); });
+  }
+
+  /// Asks for a place, or for more of a setting that is there already; false if neither makes
+  /// sense.
+  bool ask(const Place& wanted) {
+    const Place place = goal_.snap ? goal_.snap(wanted) : wanted;
+    const auto same = [&](const Place& other) {
+      for (std::size_t i = 0; i < place.size(); ++i)
+        if (std::abs(place[i] - other[i]) > same_place) return false;
+      return true;
+    };
+    for (std::size_t i = 0; i < tried_.size(); ++i)
+      if (same(tried_[i].place)) return ask_more(i);
+    for (const Asked& one : asked_)
+      if (same(one.place)) return false;
+    if (left() <= 0) return false;
+    asked_.push_back({tried_.size() + fresh_, place, 0, first_replicates});
+    ++fresh_;
+    return true;
+  }
+
+  /// Asks for as many replicates of a setting as it has; false if it has all.
+  bool ask_more(std::size_t setting) {
+    const Tried& t = tried_[setting];
+    const int have = static_cast<int>(t.replicates.size());
+    const int more = std::min(have, goal_.replicates - have);
+    if (!t.failure.empty() || more <= 0) return false;
+    for (const Asked& one : asked_)
+      if (one.setting == setting) return false;
+    asked_.push_back({setting, t.place, have, more});
+    return true;
+  }
+
+  /// Runs what was asked for; false if that was nothing.
+  bool run(int round) {
+    if (asked_.empty()) return false;
+    const std::vector<Told> told = simulation_(asked_);
+    if (told.size() != asked_.size())
+      throw std::logic_error("a simulation did not answer what it was asked");
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const Asked& one = asked_[i];
+      if (one.setting >= tried_.size())
+        tried_.push_back({.place = one.place, .replicates = {}, .failure = {}, .round = round});
+      keep(tried_[one.setting], told[i]);
+    }
+    asked_.clear();
+    fresh_ = 0;
+    return true;
+  }
+
+ private:
+  void keep(Tried& setting, const Told& told) {
+    setting.replicates.insert(setting.replicates.end(), told.replicates.begin(),
+                              told.replicates.end());
+    setting.failure = told.failure;
+    for (std::size_t outcome = 0; outcome <= goal_.bounds.size(); ++outcome)
+      if (setting.failure.empty() && std::ranges::none_of(setting.replicates, [&](const auto& r) {
+            return std::isfinite(r[outcome]);
+          }))
+        setting.failure = "no replicate gave what is looked for";
+  }
+
+  const Goal& goal_;
+  const Simulation& simulation_;
+  std::vector<Tried> tried_;
+  std::vector<Asked> asked_;
+  std::size_t fresh_ = 0;  // settings asked for that are new
+};
+
+/// Settings by chance, the likeliest first, that may still be the best.
+std::vector<std::size_t> rivals(const std::vector<double>& chance) {
+  std::vector<std::size_t> order(chance.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order,
+                           [&](std::size_t a, std::size_t b) { return chance[a] > chance[b]; });
+  std::erase_if(order, [&](std::size_t i) { return chance[i] < still_possible; });
+  return order;
+}
+
+/// Expected improvement below which nothing better is looked for (opt.7).
+double not_worth(const Surrogate& model, const std::vector<Tried>& tried) {
+  const std::optional<std::size_t> best = model.best();
+  if (!best) return 0;
+  return std::max(0.1 * model.better(tried[*best].place).deviation, 1e-4 * model.objective().unit);
+}
+
+/// A round: settings that promise most, the last of them where the model is highest, and replicates
+/// of the two likeliest to be the best. False if that is nothing, or nothing is worth it.
+bool ask_round(Trials& trials, const Goal& goal, Optimum& found) {
+  Surrogate model(goal, trials.tried());
+  const Place first = model.most_promising();
+  found.expected_gain = model.promise(first);
+  if (model.best() && found.expected_gain < not_worth(model, trials.tried())) {
+    return false;
+  }
+  const std::vector<std::size_t> close = rivals(model.chances().of);
+  bool any = false;
+  for (int slot = 0; slot < batch; ++slot) {
+    const bool refine = slot == batch - 1 && model.best();
+    const Place place = slot == 0 ? first : refine ? model.highest_mean() : model.most_promising();
+    const std::optional<std::size_t> same = model.alike(place);
+    any = (same ? trials.ask_more(*same) : trials.ask(place)) || any;
+    model.believe(place);
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, close.size()) && close.size() > 1; ++i)
+    any = trials.ask_more(close[i]) || any;
+  return any;
+}
+
+/// Replicates of those that may be the best, until one of them is told, little is lost by taking
+/// the wrong one, or all have theirs (opt.10).
+void decide(Trials& trials, const Goal& goal, int& round) {
+  for (bool more = true; more;) {
+    const Surrogate model(goal, trials.tried());
+    const Chances chance = model.chances();
+    if (*std::ranges::max_element(chance.of) >= told_apart ||
+        (model.best() && chance.loss < small_loss * model.objective().unit))
+      return;
+    more = false;
+    int asked = 0;
+    for (const std::size_t i : rivals(chance.of))
+      if (asked < batch && trials.ask_more(i)) ++asked;
+    if (asked > 0) more = trials.run(++round);
+  }
+}
+
+void check(const Goal& goal) {
+  constexpr std::size_t most_keys = 8;
+  if (goal.keys < 1 || goal.keys > most_keys)
+    throw std::invalid_argument("an optimum is looked for over 1 to 8 keys");
+  if (goal.settings < 1 || goal.replicates < first_replicates)
+    throw std::invalid_argument("an optimum takes settings, and two replicates of each");
+}
+
+}  // namespace
+
+Optimum optimise(const Goal& goal, const Simulation& simulation) {
+  check(goal);
+  Optimum found;
+  Trials trials(goal, simulation);
+  for (const Place& place : sobol_points(goal.keys, 4 + 2 * goal.keys)) trials.ask(place);
+  trials.run(0);
+  int round = 0;
+  while (trials.left() > 0) {
+    if (!trials.ran()) {  // anywhere else
+      const Places more = sobol_points(goal.keys, trials.tried().size() + batch);
+      bool any = false;
+      for (std::size_t i = trials.tried().size(); i < more.size(); ++i)
+        any = trials.ask(more[i]) || any;
+      if (!any || !trials.run(++round)) break;
+      continue;
+    }
+    if (!ask_round(trials, goal, found)) {
+      found.ended = Ended::nothing;
+      break;
+    }
+    trials.run(++round);
+  }
+  if (trials.ran()) decide(trials, goal, round);
+  found.tried = std::move(trials.tried());
+  found.rounds = round;
+  conclude(goal, found);
+  return found;
+}
+
+}  // namespace mahlwerk::campaign

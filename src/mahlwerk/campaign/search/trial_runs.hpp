@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/campaign/search/optimise.hpp"
+#include "mahlwerk/campaign/search/trial_store.hpp"
+#include "mahlwerk/cases/read.hpp"
+
+// Settings of a case that a search asks for, run (docs/theory/optimum.md).
+namespace mahlwerk::campaign {
+
+/// A case whose keys are changed within ranges.
+class TrialRuns {
+ public:
+  /// `set` is applied to the case before the keys of `over`. Throws InputError where the case
+  /// cannot be read, or a range is none.
+  TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
+            std::vector<cases::Override> set, std::vector<cases::SweptKey> over);
+
+  const cases::Case& base() const { return base_; }
+  const std::vector<cases::SweptKey>& over() const { return over_; }
+
+  /// What the keys are set to, as the case says it, to six digits: "412.5 rpm".
+  std::vector<std::string> values(const Place& place) const;
+  /// The place of those values: of whole numbers and rounded ones not quite what was asked for.
+  Place snap(const Place& place) const;
+  /// The case there. Replicates from `first` on begin from another seed than those before. Throws
+  /// InputError where the setting cannot be read.
+  cases::Case at(const Place& place, int first, int count) const;
+
+  /// What a search is told of a replicate.
+  using Measure =
+      std::function<std::vector<double>(const results::Outcome&, const results::Replicate&)>;
+  /// A setting that cannot be built, or that physics stops, has failed. What `store` has been told
+  /// by the same `version` is not run again. Throws Interrupted where options.stop was set.
+  std::vector<Told> run(const std::vector<Asked>& asked, const Measure& measure,
+                        const Options& options, TrialStore& store, std::string_view version) const;
+
+ private:
+  cases::CaseFile file_;
+  const cases::Catalogue& catalogue_;
+  std::vector<cases::Override> set_;
+  std::vector<cases::SweptKey> over_;
+  cases::Case base_;
+};
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "mahlwerk/campaign/search/optimise.hpp"
+#include "mahlwerk/campaign/store/sqlite.hpp"
+#include "mahlwerk/campaign/store/store.hpp"
+
+namespace mahlwerk::campaign {
+
+/// What a search was told so far, in a file beside its results, so that one that was ended goes on
+/// where it was. Threads may call at the same time.
+class TrialStore {
+ public:
+  /// `measure` names what was told of each replicate: other measures are strangers. Throws
+  /// InputError where the file cannot be used.
+  TrialStore(const std::filesystem::path& file, std::string measure);
+
+  std::optional<Told> find(RunHash run);
+  void keep(RunHash run, const Told& told);
+
+ private:
+  std::string name_of(RunHash run) const;
+
+  std::mutex mutex_;
+  Database database_;
+  std::string measure_;
+};
+
+}  // namespace mahlwerk::campaign

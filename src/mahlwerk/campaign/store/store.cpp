@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/store/store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/fingerprint.hpp"
+#include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/results/csv.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr int format = 1;  // of the tables
+constexpr std::array<std::string_view, 3> state_words{"waiting", "done", "failed"};
+
+std::string_view word_of(RunState state) {
+  return state_words[static_cast<std::size_t>(state)];
+}
+RunState state_of(std::string_view word) {
+  return static_cast<RunState>(std::ranges::find(state_words, word) - state_words.begin());
+}
+
+/// "%" is no name for a column.
+std::string column_of(const std::string& key, std::string_view unit) {
+  return results::column_name(key, unit == "%" ? "percent" : unit);
+}
+
+}  // namespace
+
+RunHash run_hash(const cases::Case& what, std::string_view version) {
+  cases::Case bare = what;
+  bare.origins.clear();
+  bare.title.clear();
+  bare.sweep = {};
+  bare.optimise.reset();
+  bare.match.reset();
+  bare.fit.clear();
+  return fingerprint(
+      fmt::format("{}\n{}{}", version, cases::write(bare), cases::contents_of_files(bare)));
+}
+
+std::array<std::string, 2> columns_of(const results::Quantity& q) {
+  return {results::column_name(q.name, q.unit), results::column_name(q.name + "_ci95", q.unit)};
+}
+
+std::string hash_text(RunHash hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+Store::Store(const std::filesystem::path& file, Access access)
+    : database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
+  if (access == Access::read) {
+    if (database_.word("PRAGMA user_version") != std::to_string(format))
+      throw InputError(Fault{file.generic_string(), "this is no campaign's store of this version",
+                             "name the folder of a campaign", "store"});
+    return;
+  }
+  // Readers see the last commit while the campaign goes on. Journals shared between processes need
+  // memory of one machine, which a network's file system has not.
+  database_.run(access == Access::write
+                    ? "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL"
+                    : "PRAGMA journal_mode=TRUNCATE; PRAGMA synchronous=NORMAL");
+  const std::string found = database_.word("PRAGMA user_version");
+  if (found == "0")
+    make_tables();
+  else if (found != std::to_string(format))
+    throw InputError(Fault{file.generic_string(), "the campaign's store is of another version",
+                           "go on with the version that made it, or start anew with --force",
+                           "store"});
+}
+
+void Store::make_tables() {
+  Transaction all(database_);
+  if (database_.word("SELECT count(*) FROM sqlite_master") != "0")
+    throw InputError(Fault{database_.file().generic_string(), "this is another program's database",
+                           "move it away", "store"});
+  database_.run(
+      "CREATE TABLE campaign(key TEXT PRIMARY KEY, value TEXT);"
+      "CREATE TABLE overrides(position INTEGER PRIMARY KEY, key TEXT, value TEXT);"
+      "CREATE TABLE swept(position INTEGER PRIMARY KEY, key TEXT, unit TEXT, \"column\" TEXT,"
+      " \"numeric\" INTEGER, follows INTEGER);"
+      "CREATE TABLE points(point INTEGER PRIMARY KEY, hash TEXT);"
+      "CREATE TABLE runs(hash TEXT PRIMARY KEY, status TEXT NOT NULL, message TEXT,"
+      " attempts INTEGER NOT NULL DEFAULT 0, began TEXT, wall_seconds REAL, cpu_seconds REAL,"
+      " engine TEXT, regime TEXT, folder TEXT, \"case\" TEXT) WITHOUT ROWID;"
+      "CREATE TABLE quantities(position INTEGER PRIMARY KEY, name TEXT UNIQUE, unit TEXT,"
+      " about TEXT, \"column\" TEXT, ci95_column TEXT);"
+      "CREATE TABLE summary(hash TEXT PRIMARY KEY) WITHOUT ROWID;");
+  make_view();
+  database_.run(fmt::format("PRAGMA user_version={}", format));
+  all.commit();
+}
+
+/// One row a point, with names as in campaign.csv.
+void Store::make_view() {
+  std::string columns = "p.point";
+  for (const Swept& s : swept()) columns += ", p." + as_name(s.column);
+  columns += ", r.status, r.engine, r.regime, r.wall_seconds, r.cpu_seconds, r.folder, r.message";
+  Statement known =
+      database_.prepare("SELECT \"column\", ci95_column FROM quantities ORDER BY position");
+  while (known.step())
+    columns += fmt::format(", s.{}, s.{}", as_name(known.text(0)), as_name(known.text(1)));
+  database_.run(
+      fmt::format("DROP VIEW IF EXISTS results; CREATE VIEW results AS SELECT {} FROM "
+                  "points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash "
+                  "= p.hash ORDER BY p.point",
+                  columns));
+}
+
+std::vector<Store::Swept> Store::swept() const {
+  std::vector<Swept> list;
+  Statement asked = database_.prepare(
+      "SELECT key, unit, \"column\", \"numeric\", follows FROM swept ORDER BY position");
+  while (asked.step())
+    list.push_back(
+        {asked.text(0), asked.text(1), asked.text(2), asked.whole(3) != 0, asked.whole(4) != 0});
+  return list;
+}
+
+void Store::plan(const Planned& planned) {
+  const std::lock_guard lock(mutex_);
+  std::vector<Swept> swept;
+  for (const std::string& key : planned.keys) swept.push_back({key, "", "", true});
+  bool first = true;
+  for (std::size_t i = 0; i < planned.runs.size(); ++i) {
+    const std::vector<std::string> values = planned.values(i);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const NumberText value = number_text(values[k]);
+      if (first) swept[k].unit = value.rest;
+      swept[k].numeric =
+          swept[k].numeric && std::isfinite(value.number) && value.rest == swept[k].unit;
+    }
+    first = false;
+  }
+  Transaction all(database_);
+  database_.run("DELETE FROM swept; DELETE FROM overrides; DROP VIEW results; DROP TABLE points");
+  std::string columns;
+  for (std::size_t k = 0; k < swept.size(); ++k) {
+    Swept& s = swept[k];
+    if (!s.numeric) s.unit.clear();
+    s.column = column_of(s.key, s.unit);
+    columns += fmt::format(", {} {}", as_name(s.column), s.numeric ? "REAL" : "TEXT");
+    s.follows = std::ranges::find(planned.follow, s.key) != planned.follow.end();
+    database_.prepare("INSERT INTO swept VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(1, static_cast<std::int64_t>(k))
+        .bind(2, s.key)
+        .bind(3, s.unit)
+        .bind(4, s.column)
+        .bind(5, static_cast<std::int64_t>(s.numeric))
+        .bind(6, static_cast<std::int64_t>(s.follows))
+        .run();
+  }
+  database_.run(
+      fmt::format("CREATE TABLE points(point INTEGER PRIMARY KEY, hash TEXT{})", columns));
+  Statement say = database_.prepare("INSERT OR REPLACE INTO campaign VALUES(?, ?)");
+  say.bind(1, "title").bind(2, planned.title).run();
+  say.bind(1, "version").bind(2, planned.version).run();
+  say.bind(1, "case_file").bind(2, planned.case_file.generic_string()).run();
+  Statement set = database_.prepare("INSERT INTO overrides(key, value) VALUES(?, ?)");
+  for (const cases::Override& one : planned.overrides)
+    set.bind(1, one.key).bind(2, one.value).run();
+  std::string marks;
+  for (std::size_t k = 0; k < swept.size(); ++k) marks += ", ?";
+  Statement point = database_.prepare(fmt::format("INSERT INTO points VALUES(?, ?{})", marks));
+  Statement run =
+      database_.prepare("INSERT OR IGNORE INTO runs(hash, status) VALUES(?, 'waiting')");
+  for (std::size_t i = 0; i < planned.runs.size(); ++i) {
+    const std::string hash = hash_text(planned.runs[i]);
+    const std::vector<std::string> values = planned.values(i);
+    point.bind(1, static_cast<std::int64_t>(i + 1)).bind(2, hash);
+    for (std::size_t k = 0; k < swept.size(); ++k) {
+      const int place = static_cast<int>(k) + 3;
+      if (swept[k].numeric)
+        point.bind(place, number_text(values[k]).number);
+      else
+        point.bind(place, values[k]);
+    }
+    point.run();
+    run.bind(1, hash).run();
+  }
+  make_view();
+  all.commit();
+}
+
+std::unordered_map<RunHash, RunState> Store::states() const {
+  const std::lock_guard lock(mutex_);
+  std::unordered_map<RunHash, RunState> found;
+  Statement asked = database_.prepare("SELECT hash, status FROM runs");
+  while (asked.step())
+    found.emplace(std::stoull(asked.text(0), nullptr, 16), state_of(asked.text(1)));
+  return found;
+}
+
+/// Columns for quantities that no run has given yet.
+void Store::add_columns(const std::vector<results::Quantity>& quantities) {
+  Statement known = database_.prepare("SELECT 1 FROM quantities WHERE name = ?");
+  Statement add = database_.prepare(
+      "INSERT INTO quantities(name, unit, about, \"column\", ci95_column) VALUES(?, ?, ?, ?, ?)");
+  bool added = false;
+  for (const results::Quantity& q : quantities) {
+    bool there = false;
+    known.bind(1, q.name);
+    while (known.step()) there = true;
+    if (there) continue;
+    const auto [column, ci95] = columns_of(q);
+    add.bind(1, q.name).bind(2, q.unit).bind(3, q.about).bind(4, column).bind(5, ci95).run();
+    database_.run(
+        fmt::format("ALTER TABLE summary ADD COLUMN {} REAL; ALTER TABLE summary ADD "
+                    "COLUMN {} REAL",
+                    as_name(column), as_name(ci95)));
+    added = true;
+  }
+  if (added) make_view();
+}
+
+void Store::prepare_summary(const std::vector<results::Quantity>& quantities) {
+  if (summary_ && std::ranges::equal(summary_names_, quantities, {}, {}, &results::Quantity::name))
+    return;
+  summary_.reset();
+  add_columns(quantities);
+  summary_names_.clear();
+  std::string columns = "hash", marks = "?";
+  for (const results::Quantity& q : quantities) {
+    summary_names_.push_back(q.name);
+    const auto [column, ci95] = columns_of(q);
+    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
+    marks += ", ?, ?";
+  }
+  summary_.emplace(database_.prepare(
+      fmt::format("INSERT OR REPLACE INTO summary({}) VALUES({})", columns, marks)));
+}
+
+void Store::keep(const Finished& f) {
+  const std::lock_guard lock(mutex_);
+  Transaction all(database_);
+  try {
+    prepare_summary(f.quantities);
+    if (!run_done_)
+      run_done_.emplace(database_.prepare(
+          "INSERT INTO runs(hash, status, message, began, wall_seconds, cpu_seconds, engine, "
+          "regime, folder, \"case\", attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1) ON "
+          "CONFLICT(hash) DO UPDATE SET status = excluded.status, message = excluded.message, "
+          "began = excluded.began, wall_seconds = excluded.wall_seconds, cpu_seconds = "
+          "excluded.cpu_seconds, engine = excluded.engine, regime = excluded.regime, folder = "
+          "excluded.folder, \"case\" = excluded.\"case\", attempts = attempts + 1"));
+    const std::string hash = hash_text(f.hash);
+    run_done_->bind(1, hash)
+        .bind(2, word_of(f.failure.empty() ? RunState::done : RunState::failed))
+        .bind(3, f.failure)
+        .bind(4, f.began)
+        .bind(5, f.wall_seconds)
+        .bind(6, f.cpu_seconds)
+        .bind(7, f.engine)
+        .bind(8, f.regime)
+        .bind(9, f.folder)
+        .bind(10, f.resolved)
+        .run();
+    summary_->bind(1, hash);
+    int place = 1;
+    for (const results::Quantity& q : f.quantities) {
+      summary_->bind(++place, q.value);
+      summary_->bind(++place, q.half_width());
+    }
+    summary_->run();
+    all.commit();
+  } catch (...) {
+    summary_.reset();  // its columns may have gone with the transaction
+    throw;
+  }
+}
+
+void Store::fail(RunHash hash, std::string_view why) {
+  const std::lock_guard lock(mutex_);
+  if (!run_failed_)
+    run_failed_.emplace(database_.prepare(
+        "INSERT INTO runs(hash, status, message, attempts) VALUES(?, 'failed', ?, 1) ON "
+        "CONFLICT(hash) DO UPDATE SET status = 'failed', message = excluded.message, attempts = "
+        "attempts + 1"));
+  run_failed_->bind(1, hash_text(hash)).bind(2, why).run();
+}
+
+std::size_t Store::retry() {
+  const std::lock_guard lock(mutex_);
+  database_.run("UPDATE runs SET status = 'waiting' WHERE status = 'failed'");
+  return static_cast<std::size_t>(std::stoull(database_.word("SELECT changes()")));
+}
+
+}  // namespace mahlwerk::campaign

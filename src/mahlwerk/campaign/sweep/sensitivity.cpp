@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/sweep/sensitivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+void check(std::size_t rows, const std::vector<double>& outcomes,
+           const std::vector<double>& errors) {
+  if (outcomes.size() != rows || (!errors.empty() && errors.size() != rows))
+    throw std::invalid_argument("a design and its outcomes differ in rows");
+}
+
+int count_failed(const std::vector<double>& outcomes) {
+  return static_cast<int>(
+      std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
+}
+
+Sure around(double value, double half) {
+  return {value, value - half, value + half};
+}
+
+Sure mean_of(const std::vector<double>& values) {
+  if (values.empty()) return {none, none, none};
+  const observe::Estimate e = observe::estimate(values);
+  return around(e.mean, e.ci95);
+}
+
+/// From the sums of values and of their squares.
+double deviation(double sum, double squares, double count) {
+  return std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1)));
+}
+
+/// Its error from how much it changes as one value after the other is left out (Quenouille 1956).
+Sure spread_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  if (n < 2) return {none, none, none};
+  double mean = 0, squares = 0;
+  for (const double v : values) mean += v / n;
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  const double whole = deviation(0, squares, n);
+  if (n < 4) return {whole, none, none};
+  double sum = 0, square_sum = 0;
+  for (const double v : values) {
+    const double x = v - mean, left = deviation(-x, squares - x * x, n - 1);
+    sum += left;
+    square_sum += left * left;
+  }
+  const double error = (n - 1) / std::sqrt(n) * deviation(sum, square_sum, n);
+  return around(whole, observe::student95(static_cast<int>(n) - 1) * error);
+}
+
+/// Steps of a key, as they are met along the ways.
+struct Steps {
+  std::vector<double> effects, sizes;
+  double noise = 0;  // sum of the sizes that errors alone would give
+};
+
+std::vector<Steps> steps_of(const Places& design, const std::vector<double>& outcomes,
+                            const std::vector<double>& errors) {
+  const std::size_t keys = design.empty() ? 0 : design.front().size();
+  std::vector<Steps> steps(keys);
+  for (std::size_t row = 0; row + 1 < design.size(); ++row) {
+    if ((row + 1) % (keys + 1) == 0) continue;  // a new way begins
+    const double change = outcomes[row + 1] - outcomes[row];
+    if (!std::isfinite(change)) continue;
+    std::size_t key = 0;
+    while (key + 1 < keys && design[row + 1][key] == design[row][key]) ++key;
+    const double step = design[row + 1][key] - design[row][key];
+    steps[key].effects.push_back(change / step);  // (sen.2)
+    steps[key].sizes.push_back(std::abs(change / step));
+    steps[key].noise += errors.empty()
+                            ? none
+                            : std::numbers::sqrt2 * std::numbers::inv_sqrtpi *
+                                  std::hypot(errors[row], errors[row + 1]) / std::abs(step);
+  }
+  return steps;
+}
+
+}  // namespace
+
+Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci95) {
+  const std::size_t keys = outcomes.size() / 2;
+  check(2 * keys + 1, outcomes, ci95);
+  const auto at = [&](std::size_t row) {
+    return around(outcomes[row], ci95.empty() ? none : ci95[row]);
+  };
+  const auto differs = [&](std::size_t row) {
+    return !ci95.empty() && std::abs(outcomes[row] - outcomes[0]) > std::hypot(ci95[row], ci95[0]);
+  };
+  Swings found{.base = at(0), .keys = {}, .failed = count_failed(outcomes)};
+  for (std::size_t row = 1; row < outcomes.size(); row += 2)
+    found.keys.push_back({at(row), at(row + 1), differs(row) || differs(row + 1)});
+  return found;
+}
+
+ElementaryEffects elementary_effects(const Places& design, const std::vector<double>& outcomes,
+                                     const std::vector<double>& errors) {
+  check(design.size(), outcomes, errors);
+  ElementaryEffects found{.keys = {}, .failed = count_failed(outcomes)};
+  for (const Steps& steps : steps_of(design, outcomes, errors)) {
+    const std::size_t count = steps.effects.size();
+    found.keys.push_back({.mean_size = mean_of(steps.sizes),  // (sen.3)
+                          .mean = mean_of(steps.effects),
+                          .spread = spread_of(steps.effects),  // (sen.4)
+                          .of_noise = count > 0 ? steps.noise / static_cast<double>(count) : none,
+                          .count = count});
+  }
+  return found;
+}
+
+}  // namespace mahlwerk::campaign

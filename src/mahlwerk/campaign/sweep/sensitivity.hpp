@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mahlwerk/campaign/sweep/designs.hpp"
+
+// How much each key does to an outcome, from the points of a design (docs/theory/sensitivity.md).
+// Outcomes are given by row of the design, NaN where a run failed: what rests on it is left out.
+// `errors` are their standard errors, `ci95` half-widths of their 95 % intervals; empty: not known.
+// Wrong numbers of rows throw std::invalid_argument.
+namespace mahlwerk::campaign {
+
+/// A number with its 95 % interval; NaN where there is none.
+struct Sure {
+  double value = 0, low = 0, high = 0;
+};
+
+/// What a key does alone, in units of the outcome.
+struct Swing {
+  Sure at_low, at_high;  ///< the outcome with the key at 0 and at 1
+  bool told = false;     ///< one of them differs from the base by more than their intervals
+};
+struct Swings {
+  Sure base;
+  std::vector<Swing> keys;
+  int failed = 0;  ///< rows
+};
+Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci95);
+
+/// Change of an outcome over the whole range of a key, here and there in the ranges of the others.
+struct Effects {
+  Sure mean_size;         ///< mu* (sen.3)
+  Sure mean;              ///< mu (sen.3)
+  Sure spread;            ///< sigma (sen.4): what it does bends, or hangs on other keys
+  double of_noise = 0;    ///< mu* that errors alone would give (sen.5); NaN: not known
+  std::size_t count = 0;  ///< of steps that both have outcomes
+};
+struct ElementaryEffects {
+  std::vector<Effects> keys;
+  int failed = 0;
+};
+ElementaryEffects elementary_effects(const Places& design, const std::vector<double>& outcomes,
+                                     const std::vector<double>& errors);
+
+/// A key's shares of the variance that an outcome has over all ranges. Estimates may fall a little
+/// below 0.
+struct Shares {
+  Sure first;             ///< what is lost if it alone is known (sen.8)
+  Sure total;             ///< what is left if all but it are known (sen.9)
+  std::size_t count = 0;  ///< of groups used
+};
+struct VarianceShares {
+  std::vector<Shares> keys;
+  double variance = 0;  ///< of the outcome, without that of errors (sen.7)
+  double noise = 0;     ///< share of errors in the variance seen; NaN: not known
+  int failed = 0;
+};
+/// Rows as of `saltelli_design`; intervals by drawing groups anew (Efron 1979), the same for the
+/// same seed. All NaN if the outcome does not vary.
+VarianceShares variance_shares(std::size_t keys, const std::vector<double>& outcomes,
+                               const std::vector<double>& errors, std::uint64_t seed = 1);
+
+}  // namespace mahlwerk::campaign

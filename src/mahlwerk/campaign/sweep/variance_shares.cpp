@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Shares of variance from groups of runs (docs/theory/sensitivity.md).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/campaign/sweep/sensitivity.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Outcomes of one group; squares of their errors.
+struct Group {
+  double a = 0, b = 0;
+  std::vector<double> mixed;
+  double noise_a = 0, noise_b = 0;
+  std::vector<double> noise_mixed;
+};
+
+std::vector<Group> groups_of(std::size_t keys, const std::vector<double>& outcomes,
+                             const std::vector<double>& errors) {
+  const auto square = [&](std::size_t row) {
+    return errors.empty() ? 0 : errors[row] * errors[row];
+  };
+  std::vector<Group> groups(outcomes.size() / (keys + 2));
+  for (std::size_t row = 0; Group & g : groups) {
+    g.a = outcomes[row];
+    g.noise_a = square(row++);
+    for (std::size_t i = 0; i < keys; ++i) {
+      g.mixed.push_back(outcomes[row]);
+      g.noise_mixed.push_back(square(row++));
+    }
+    g.b = outcomes[row];
+    g.noise_b = square(row++);
+  }
+  return groups;
+}
+
+/// Mean and variance of what a and b give; the variance is without that of errors.
+struct Spread {
+  double mean = 0, variance = 0, noise = 0;
+};
+
+Spread spread_of(const std::vector<Group>& groups, const std::vector<std::size_t>& drawn) {
+  double count = 0, sum = 0, squares = 0, noise = 0;
+  const auto each = [&](const auto& take) {
+    for (const std::size_t j : drawn) {
+      const Group& g = groups[j];
+      if (std::isfinite(g.a)) take(g.a, g.noise_a);
+      if (std::isfinite(g.b)) take(g.b, g.noise_b);
+    }
+  };
+  each([&](double y, double e) { count += 1, sum += y, noise += e; });
+  const double mean = sum / count;
+  each([&](double y, double) { squares += (y - mean) * (y - mean); });
+  noise /= count;
+  return {mean, squares / (count - 1) - noise, noise};  // (sen.7)
+}
+
+struct Pair {
+  double first = none, total = none;
+  std::size_t count = 0;
+};
+
+Pair shares_of(const std::vector<Group>& groups, const std::vector<std::size_t>& drawn,
+               const Spread& spread, std::size_t key) {
+  double first = 0, total = 0;
+  std::size_t count = 0;
+  for (const std::size_t j : drawn) {
+    const Group& g = groups[j];
+    const double change = g.mixed[key] - g.a;
+    if (!std::isfinite(change) || !std::isfinite(g.b)) continue;
+    ++count;
+    first += (g.b - spread.mean) * change;
+    total += (change * change - g.noise_a - g.noise_mixed[key]) / 2;
+  }
+  if (count == 0 || !(spread.variance > 0)) return {.count = count};
+  const double whole = static_cast<double>(count) * spread.variance;
+  return {first / whole, total / whole, count};  // (sen.8, sen.9)
+}
+
+/// The middle 95 % of values; those that are NaN do not count.
+Sure middle(double value, std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.size() < 2) return {value, none, none};
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), values.size() - 2);
+    return std::lerp(values[below], values[below + 1], place - static_cast<double>(below));
+  };
+  return {value, at(0.025), at(0.975)};
+}
+
+/// How often groups are drawn anew: fewer times where there are so many that it would take long.
+std::size_t times(std::size_t groups, std::size_t keys) {
+  return std::clamp<std::size_t>(200'000'000 / (groups * (keys + 2)), 200, 1000);
+}
+
+}  // namespace
+
+VarianceShares variance_shares(std::size_t keys, const std::vector<double>& outcomes,
+                               const std::vector<double>& errors, std::uint64_t seed) {
+  if (outcomes.size() % (keys + 2) != 0 || (!errors.empty() && errors.size() != outcomes.size()))
+    throw std::invalid_argument("a design and its outcomes differ in rows");
+  VarianceShares found;
+  found.failed =
+      static_cast<int>(std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
+  const std::vector<Group> groups = groups_of(keys, outcomes, errors);
+  std::vector<std::size_t> drawn(groups.size());
+  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+  const Spread spread = spread_of(groups, drawn);
+  found.variance = spread.variance;
+  found.noise = errors.empty() ? none : spread.noise / (spread.variance + spread.noise);
+  std::vector<Pair> best;
+  for (std::size_t key = 0; key < keys; ++key)
+    best.push_back(shares_of(groups, drawn, spread, key));
+
+  constexpr std::uint32_t stream = 0x40000000;  // designs use those below
+  Random random(seed, stream);
+  std::vector<std::vector<double>> firsts(keys), totals(keys);
+  const auto count = static_cast<double>(groups.size());
+  for (std::size_t time = groups.empty() ? 0 : times(groups.size(), keys); time > 0; --time) {
+    for (std::size_t& j : drawn)
+      j = std::min(groups.size() - 1, static_cast<std::size_t>(random.uniform() * count));
+    const Spread again = spread_of(groups, drawn);
+    for (std::size_t key = 0; key < keys; ++key) {
+      const Pair shares = shares_of(groups, drawn, again, key);
+      firsts[key].push_back(shares.first);
+      totals[key].push_back(shares.total);
+    }
+  }
+  for (std::size_t key = 0; key < keys; ++key)
+    found.keys.push_back({.first = middle(best[key].first, std::move(firsts[key])),
+                          .total = middle(best[key].total, std::move(totals[key])),
+                          .count = best[key].count});
+  return found;
+}
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/sweep/work.hpp"
+
+#include <algorithm>
+
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::campaign {
+
+double work_estimate(const cases::Case& what) {
+  // Of a step of the soft engine: at least, and for each ball. Of a ball in flight, in a second:
+  // some hundred collisions of a microsecond (docs/performance.md).
+  constexpr double step = 2e-7, ball_step = 1e-7, ball_second = 2e-4;
+  const auto balls = static_cast<double>(cases::balls_count(what.balls));
+  double each = ball_second * balls;
+  if (what.run.engine == "soft") {
+    const double dt = soft_settings(what).rules.time_step;
+    each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
+  }
+  return each * (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+}
+
+}  // namespace mahlwerk::campaign

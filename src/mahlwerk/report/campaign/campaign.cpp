@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/campaign/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include "mahlwerk/report/campaign/plots.hpp"
+#include "mahlwerk/report/campaign/points.hpp"
+#include "mahlwerk/report/campaign/sheet.hpp"
+#include "mahlwerk/report/page.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// Pictures side by side where the page is wide.
+std::string panels(const std::vector<Picture>& pictures) {
+  std::string text;
+  for (const Picture& p : pictures) {
+    const std::string below =
+        p.below.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.below);
+    text += fmt::format("<figure>\n{}{}</figure>\n", p.svg, below);
+  }
+  return text.empty() ? "" : fmt::format("<div class=\"panels\">\n{}</div>\n", text);
+}
+
+std::vector<Picture> answers(const Campaign& c) {
+  std::vector<Picture> list;
+  for (const Sensitivity& s : c.sensitivities)
+    for (Picture& p : sensitivity_pictures(s)) list.push_back(std::move(p));
+  return list;
+}
+
+std::string answers_section(const Campaign& c) {
+  if (c.sensitivities.empty()) return "";
+  std::string words;
+  for (const Sensitivity& s : c.sensitivities)
+    if (const std::string one = sensitivity_words(s); !one.empty())
+      words += fmt::format("<p>{}</p>\n", escaped(one));
+  return "<h2>What matters</h2>\n" + words + panels(answers(c));
+}
+
+/// Every quantity in the same panels, or where each has several under a head of its own.
+std::string quantities_section(const Sheet& sheet) {
+  const Layout layout = layout_of(sheet);
+  std::vector<Picture> all;
+  std::string by_quantity;
+  bool several = false;
+  for (const std::size_t column : sheet.shown) {
+    const std::vector<Picture> own = quantity_pictures(sheet, layout, column);
+    several = several || own.size() > 1;
+    by_quantity +=
+        fmt::format("<h2>{}</h2>\n", escaped(label(sheet.campaign.columns[column].name))) +
+        panels(own);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all.empty() ? "" : several ? by_quantity : "<h2>Quantities</h2>\n" + panels(all);
+}
+
+}  // namespace
+
+std::string campaign_page(const Campaign& c, std::string_view version) {
+  const Sheet sheet(c);
+  const std::vector<Picture> regimes = regime_map(sheet);
+  const std::string body = campaign_lead(sheet) + failures(c) + answers_section(c) +
+                           (regimes.empty() ? "" : "<h2>Regimes</h2>\n" + panels(regimes)) +
+                           quantities_section(sheet) + point_table(sheet);
+  return page(c.title, body,
+              fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
+                          escaped(version)));
+}
+
+std::map<std::string, std::string> campaign_figures(const Campaign& c) {
+  const Sheet sheet(c);
+  const Layout layout = layout_of(sheet);
+  std::vector<Picture> all = answers(c);
+  for (Picture& p : regime_map(sheet)) all.push_back(std::move(p));
+  for (const std::size_t column : sheet.shown)
+    for (Picture& p : quantity_pictures(sheet, layout, column)) all.push_back(std::move(p));
+  std::map<std::string, std::string> figures;
+  for (Picture& p : all) figures["figures/" + p.name + ".svg"] = std::move(p.svg);
+  return figures;
+}
+
+}  // namespace mahlwerk::report

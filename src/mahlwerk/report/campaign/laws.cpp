@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/plot/laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/report/campaign/plots.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// "µm", "rpm" and 2: "µm/rpm²".
+std::string per(const std::string& unit, const std::string& x_unit, int power) {
+  if (power == 0 || x_unit.empty()) return unit;
+  const bool composed = x_unit.find_first_of("/ ") != std::string::npos;
+  return fmt::format("{}/{}{}", unit, composed ? "(" + x_unit + ")" : x_unit,
+                     power == 2 ? "²" : "");
+}
+
+/// In powers of ten where zeros would fill the page.
+std::string number(double value, double ci95, const std::string& unit) {
+  const double size = std::max(std::abs(value), std::isfinite(ci95) ? ci95 : 0.0);
+  const bool plain = size == 0 || (size >= 1e-3 && size < 1e6);
+  const double scale = plain ? 1 : std::pow(10, std::floor(std::log10(size)));
+  std::string text = readable(value / scale, ci95 / scale, "").number;
+  if (!plain)
+    text = fmt::format("{} × {}", std::isfinite(ci95) ? "(" + text + ")" : text,
+                       tick_text(scale, true));
+  return unit.empty() ? text : text + " " + unit;
+}
+
+std::string four_digits(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+struct Units {
+  std::string x, y;
+};
+
+std::string formula(const Law& law, const Units& units) {
+  switch (law.form) {
+    case Form::power:
+      return fmt::format("c (x / {}{})<sup>p</sup>", four_digits(law.reference),
+                         units.x.empty() ? "" : fmt::format(" {}", escaped(units.x)));
+    case Form::parabola:
+      return "a + b x + c x²";
+    case Form::line:
+      break;
+  }
+  return "a + b x";
+}
+
+std::string coefficients(const Law& law, const Units& units) {
+  std::string text;
+  for (std::size_t i = 0; i < law.coefficients.size(); ++i) {
+    const bool exponent = law.form == Form::power && i == 1;
+    const std::string unit =
+        exponent ? "" : per(units.y, units.x, law.form == Form::power ? 0 : static_cast<int>(i));
+    const char name = law.form == Form::power ? "cp"[i] : "abc"[i];
+    text += fmt::format("{}{} = {}", i == 0 ? "" : "<br/>", name,
+                        escaped(number(law.coefficients[i], law.ci95[i], unit)));
+  }
+  return text;
+}
+
+std::string row(const std::string& line, const std::string& name, const Law& law,
+                const Units& units) {
+  return fmt::format(
+      "{}<td>{}<br/><small>{}</small></td><td>{}</td><td class=\"n\">{:.4f}</td></tr>\n",
+      line.empty() ? "" : "<td>" + escaped(line) + "</td>", name, formula(law, units),
+      coefficients(law, units), law.r_squared);
+}
+
+/// "a power law or a straight line".
+std::string named(const std::vector<Law>& laws, const std::vector<std::size_t>& which,
+                  std::string_view with) {
+  std::string text;
+  for (const std::size_t i : which)
+    text += fmt::format("{}a {}", text.empty() ? "" : with, name_of(laws[i].form));
+  return text;
+}
+
+/// "A power law describes it best."
+std::string verdict(const std::vector<Law>& laws, const Choice& choice, const Units& units) {
+  const Law& best = laws[choice.best];
+  std::string text;
+  if (!choice.by_aicc)
+    text = fmt::format("So few points do not tell the laws apart; a {} is nearest (adjusted R²).",
+                       name_of(best.form));
+  else if (choice.as_good.empty())
+    text = fmt::format("A {} describes it best.", name_of(best.form));
+  else
+    text =
+        fmt::format("A {} is nearest, but {} cannot be told from it (AICc differs by less than 2).",
+                    name_of(best.form), named(laws, choice.as_good, " and "));
+  constexpr double poor = 0.5;
+  if (best.r_squared < poor) text += " None describes it well.";
+  std::vector<std::size_t> good = choice.as_good;
+  good.push_back(choice.best);
+  for (const std::size_t i : good)
+    if (through_origin(laws[i]) && std::abs(laws[i].coefficients[1]) > laws[i].ci95[1])
+      text += fmt::format(
+          " The line's intercept, {}, is no different from 0: it may go through "
+          "the origin.",
+          number(laws[i].coefficients[0], laws[i].ci95[0], units.y));
+  return text;
+}
+
+/// Each law of the only line, and what is to be said of them.
+std::string rows_of(const std::vector<Law>& laws, const Choice& choice, const Units& units) {
+  std::string rows;
+  for (std::size_t k = 0; k < laws.size(); ++k)
+    rows += (k == choice.best ? "<tr class=\"best\">" : "<tr>") +
+            row("", std::string(name_of(laws[k].form)), laws[k], units);
+  return rows;
+}
+
+/// The nearest law of one line among several, and those that are as good.
+std::string row_of(const std::string& line, const std::vector<Law>& laws, const Choice& choice,
+                   const Units& units) {
+  std::string name(name_of(laws[choice.best].form));
+  if (!choice.as_good.empty()) name += " (or " + named(laws, choice.as_good, ", ") + ")";
+  return "<tr>" + row(line.empty() ? "-" : line, name, laws[choice.best], units);
+}
+
+/// The law from end to end of the line's points, dashed and in its colour.
+Series curve_of(const Law& law, const Series& line, std::size_t number, bool logarithmic) {
+  constexpr int pieces = 60;
+  constexpr std::size_t dashed = 7;  // as many colours on, the same with dashes
+  const auto [least, most] = std::ranges::minmax_element(line.x);
+  Series curve{.name = "", .mark = Mark::line, .colour = number % dashed + dashed};
+  for (int i = 0; i <= pieces; ++i) {
+    const double share = static_cast<double>(i) / pieces;
+    curve.x.push_back(logarithmic ? *least * std::pow(*most / *least, share)
+                                  : *least + share * (*most - *least));
+    curve.y.push_back(law.at(curve.x.back()));
+  }
+  return curve;
+}
+
+}  // namespace
+
+FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t column,
+                          const std::vector<Series>& lines) {
+  constexpr std::size_t most = 5;  // lines, beyond which the table says more than anyone reads
+  FittedLines made;
+  if (lines.size() > most) return made;
+  const Multiple& m = sheet.multiples[column];
+  const Units units{sheet.campaign.swept[axis].unit, m.unit == "1"     ? ""
+                                                     : m.unit == "1/s" ? "/s"
+                                                                       : m.unit};
+  const bool several = lines.size() > 1;
+  std::string rows, words;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::vector<Law> laws = fitted_laws(lines[i].x, lines[i].y, lines[i].error);
+    if (laws.empty()) continue;
+    const Choice choice = best_of(laws);
+    made.curves.push_back(curve_of(laws[choice.best], lines[i], i, over_decades(lines[i].x)));
+    rows += several ? row_of(lines[i].name, laws, choice, units) : rows_of(laws, choice, units);
+    if (!several) words = escaped(verdict(laws, choice, units)) + " ";
+  }
+  if (rows.empty()) return made;
+  made.table = fmt::format(
+      "<p>{}<small>Dashed: the nearest law; x is {}, ± 95 %.</small></p>\n<table "
+      "class=\"laws\"><thead><tr>{}<th>with</th><th class=\"n\">R²</th></tr></thead>\n<tbody>\n{}"
+      "</tbody></table>\n",
+      words, escaped(axis_label(sheet.campaign.swept[axis])),
+      several ? "<th>line</th><th>nearest law</th>" : "<th>law</th>", rows);
+  return made;
+}
+
+}  // namespace mahlwerk::report

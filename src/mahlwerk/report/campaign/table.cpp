@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "mahlwerk/report/campaign/campaign.hpp"
+#include "mahlwerk/report/campaign/sheet.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr std::size_t most_points = 40;  // lines that a screen takes
+
+struct Told {
+  std::string_view quantity, head;
+  std::size_t column = 0;
+};
+constexpr std::array told{
+    Told{"collision_rate_above_threshold", "hits above threshold"},
+    Told{"energy_contact_point_mean_above_threshold", "E contact point"},
+    Told{"energy_normal_mean_above_threshold", "E normal"},
+    Told{"dissipated_power", "dissipated"},
+    Told{"contact_time_share", "time in contact"},
+    Told{"captured_mass_rate", "caught"},
+    Told{"d50", "D50"},
+    Told{"d90", "D90"},
+};
+
+/// Those that the points have.
+std::vector<Told> told_of(const Campaign& campaign) {
+  std::vector<Told> list;
+  for (Told one : told) {
+    const auto at = std::ranges::find(campaign.columns, one.quantity, &Column::name);
+    if (at == campaign.columns.end()) continue;
+    one.column = static_cast<std::size_t>(at - campaign.columns.begin());
+    list.push_back(one);
+  }
+  return list;
+}
+
+std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::vector<Told>& shown,
+                                 bool regimes) {
+  constexpr std::size_t enough = 60;
+  std::vector<std::string> line = p.values;
+  line.resize(c.swept.size());
+  if (!p.failure.empty() || p.waiting) {
+    line.push_back(why_nothing(p, enough));
+    return line;
+  }
+  for (const Told& one : shown) {
+    const bool has = one.column < p.value.size();
+    const double value = value_at(p, one.column), ci95 = half_width_at(p, one.column);
+    line.push_back(has ? readable(value, ci95, c.columns[one.column].unit).text() : "");
+  }
+  if (regimes) line.push_back(p.regime);
+  return line;
+}
+
+std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines)  // the last cell of a line may run on
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (i + 1 < line.size() || line.size() == widths.size())
+        widths[i] = std::max(widths[i], width(line[i]));
+  std::string text;
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text +=
+          line[i] + (i + 1 < line.size() ? std::string(widths[i] + 2 - width(line[i]), ' ') : "\n");
+  return text;
+}
+
+}  // namespace
+
+std::string campaign_table(const Campaign& campaign, std::string_view where) {
+  const std::vector<Told> shown = told_of(campaign);
+  const bool regimes = regimes_differ(campaign);
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Swept& key : campaign.swept) lines[0].push_back(key.key);
+  for (const Told& one : shown) lines[0].emplace_back(one.head);
+  if (regimes) lines[0].emplace_back("regime");
+  const std::size_t points = campaign.points.size();
+  // One more costs no more than the line that says so.
+  const std::size_t lines_of_points = points <= most_points + 1 ? points : most_points;
+  for (std::size_t i = 0; i < lines_of_points; ++i)
+    lines.push_back(line_of(campaign, campaign.points[i], shown, regimes));
+  std::string text = in_columns(lines);
+  if (lines_of_points < points)
+    text += fmt::format("... and {} more points: {}\n", points - lines_of_points, where);
+  return text;
+}
+
+}  // namespace mahlwerk::report

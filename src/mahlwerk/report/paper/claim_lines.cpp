@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/paper/claim_lines.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "mahlwerk/base/units.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+double number_in(std::string_view text) {
+  double number = NAN;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+std::size_t key_at(const Campaign& c, std::string_view key) {
+  return static_cast<std::size_t>(std::ranges::find(c.swept, key, &Swept::key) - c.swept.begin());
+}
+
+bool chosen(const Campaign& c, const Point& p, const Where& at) {
+  return std::ranges::all_of(at, [&](const auto& one) {
+    const std::size_t key = key_at(c, one.first);
+    return key < p.values.size() && std::ranges::any_of(one.second, [&](const std::string& v) {
+             return same_value(v, p.values[key]);
+           });
+  });
+}
+
+/// Whether each value of one key comes with one value of the other and the other way round, and
+/// there are several.
+bool side_by_side(const std::vector<const Point*>& points, std::size_t a, std::size_t b) {
+  std::map<std::string, std::set<std::string>> of_a, of_b;
+  for (const Point* p : points) {
+    of_a[p->values[a]].insert(p->values[b]);
+    of_b[p->values[b]].insert(p->values[a]);
+  }
+  const auto one = [](const auto& entry) { return entry.second.size() == 1; };
+  return of_a.size() > 1 && std::ranges::all_of(of_a, one) && std::ranges::all_of(of_b, one);
+}
+
+/// Keys that tell lines apart: they vary among `points`, and go neither with the axis nor with one
+/// before them.
+std::vector<std::size_t> telling(const Campaign& c, const std::vector<const Point*>& points,
+                                 std::size_t axis) {
+  std::vector<std::size_t> keys;
+  for (std::size_t k = 0; k < c.swept.size(); ++k) {
+    std::set<std::string> values;
+    for (const Point* p : points) values.insert(p->values[k]);
+    const bool followed = std::ranges::any_of(
+        keys, [&](std::size_t before) { return side_by_side(points, before, k); });
+    const bool with_axis = k == axis || (axis < c.swept.size() && side_by_side(points, axis, k));
+    if (values.size() > 1 && !followed && !with_axis) keys.push_back(k);
+  }
+  return keys;
+}
+
+/// With its section where another key has the same last word: "balls filling".
+std::string told_apart(const Campaign& c, std::size_t key) {
+  const std::string last = key_words(c.swept[key].key);
+  const auto alike = [&](const Swept& s) { return key_words(s.key) == last; };
+  if (std::ranges::count_if(c.swept, alike) == 1) return last;
+  std::string words = c.swept[key].key;
+  std::ranges::replace_if(
+      words, [](char ch) { return ch == '.' || ch == '_'; }, ' ');
+  return words;
+}
+
+}  // namespace
+
+bool same_value(std::string_view a, std::string_view b) {
+  if (a == b) return true;
+  try {
+    const mahlwerk::Quantity x = parse_quantity(a), y = parse_quantity(b);
+    const double size = std::max(std::abs(x.value), std::abs(y.value));
+    return x.dimension == y.dimension && std::abs(x.value - y.value) <= 1e-12 * size;
+  } catch (const UnitError&) {
+    return false;  // words
+  }
+}
+
+std::optional<Law> law_along(Form form, const SpotLine& line) {
+  std::vector<double> x, y, ci95;
+  for (const Spot& s : line.spots) {
+    x.push_back(s.x);
+    y.push_back(s.value);
+    ci95.push_back(s.ci95);
+  }
+  const std::vector<Law> laws = fitted_laws(x, y, ci95);
+  const auto law = std::ranges::find(laws, form, &Law::form);
+  return law == laws.end() ? std::nullopt : std::optional(*law);
+}
+
+std::string unit_of(const Campaign& campaign, std::string_view quantity) {
+  const auto column = std::ranges::find(campaign.columns, quantity, &Column::name);
+  return column == campaign.columns.end() ? "" : column->unit;
+}
+
+std::string key_words(std::string_view key) {
+  std::string words(key.substr(key.rfind('.') + 1));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
+                                  std::string_view against, std::string_view quantity) {
+  const auto column = static_cast<std::size_t>(
+      std::ranges::find(campaign.columns, quantity, &Column::name) - campaign.columns.begin());
+  std::vector<const Point*> points;
+  for (const Point& p : campaign.points)
+    if (chosen(campaign, p, at)) points.push_back(&p);
+  const std::size_t axis = key_at(campaign, against);
+  const std::vector<std::size_t> others = telling(campaign, points, axis);
+  std::vector<SpotLine> lines;
+  for (const Point* p : points) {
+    std::string label;
+    for (const std::size_t k : others)
+      label += (label.empty() ? "" : ", ") + told_apart(campaign, k) + " " + p->values[k];
+    Spot spot{.point = p};
+    if (axis < p->values.size()) spot.text = p->values[axis], spot.x = number_in(spot.text);
+    if (column < p->value.size()) spot.value = p->value[column];
+    if (column < p->ci95.size()) spot.ci95 = p->ci95[column];
+    auto line = std::ranges::find(lines, label, &SpotLine::others);
+    if (line == lines.end()) line = lines.insert(lines.end(), {label, {}});
+    line->spots.push_back(std::move(spot));
+  }
+  for (SpotLine& line : lines)
+    if (std::ranges::none_of(line.spots, [](const Spot& s) { return std::isnan(s.x); }))
+      std::ranges::stable_sort(line.spots, {}, &Spot::x);
+  return lines;
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/report/campaign/campaign.hpp"
+#include "mahlwerk/report/paper/paper.hpp"
+#include "mahlwerk/report/plot/laws.hpp"
+
+// Points of a campaign, put in lines along a key.
+namespace mahlwerk::report {
+
+/// A quantity at one value of the key.
+struct Spot {
+  const Point* point = nullptr;
+  std::string text = {};                       ///< the key's value: "10 mm"
+  double x = NAN;                              ///< its number, in the unit it is said in
+  double value = NAN, ci95 = NAN;              ///< in SI units
+  double low() const { return value - ci95; }  ///< NaN without an interval
+  double high() const { return value + ci95; }
+  bool above(const Spot& o) const { return low() > o.high(); }  ///< by more than both intervals
+};
+
+/// Points that differ in one key alone, or in keys that go side by side with it.
+struct SpotLine {
+  std::string others;       ///< what the other keys say, "friction 0.5, ratio -2"; may be empty
+  std::vector<Spot> spots;  ///< by growing number of the key, else as the campaign has them
+};
+
+/// The points that `at` chooses, along `against` (empty: each is a line of its own). `quantity` may
+/// be empty.
+std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
+                                  std::string_view against, std::string_view quantity);
+
+/// A law through the points of a line, weighted by their intervals; none if they are too few for it
+/// (cam.20 to cam.24).
+std::optional<Law> law_along(Form form, const SpotLine& line);
+
+/// "10 mm" and "0.01 m" are the same value of a key.
+bool same_value(std::string_view a, std::string_view b);
+
+/// The unit of a quantity; empty if the campaign does not have it.
+std::string unit_of(const Campaign& campaign, std::string_view quantity);
+
+/// What a key is called in a sentence: "rolling friction" for contact.rolling_friction.
+std::string key_words(std::string_view key);
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/paper/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/report/paper/claim_lines.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using Kind = Claim::Kind;
+
+struct Context {
+  const Claim& claim;
+  const Campaign& campaign;
+  std::string unit;  // of the quantity
+
+  std::string text(const Spot& s) const { return readable(s.value, s.ci95, unit).text(); }
+  std::string key() const { return key_words(claim.against); }
+};
+
+bool sure(const Spot& s) {
+  return std::isfinite(s.value) && std::isfinite(s.ci95);
+}
+
+Judged judge_trend(const Context& c, const SpotLine& line) {
+  const std::vector<Spot>& s = line.spots;
+  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
+  const bool up = c.claim.is == "rises";
+  const auto clear = [&](const Spot& a, const Spot& b) { return up ? b.above(a) : a.above(b); };
+  std::string unclear;
+  std::size_t good = 0;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i)
+    if (clear(s[i], s[i + 1]))
+      ++good;
+    else
+      unclear += fmt::format("{}{} to {}", unclear.empty() ? "" : ", ", s[i].text, s[i + 1].text);
+  std::string found = fmt::format(
+      "{} at {} {}, {} at {}; {} by more than both intervals at {} of {} steps", c.text(s.front()),
+      c.key(), s.front().text, c.text(s.back()), s.back().text, c.claim.is, good, s.size() - 1);
+  if (!unclear.empty() && good > 0) found += ", not from " + unclear;
+  if (good == s.size() - 1) return {found, Holds::yes};
+  return {found, clear(s.front(), s.back()) ? Holds::partly : Holds::no};
+}
+
+/// b over a.
+struct Ratio {
+  double value = NAN, ci95 = NAN;
+};
+Ratio ratio(const Spot& a, const Spot& b) {
+  if (!sure(a) || !sure(b) || !(a.value > 0)) return {};
+  const double r = b.value / a.value;
+  return {r, std::hypot(b.ci95, r * a.ci95) / a.value};
+}
+
+Judged judge_compare(const Context& c, const SpotLine& line) {
+  const Spot *a = nullptr, *b = nullptr;
+  for (const Spot& s : line.spots) {
+    if (same_value(s.text, c.claim.first)) a = &s;
+    if (same_value(s.text, c.claim.second)) b = &s;
+  }
+  if (a == nullptr || b == nullptr) return {"not run at both values"};
+  const Ratio r = ratio(*a, *b);
+  std::string found =
+      fmt::format("{} at {} {}, {} at {}", c.text(*a), c.key(), a->text, c.text(*b), b->text);
+  if (std::isfinite(r.value)) found += ": " + readable(r.value, r.ci95, "").text() + " times";
+  const bool larger = b->above(*a), smaller = a->above(*b);
+  if (!larger && !smaller) return {found + "; the intervals overlap", Holds::open};
+  return {found, larger == (c.claim.is == "larger") ? Holds::yes : Holds::no};
+}
+
+Judged judge_alike(const Context& c, const SpotLine& line) {
+  const std::vector<Spot>& s = line.spots;
+  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
+  const auto [least, most] = std::ranges::minmax_element(s, {}, &Spot::value);
+  const Ratio r = ratio(*least, *most);
+  const std::string found =
+      fmt::format("{} at {} {} to {} at {}: {} times", c.text(*least), c.key(), least->text,
+                  c.text(*most), most->text, readable(r.value, r.ci95, "").text());
+  const double bound = 1 + c.claim.within;
+  if (r.value + r.ci95 <= bound) return {found, Holds::yes};
+  return {found, r.value - r.ci95 > bound ? Holds::no : Holds::open};
+}
+
+/// An exponent above or below another.
+Judged judge_side(const Context& c, const Law& law, std::string found) {
+  const double off = (law.coefficients[1] - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
+  if (law.r_squared < c.claim.r2 || !(std::abs(off) > law.ci95[1]))
+    return {std::move(found), Holds::open};
+  return {std::move(found), off > 0 ? Holds::yes : Holds::no};
+}
+
+std::string law_words(const Context& c, const Law& law) {
+  const std::string r2 = fmt::format("R² = {:.5f}", law.r_squared);
+  if (law.form == Form::parabola) return r2;
+  const bool power = law.form == Form::power;
+  const Swept& key = *std::ranges::find(c.campaign.swept, c.claim.against, &Swept::key);
+  const std::string number = readable(law.coefficients[1], law.ci95[1], power ? "" : c.unit).text();
+  if (power) return fmt::format("exponent {}, {}", number, r2);
+  return fmt::format("{} for each {}, {}", number, key.unit.empty() ? "1" : key.unit, r2);
+}
+
+Judged judge_law(const Context& c, const SpotLine& line) {
+  const std::optional<Law> law = law_along(c.claim.law, line);
+  if (!law) return {"too few points for a fit"};
+  const std::string found = law_words(c, *law);
+  if (c.claim.exponent && !c.claim.is.empty()) return judge_side(c, *law, found);
+  const double off = c.claim.exponent ? std::abs(law->coefficients[1] - *c.claim.exponent) : 0;
+  if (law->r_squared >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
+  constexpr double fair = 0.9;
+  const bool partly = law->r_squared >= fair && off <= 3 * c.claim.within;
+  return {found, partly ? Holds::partly : Holds::no};
+}
+
+/// The points of a line in words, those that follow each other with the same word together.
+Judged judge_regime(const Context& c, const SpotLine& line) {
+  std::string found, last;
+  std::size_t good = 0;
+  for (const Spot& s : line.spots) {
+    const std::string& now = s.point->regime;
+    good += now == c.claim.is ? 1 : 0;
+    if (now == last && !found.empty())
+      found += s.text.empty() ? "" : ", " + s.text;
+    else
+      found += fmt::format("{}{}{}{}", found.empty() ? "" : "; ", now.empty() ? "none" : now,
+                           s.text.empty() ? "" : " at " + c.key() + " ", s.text);
+    last = now;
+  }
+  if (good == line.spots.size()) return {found, Holds::yes};
+  return {found, good > 0 ? Holds::partly : Holds::no};
+}
+
+Judged judge_bound(const Context& c, const SpotLine& line) {
+  std::string found;
+  std::size_t good = 0, bad = 0;
+  for (const Spot& s : line.spots) {
+    const bool above = s.low() > c.claim.bound, below = s.high() < c.claim.bound;
+    const bool wanted = c.claim.is == "above";
+    good += (wanted ? above : below) ? 1 : 0;
+    bad += (wanted ? below : above) ? 1 : 0;
+    found += fmt::format("{}{}{}", found.empty() ? "" : ", ", c.text(s),
+                         s.text.empty() ? "" : " at " + s.text);
+  }
+  if (good == line.spots.size()) return {found, Holds::yes};
+  if (good > 0) return {found, Holds::partly};
+  return {found, bad == line.spots.size() ? Holds::no : Holds::open};
+}
+
+Judged judge_line(const Context& c, const SpotLine& line) {
+  switch (c.claim.kind) {
+    case Kind::law:
+      return judge_law(c, line);
+    case Kind::trend:
+      return judge_trend(c, line);
+    case Kind::compare:
+      return judge_compare(c, line);
+    case Kind::alike:
+      return judge_alike(c, line);
+    case Kind::regime:
+      return judge_regime(c, line);
+    case Kind::bound:
+      return judge_bound(c, line);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view word(Holds holds) {
+  switch (holds) {
+    case Holds::yes:
+      return "yes";
+    case Holds::partly:
+      return "partly";
+    case Holds::no:
+      return "no";
+    case Holds::open:
+      return "cannot be told";
+  }
+  return "";
+}
+
+Judged judge(const Claim& claim, const Campaign& campaign) {
+  const Context context{claim, campaign, unit_of(campaign, claim.quantity)};
+  const std::vector<SpotLine> lines =
+      lines_along(campaign, claim.at, claim.against, claim.quantity);
+  Judged all;
+  bool same = true;
+  for (const SpotLine& line : lines) {
+    const Judged one = judge_line(context, line);
+    const bool first = &line == lines.data();
+    if (first) all.holds = one.holds;
+    same = same && one.holds == all.holds;
+    all.found += (first ? "" : "; ") + (line.others.empty() ? "" : line.others + ": ") + one.found;
+  }
+  if (!same) all.holds = Holds::partly;
+  if (lines.empty()) all.found = "no such point was run";
+  return all;
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "mahlwerk/report/campaign/campaign.hpp"
+#include "mahlwerk/report/paper/paper.hpp"
+
+// Claims of a paper against campaigns just run. The rules are in docs/papers.md.
+namespace mahlwerk::report {
+
+enum class Holds { yes, partly, no, open };  ///< open: the runs cannot tell
+
+struct Judged {
+  std::string found;  ///< a sentence of numbers, each from the campaign
+  Holds holds = Holds::open;
+};
+
+Judged judge(const Claim& claim, const Campaign& campaign);
+
+std::string_view word(Holds holds);  ///< "yes", "partly", "no", "cannot be told"
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a paper asks of its campaigns, before any of them runs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/report/paper/claim_lines.hpp"
+#include "mahlwerk/report/paper/paper.hpp"
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// Looks one figure or claim up in its campaign.
+class Looking {
+ public:
+  Looking(std::string where, const std::string& campaign, const cases::Case& what,
+          std::vector<Fault>& faults)
+      : where_(std::move(where)), campaign_(campaign), case_(what), faults_(faults) {}
+
+  void key(const std::string& name) {
+    if (!name.empty()) find(name);
+  }
+  void value(const std::string& key, const std::string& text) {
+    const cases::SweptKey* swept = text.empty() ? nullptr : find(key);
+    if (swept == nullptr || swept->range) return;
+    if (std::ranges::any_of(swept->values,
+                            [&](const std::string& v) { return same_value(v, text); }))
+      return;
+    fault(fmt::format("{} takes no value {} in {}.toml", key, text, campaign_),
+          "its values are " + listed(swept->values), "paper-unknown-value");
+  }
+  void at(const Where& where) {
+    for (const auto& [key, values] : where)
+      for (const std::string& v : values) value(key, v);
+  }
+  void quantity(const std::string& name) {
+    if (name.empty()) return;
+    std::vector<std::string> names;
+    results::Outcome none;
+    none.what = case_;
+    none.engine = case_.run.engine;
+    for (const results::Quantity& q : results::summarise(none)) names.push_back(q.name);
+    if (std::ranges::find(names, name) != names.end()) return;
+    const std::string near = nearest_word(name, names);
+    fault(fmt::format("a result of {}.toml has no quantity {}", campaign_, name),
+          near.empty() ? "docs/formats.md lists them" : fmt::format("do you mean {}?", near),
+          "paper-unknown-quantity");
+  }
+
+ private:
+  static std::string listed(const std::vector<std::string>& values) {
+    std::string all;
+    for (const std::string& v : values) all += (all.empty() ? "" : ", ") + v;
+    return all;
+  }
+  const cases::SweptKey* find(const std::string& name) {
+    const auto& keys = case_.sweep.keys;
+    const auto found = std::ranges::find(keys, name, &cases::SweptKey::key);
+    if (found != keys.end()) return &*found;
+    fault(fmt::format("{}.toml does not vary {}", campaign_, name),
+          fmt::format("name a key of its [sweep], or put {} there", name), "paper-unknown-key");
+    return nullptr;
+  }
+  void fault(std::string what, std::string remedy, const char* code) {
+    faults_.push_back({where_, std::move(what), std::move(remedy), code});
+  }
+
+  std::string where_;
+  const std::string& campaign_;
+  const cases::Case& case_;
+  std::vector<Fault>& faults_;
+};
+
+}  // namespace
+
+std::vector<Fault> paper_faults(const Paper& paper,
+                                const std::map<std::string, cases::Case>& cases) {
+  std::vector<Fault> faults;
+  for (const PaperFigure& figure : paper.figures) {
+    Looking look(figure.where, figure.campaign, cases.at(figure.campaign), faults);
+    look.key(figure.against);
+    look.at(figure.at);
+    look.quantity(figure.quantity);
+  }
+  for (const Claim& claim : paper.claims) {
+    Looking look(claim.where, claim.campaign, cases.at(claim.campaign), faults);
+    look.key(claim.against);
+    look.at(claim.at);
+    look.value(claim.against, claim.first);
+    look.value(claim.against, claim.second);
+    look.quantity(claim.quantity);
+  }
+  return faults;
+}
+
+}  // namespace mahlwerk::report

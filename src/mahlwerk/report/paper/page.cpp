@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/paper/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/csv.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// How many claims hold, in a sentence.
+std::string score(const PaperResult& result) {
+  std::string text;
+  for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::open}) {
+    const auto count = std::ranges::count(result.judged, one, &Judged::holds);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(one), count);
+  }
+  return fmt::format("Of {} claims: {}.", result.judged.size(), text);
+}
+
+double whole_time(const PaperResult& result) {
+  double sum = 0;
+  for (const auto& [name, seconds] : result.seconds) sum += seconds;
+  return sum;
+}
+
+std::string claim_rows(const PaperResult& result) {
+  std::string rows;
+  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+    const Claim& claim = result.paper->claims[i];
+    const Judged& judged = result.judged[i];
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td></tr>\n",
+                        escaped(claim.figure), escaped(claim.says), escaped(judged.found),
+                        word(judged.holds), escaped(claim.why));
+  }
+  return rows;
+}
+
+std::string campaign_rows(const PaperResult& result) {
+  std::string rows;
+  for (const auto& [name, seconds] : result.seconds)
+    rows += fmt::format(
+        "<tr><td><a href=\"{0}/campaign.html\">{0}</a></td><td class=\"n\">{1:.2g} "
+        "s</td></tr>\n",
+        escaped(name), seconds);
+  return rows;
+}
+
+}  // namespace
+
+std::string paper_page(const PaperResult& result, std::string_view version) {
+  const Paper& paper = *result.paper;
+  std::string body =
+      fmt::format("<p class=\"lead\">{}. {}</p>\n", escaped(paper.source), score(result));
+  if (!paper.about.empty())
+    body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(paper.about));
+  body += fmt::format(
+      "<h2>What the paper says, and what we find</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
+      "<th>Figure</th><th>The paper says</th><th>We find</th><th>Holds</th><th>Why</th></tr>"
+      "</thead>\n<tbody>\n{}</tbody></table></div>\n<p><small>± is the 95 % confidence half-width "
+      "over independent replicates. Every number of \"we find\" is of the runs just made; the "
+      "rules by which a claim holds are in docs/papers.md.</small></p>\n<h2>Figures</h2>\n",
+      claim_rows(result));
+  for (const PaperPicture& picture : result.pictures) {
+    if (picture.svg.empty()) continue;
+    const bool titled = picture.figure->drawn == PaperFigure::Drawn::quantity;
+    body += fmt::format(
+        "<figure>\n{}{}<figcaption>{}</figcaption>\n</figure>\n",
+        titled ? ""
+               : fmt::format("<h3>Figure {}: {}</h3>\n", escaped(picture.figure->number),
+                             escaped(picture.figure->title)),
+        picture.svg, escaped(picture.figure->about));
+  }
+  body += fmt::format(
+      "<h2>Campaigns</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Campaign</th><th "
+      "class=\"n\">computed in</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      campaign_rows(result));
+  return page(
+      paper.title, body,
+      fmt::format("Mahlwerk {}, {:.2g} s of computing.", escaped(version), whole_time(result)));
+}
+
+std::string claims_text(const PaperResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+    const Claim& claim = result.paper->claims[i];
+    const Judged& judged = result.judged[i];
+    text += fmt::format("{:<6} {:<14} {}\n{:22}{}\n", claim.figure, word(judged.holds), claim.says,
+                        "", judged.found);
+    if (!claim.why.empty()) text += fmt::format("{:22}why: {}\n", "", claim.why);
+  }
+  return fmt::format("{}\n{}\n", text, score(result));
+}
+
+std::string claims_markdown(const PaperResult& result) {
+  const auto cell = [](std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+      text.insert(at, "\\");
+    return text;
+  };
+  std::string text = "| figure | the paper says | we find | holds | why |\n|---|---|---|---|---|\n";
+  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+    const Claim& claim = result.paper->claims[i];
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.figure), cell(claim.says),
+                    cell(result.judged[i].found), word(result.judged[i].holds), cell(claim.why));
+  }
+  return text;
+}
+
+std::string claims_csv(const PaperResult& result) {
+  const auto line = [](std::initializer_list<std::string_view> cells) {
+    std::vector<std::string> quoted;
+    for (const std::string_view cell : cells) quoted.push_back(results::csv_cell(cell));
+    return results::csv_line(quoted);
+  };
+  std::string text = line({"figure", "the_paper_says", "we_find", "holds", "why"});
+  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+    const Claim& claim = result.paper->claims[i];
+    text += line({claim.figure, claim.says, result.judged[i].found, word(result.judged[i].holds),
+                  claim.why});
+  }
+  return text;
+}
+
+}  // namespace mahlwerk::report

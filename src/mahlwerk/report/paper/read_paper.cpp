@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// paper.toml, read strictly.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/section.hpp"
+#include "mahlwerk/report/paper/paper.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using cases::Findings;
+using cases::Node;
+using cases::Section;
+using Words = std::vector<std::string>;
+using Kind = Claim::Kind;
+
+// In the order of the enumerations.
+const Words drawn_words{"quantity", "trajectories", "snapshots"};
+const Words kind_words{"law", "trend", "compare", "alike", "regime", "bound"};
+const Words law_words{"linear", "power", "quadratic"};
+
+template <class Enum>
+Enum chosen(Section& in, std::string_view key, const Words& words, std::string standard = "") {
+  const std::string word = in.choice({key, words, std::move(standard), "docs/papers.md"});
+  const auto at = std::ranges::find(words, word);
+  return at == words.end() ? Enum{} : static_cast<Enum>(at - words.begin());
+}
+
+std::string needed(Section& in, std::string_view key, std::string_view about) {
+  if (!in.gives(key)) in.missing(key, about, fmt::format("write {} = \"...\"", key));
+  return in.text(key).value_or("");
+}
+
+bool is_value(const Node& node) {
+  return node.kind == Node::Kind::text || node.kind == Node::Kind::number;
+}
+
+/// { "mill.ratio" = [-3, -2], "contact.friction" = 0.5 }
+Where read_where(Section& in) {
+  Where where;
+  const Node* table = in.find("at");
+  if (table == nullptr) return where;
+  for (const cases::Member& member : table->members) {
+    std::vector<std::string>& values = where[member.key];
+    if (is_value(member.value)) values.push_back(member.value.text);
+    for (const Node& item : member.value.items)
+      if (is_value(item)) values.push_back(item.text);
+  }
+  const bool sound = !table->members.empty() &&
+                     std::ranges::none_of(where, [](const auto& w) { return w.second.empty(); });
+  if (!sound)
+    in.fault(*table, "`at` must name keys of the campaign's [sweep] with values",
+             "write at = { \"mill.ratio\" = [-3, -2], \"contact.friction\" = 0.5 }", "wrong-type");
+  return where;
+}
+
+std::string value_of(Section& in, std::string_view key, std::string_view about) {
+  const Node* node = in.find(key);
+  if (node != nullptr && is_value(*node)) return node->text;
+  in.missing(key, about, fmt::format("write {} = ..., as [sweep] says it", key));
+  return "";
+}
+
+PaperFigure read_figure(Section& in) {
+  PaperFigure figure;
+  figure.number = needed(in, "number", "the paper's number of the figure");
+  figure.title = needed(in, "title", "what is drawn");
+  figure.about = in.text("about").value_or("");
+  figure.campaign = needed(in, "campaign", "the case file beside this one, without .toml");
+  figure.drawn = chosen<PaperFigure::Drawn>(in, "draws", drawn_words, "quantity");
+  figure.at = read_where(in);
+  if (figure.drawn == PaperFigure::Drawn::quantity) {
+    figure.quantity = needed(in, "quantity", "its name in summary.json");
+    figure.against = needed(in, "against", "a key of the campaign's [sweep]");
+    if (in.gives("law")) figure.law = chosen<Form>(in, "law", law_words);
+  } else {
+    in.refuse({"quantity", "against", "law"}, "in this kind of figure", "remove it");
+    figure.seen_from_jar =
+        in.gives("seen_from") && in.choice({"seen_from", {"carrier", "jar"}, ""}) == "jar";
+  }
+  return figure;
+}
+
+void read_bound(Section& in, Claim& claim) {
+  claim.is = in.choice({"is", {"above", "below"}, ""});
+  claim.bound_text = value_of(in, "bound", "what it is above or below: \"0.5\", \"3 mJ\"");
+  if (claim.bound_text.empty()) return;
+  try {
+    claim.bound = parse_quantity(claim.bound_text).value;
+  } catch (const UnitError& error) {
+    in.fault(*in.find("bound"), error.what(), "write for instance bound = \"3 mJ\"",
+             "bad-quantity");
+  }
+}
+
+void read_law(Section& in, Claim& claim) {
+  claim.law = chosen<Form>(in, "law", law_words);
+  claim.r2 = in.maybe({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
+  if (claim.law == Form::power)
+    claim.exponent = in.maybe({"exponent", "", any_number, "the power that is claimed"});
+  if (claim.exponent && in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
+}
+
+void read_test(Section& in, Claim& claim) {
+  if (claim.kind != Kind::regime)
+    claim.quantity = needed(in, "quantity", "its name in summary.json");
+  const bool along = claim.kind != Kind::regime && claim.kind != Kind::bound;
+  if (along || in.gives("against"))
+    claim.against = needed(in, "against", "a key of the campaign's [sweep]");
+  if (claim.kind == Kind::law) read_law(in, claim);
+  if ((claim.exponent && claim.is.empty()) || claim.kind == Kind::alike)
+    claim.within = in.maybe({"within", "", positive, "how far off is still alike"}).value_or(0.1);
+  if (claim.kind == Kind::trend) claim.is = in.choice({"is", {"rises", "falls"}, ""});
+  if (claim.kind == Kind::compare) {
+    claim.is = in.choice({"is", {"larger", "smaller"}, ""});
+    claim.first = value_of(in, "first", "the value of `against` that is compared with");
+    claim.second = value_of(in, "second", "the value at which it is larger or smaller");
+  }
+  if (claim.kind == Kind::regime)
+    claim.is = in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling"}, ""});
+  if (claim.kind == Kind::bound) read_bound(in, claim);
+}
+
+Claim read_claim(Section& in) {
+  Claim claim;
+  claim.figure = needed(in, "figure", "the figure or section of the paper");
+  claim.says = needed(in, "says", "what the paper says");
+  claim.why = in.text("why").value_or("");
+  claim.kind = chosen<Kind>(in, "kind", kind_words);
+  claim.campaign = needed(in, "campaign", "the case file beside this one, without .toml");
+  claim.at = read_where(in);
+  read_test(in, claim);
+  return claim;
+}
+
+template <class One, class Read>
+std::vector<One> read_list(Section& top, const char* key, Findings& findings, const Read& read) {
+  std::vector<One> list;
+  const Node* nodes = top.find(key);
+  if (nodes == nullptr) return list;
+  if (nodes->kind != Node::Kind::list) {
+    top.fault(*nodes, fmt::format("`{}` must be a list of sections", key),
+              fmt::format("write [[{}]] and its values below", key), "wrong-type");
+    return list;
+  }
+  for (std::size_t i = 0; i < nodes->items.size(); ++i) {
+    Section in(&nodes->items[i], fmt::format("{}.{}", key, i + 1), findings);
+    list.push_back(read(in));
+    list.back().where = nodes->items[i].where;
+    in.close();
+  }
+  return list;
+}
+
+}  // namespace
+
+Paper read_paper_text(const std::string& text, const std::filesystem::path& file) {
+  const Node root = cases::parse_tree(text, file.generic_string());
+  Findings findings;
+  Section top(&root, "", findings);
+  Paper paper;
+  paper.folder = file.parent_path();
+  for (const char* key : {"title", "source"})
+    if (!top.gives(key))
+      top.fault(root, fmt::format("the paper lacks `{}`", key),
+                fmt::format("write {} = \"...\" at its top", key), "missing-value");
+  paper.title = top.text("title").value_or("");
+  paper.source = top.text("source").value_or("");
+  paper.about = top.text("about").value_or("");
+  paper.figures = read_list<PaperFigure>(top, "figure", findings, read_figure);
+  paper.claims = read_list<Claim>(top, "claim", findings, read_claim);
+  top.close();
+  if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
+  return paper;
+}
+
+Paper read_paper(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream)
+    throw InputError(Fault{file.generic_string(), "there is no such file, or it cannot be read",
+                           "name a folder with a paper.toml", "no-such-paper"});
+  return read_paper_text(text, file);
+}
+
+std::vector<std::string> Paper::campaigns() const {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const PaperFigure& figure : figures) add(figure.campaign);
+  for (const Claim& claim : claims) add(claim.campaign);
+  return names;
+}
+
+}  // namespace mahlwerk::report

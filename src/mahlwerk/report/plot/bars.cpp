@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/plot/bars.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr double page_width = 480, letter = 6.6;  // average width of one at 12 px
+constexpr double row = 26, thick = 16, thin = 9;
+
+class Drawing {
+ public:
+  explicit Drawing(const BarPlot& plot) : plot_(plot) {
+    measure();
+    legend();
+    scale();
+    double y = top_;
+    for (const BarGroup& group : plot.groups) {
+      text(left_ - 8, y + 0.5 * height_of(group) + 4, "end", group.name);
+      bars(group, y);
+      y += height_of(group);
+    }
+    const double x = across(plot.base);
+    text_ +=
+        fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" style=\"stroke:var(--ink,#222)\"/>\n", x,
+                    top_, bottom_);
+  }
+  std::string drawn() const {
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:.0f}\" role=\"img\" "
+        "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
+        "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}"
+        "</svg>\n",
+        page_width, bottom_ + 46, escaped(plot_.title), text_);
+  }
+
+ private:
+  double across(double v) const {
+    return left_ + (v - least_) / (most_ - least_) * (right_ - left_);
+  }
+  double height_of(const BarGroup& group) const {
+    return plot_.side_by_side ? std::max(row, 10 + 11.0 * static_cast<double>(group.bars.size()))
+                              : row;
+  }
+  void text(double x, double y, std::string_view anchor, std::string_view what,
+            std::string_view extra = "") {
+    text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+                         anchor, extra, escaped(what));
+  }
+  void measure();
+  void legend();
+  void scale();
+  void bars(const BarGroup& group, double y);
+  void bar(const Bar& b, double y, double size);
+
+  const BarPlot& plot_;
+  double left_ = 0, right_ = 0, top_ = 34, bottom_ = 0, least_ = 0, most_ = 1;
+  std::string text_;
+};
+
+/// Room for names on the left, for notes at both ends of the bars.
+void Drawing::measure() {
+  std::size_t name = 0, note = 0;
+  least_ = most_ = plot_.base;
+  for (const BarGroup& group : plot_.groups) {
+    name = std::max(name, width(group.name));
+    for (const Bar& b : group.bars) {
+      note = std::max(note, width(b.note));
+      if (!std::isfinite(b.end)) continue;
+      const double half = std::isfinite(b.ci95) ? b.ci95 : 0;
+      least_ = std::min(least_, b.end - half);
+      most_ = std::max(most_, b.end + half);
+    }
+  }
+  if (!(most_ > least_)) most_ = least_ + std::max(1.0, std::abs(least_));
+  left_ = std::clamp(16 + letter * static_cast<double>(name), 60.0, 0.45 * page_width);
+  right_ = page_width - 16;
+  const double share = (letter * static_cast<double>(note) + 12) / (right_ - left_),
+               wide = most_ - least_;
+  const double room = wide * std::min(share / (1 - 2 * std::min(share, 0.35)) + 0.02, 1.0);
+  if (least_ < plot_.base) least_ -= room;
+  if (most_ > plot_.base) most_ += room;
+}
+
+void Drawing::legend() {
+  text(16, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
+  double x = left_;
+  for (std::size_t i = 0; i < plot_.words.size(); ++i) {
+    text_ += fmt::format("<rect x=\"{:.1f}\" y=\"30\" width=\"12\" height=\"12\" fill=\"{}\"/>\n",
+                         x, kind_colour(i));
+    text(x + 18, 40.5, "start", plot_.words[i]);
+    x += 36 + letter * static_cast<double>(width(plot_.words[i]));
+  }
+  if (!plot_.words.empty()) top_ += 20;
+  bottom_ = top_;
+  for (const BarGroup& group : plot_.groups) bottom_ += height_of(group);
+}
+
+void Drawing::scale() {
+  for (const double v : ticks(least_, most_, false, 5)) {
+    const double x = across(v);
+    text_ +=
+        fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" style=\"stroke:var(--grid,#ddd)\"/>\n", x,
+                    top_, bottom_);
+    text(x, bottom_ + 17, "middle", tick_text(v, false), " style=\"fill:var(--soft,#555)\"");
+  }
+  text(0.5 * (left_ + right_), bottom_ + 37, "middle", plot_.label);
+}
+
+void Drawing::bars(const BarGroup& group, double y) {
+  const double height = height_of(group);
+  if (!plot_.side_by_side) {
+    for (const Bar& b : group.bars) bar(b, y + 0.5 * (height - thick), thick);
+    return;
+  }
+  double at = y + 0.5 * (height - 11.0 * static_cast<double>(group.bars.size())) + 1;
+  for (const Bar& b : group.bars) {
+    bar(b, at, thin);
+    at += 11;
+  }
+}
+
+void Drawing::bar(const Bar& b, double y, double size) {
+  if (!std::isfinite(b.end)) return;
+  const double from = across(plot_.base), to = across(b.end), middle = y + 0.5 * size;
+  text_ += fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
+      "fill-opacity=\"0.85\"/>\n",
+      std::min(from, to), y, std::abs(to - from), size, kind_colour(b.colour));
+  double low = to, high = to;
+  if (b.ci95 > 0) {
+    low = across(b.end - b.ci95);
+    high = across(b.end + b.ci95);
+    text_ += fmt::format(
+        "<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{0:.1f} {3:.1f}v6M{1:.1f} {3:.1f}v6\" fill=\"none\" "
+        "style=\"stroke:var(--ink,#222)\"/>\n",
+        low, high, middle, middle - 3);
+  }
+  if (b.note.empty()) return;
+  const bool left = b.end < plot_.base;
+  text(left ? std::min(low, to) - 5 : std::max(high, to) + 5, middle + 4, left ? "end" : "start",
+       b.note, " font-size=\"11\" style=\"fill:var(--soft,#555)\"");
+}
+
+}  // namespace
+
+std::string svg(const BarPlot& plot) {
+  return Drawing(plot).drawn();
+}
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/plot/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+/// Points with their weights, which add up to their number.
+struct Data {
+  std::vector<double> x, y, weight;
+  double number() const { return static_cast<double>(x.size()); }
+};
+
+Data data_of(const std::vector<double>& x, const std::vector<double>& y,
+             const std::vector<double>& ci95) {
+  Data d;
+  bool weighs = true;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    const double half = i < ci95.size() ? ci95[i] : NAN;
+    weighs = weighs && std::isfinite(half) && half > 0;
+    d.x.push_back(x[i]);
+    d.y.push_back(y[i]);
+    d.weight.push_back(half);
+  }
+  double sum = 0;
+  const double least = d.weight.empty() || !weighs ? 1 : *std::ranges::min_element(d.weight);
+  for (double& w : d.weight) {
+    w = weighs ? (least / w) * (least / w) : 1;
+    sum += w;
+  }
+  for (double& w : d.weight) w *= d.number() / sum;
+  return d;
+}
+
+/// Symmetric equations of at most three unknowns.
+struct Normal {
+  std::size_t size = 0;
+  std::array<std::array<double, 3>, 3> matrix{};
+  std::array<double, 3> right{};
+};
+
+/// The inverse by Gauss and Jordan; false if there is none. With unknowns scaled to be alike it
+/// needs no pivots.
+bool invert(Normal& n) {
+  std::array<std::array<double, 6>, 3> rows{};
+  for (std::size_t i = 0; i < n.size; ++i) {
+    std::copy_n(n.matrix[i].begin(), n.size, rows[i].begin());
+    rows[i][n.size + i] = 1;
+  }
+  for (std::size_t k = 0; k < n.size; ++k) {
+    const double pivot = rows[k][k];
+    if (!(pivot > 1e-14 * n.matrix[k][k])) return false;
+    for (double& v : rows[k]) v /= pivot;
+    for (std::size_t i = 0; i < n.size; ++i) {
+      const double factor = i == k ? 0 : rows[i][k];
+      for (std::size_t j = 0; j < 2 * n.size; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  for (std::size_t i = 0; i < n.size; ++i)
+    std::copy_n(rows[i].begin() + static_cast<std::ptrdiff_t>(n.size), n.size, n.matrix[i].begin());
+  return true;
+}
+
+using Row = std::array<double, 3>;  // the derivatives of y with respect to the coefficients
+
+/// What a least-squares step gives: the change of the coefficients and the inverse of the matrix.
+struct Step {
+  bool solved = false;
+  std::array<double, 3> change{};
+  std::array<std::array<double, 3>, 3> inverse{};
+};
+Step step(const Data& d, std::size_t size, const std::vector<double>& residuals,
+          const std::function<Row(std::size_t)>& row_of) {
+  Normal n{.size = size};
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    const Row row = row_of(i);
+    for (std::size_t j = 0; j < size; ++j) {
+      n.right[j] += d.weight[i] * row[j] * residuals[i];
+      for (std::size_t k = 0; k < size; ++k) n.matrix[j][k] += d.weight[i] * row[j] * row[k];
+    }
+  }
+  Step s;
+  s.solved = invert(n);
+  s.inverse = n.matrix;
+  for (std::size_t j = 0; j < size; ++j)
+    for (std::size_t k = 0; k < size; ++k) s.change[j] += n.matrix[j][k] * n.right[k];
+  return s;
+}
+
+double weighted_mean(const Data& d, const std::vector<double>& of) {
+  double sum = 0;
+  for (std::size_t i = 0; i < of.size(); ++i) sum += d.weight[i] * of[i];
+  return sum / d.number();
+}
+
+double sum_of_squares(const Data& d, const std::function<double(double)>& y_of) {
+  double sum = 0;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    const double off = d.y[i] - y_of(d.x[i]);
+    sum += d.weight[i] * off * off;
+  }
+  return sum;
+}
+
+/// What the fit leaves over, and by it how sure the coefficients are and how good the law is.
+/// `variance` holds the diagonal of (cam.22) for s = 1.
+void judge(Law& law, const Data& d, const std::vector<double>& variance) {
+  const double n = d.number(), p = static_cast<double>(law.coefficients.size());
+  const double mean = weighted_mean(d, d.y);
+  const double total = sum_of_squares(d, [&](double) { return mean; });
+  const double zero = sum_of_squares(d, [](double) { return 0.0; });
+  // What is left of a law that holds exactly is rounding, and no measure of it.
+  constexpr double rounding = 1e-13;
+  const double left =
+      std::max(sum_of_squares(d, [&](double x) { return law.at(x); }), rounding * rounding * zero);
+  const int spare = static_cast<int>(n - p);
+  const double scatter = spare > 0 ? std::sqrt(left / spare) : NAN;
+  for (const double v : variance)
+    law.ci95.push_back(spare > 0 ? observe::student95(spare) * scatter * std::sqrt(v) : NAN);
+  law.r_squared = 1 - left / total;                            // (cam.24)
+  law.adjusted = 1 - (1 - law.r_squared) * (n - 1) / (n - p);  // (cam.25)
+  const double k = p + 1;                                      // with the scatter
+  law.aicc = n > k + 1 ? n * std::log(left / n) + 2 * k * n / (n - k - 1) : NAN;  // (cam.26)
+}
+
+/// y = sum c_j u^j, u = (x - middle)/half, and then by x itself.
+Law polynomial(const Data& d, Form form) {
+  const std::size_t size = form == Form::line ? 2 : 3;
+  const double middle = weighted_mean(d, d.x);
+  double half = 0;
+  for (const double x : d.x) half = std::max(half, std::abs(x - middle));
+  const Step s = step(d, size, d.y, [&](std::size_t i) {  // (cam.21)
+    const double u = (d.x[i] - middle) / half;
+    return Row{1, u, u * u};
+  });
+  if (!s.solved) return {};
+  // By x: each coefficient is a sum over those by u.
+  const double m = middle / half, h = half;
+  const std::array<Row, 3> by{Row{1, -m, size == 3 ? m * m : 0},
+                              Row{0, 1 / h, size == 3 ? -2 * m / h : 0}, Row{0, 0, 1 / (h * h)}};
+  Law law{.form = form};
+  std::vector<double> variance;
+  for (std::size_t j = 0; j < size; ++j) {
+    double value = 0, spread = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      value += by[j][k] * s.change[k];
+      for (std::size_t l = 0; l < size; ++l) spread += by[j][k] * s.inverse[k][l] * by[j][l];
+    }
+    law.coefficients.push_back(value);
+    variance.push_back(std::max(spread, 0.0));
+  }
+  judge(law, d, variance);
+  return law;
+}
+
+/// To three digits, so that it can be written out.
+double rounded(double value) {
+  const double scale = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::round(value / scale) * scale;
+}
+
+/// ln y is a line in ln x: where a power law begins to be looked for.
+Law first_power(const Data& d) {
+  double x = 0, y = 0;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    x += std::log(d.x[i]) / d.number();
+    y += std::log(d.y[i]) / d.number();
+  }
+  double uu = 0, uv = 0;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    const double u = std::log(d.x[i]) - x;
+    uu += u * u;
+    uv += u * std::log(d.y[i]);
+  }
+  const double slope = uv / uu, reference = rounded(std::exp(x));
+  return {.form = Form::power,
+          .coefficients = {std::exp(y + slope * (std::log(reference) - x)), slope},
+          .reference = reference};
+}
+
+/// Gauss and Newton in c and p, each step halved until it leads down.
+Law power(const Data& d) {
+  constexpr int most_steps = 100, most_halvings = 40;
+  Law law = first_power(d);
+  const auto left = [&](const Law& l) {
+    return sum_of_squares(d, [&](double x) { return l.at(x); });
+  };
+  // Of c its share is sought, so that both unknowns are numbers of the same size.
+  const auto next = [&](const Law& l) {
+    std::vector<double> residuals;
+    for (std::size_t i = 0; i < d.x.size(); ++i) residuals.push_back(d.y[i] - l.at(d.x[i]));
+    return step(d, 2, residuals, [&](std::size_t i) {
+      const double y = l.at(d.x[i]);
+      return Row{y, y * std::log(d.x[i] / l.reference), 0};
+    });
+  };
+  double now = left(law);
+  for (int i = 0; i < most_steps; ++i) {
+    const Step s = next(law);
+    if (!s.solved) return {};
+    bool went = false;
+    double share = 1;
+    for (int h = 0; h < most_halvings && !went; ++h, share /= 2) {
+      Law tried = law;
+      tried.coefficients[0] *= std::exp(share * s.change[0]);
+      tried.coefficients[1] += share * s.change[1];
+      const double then = left(tried);
+      went = then < now;
+      if (went) law = tried, now = then;
+    }
+    if (!went) break;
+  }
+  const Step end = next(law);
+  if (!end.solved) return {};
+  const double c = law.coefficients[0];
+  judge(law, d, {c * c * end.inverse[0][0], end.inverse[1][1]});
+  return law;
+}
+
+}  // namespace
+
+std::string_view name_of(Form form) {
+  constexpr std::array<std::string_view, 3> names{"straight line", "power law", "parabola"};
+  return names[static_cast<std::size_t>(form)];
+}
+
+double Law::at(double x) const {
+  switch (form) {
+    case Form::power:
+      return coefficients[0] * std::pow(x / reference, coefficients[1]);
+    case Form::parabola:
+      return coefficients[0] + x * (coefficients[1] + x * coefficients[2]);
+    case Form::line:
+      break;
+  }
+  return coefficients[0] + x * coefficients[1];
+}
+
+std::vector<Law> fitted_laws(const std::vector<double>& x, const std::vector<double>& y,
+                             const std::vector<double>& ci95) {
+  const Data d = data_of(x, y, ci95);
+  constexpr std::size_t fewest = 4;
+  if (std::set<double>(d.x.begin(), d.x.end()).size() < fewest) return {};
+  const auto [least, most] = std::ranges::minmax_element(d.y);
+  if (*most - *least <= 1e-9 * std::max(std::abs(*most), std::abs(*least))) return {};
+  std::vector<Law> laws{polynomial(d, Form::line)};
+  if (*least > 0 && *std::ranges::min_element(d.x) > 0) laws.push_back(power(d));
+  laws.push_back(polynomial(d, Form::parabola));
+  // Squares of numbers near 1e300 are none.
+  std::erase_if(laws,
+                [](const Law& l) { return l.coefficients.empty() || !std::isfinite(l.r_squared); });
+  return laws;
+}
+
+Choice best_of(const std::vector<Law>& laws) {
+  constexpr double apart = 2;  // of AICc, below which laws cannot be told from each other (cam.27)
+  Choice choice;
+  const auto ranked = std::ranges::count_if(laws, [](const Law& l) { return !std::isnan(l.aicc); });
+  choice.by_aicc = ranked >= 2;
+  const auto score = [&](const Law& l) {
+    if (!choice.by_aicc) return -l.adjusted;
+    return std::isnan(l.aicc) ? INFINITY : l.aicc;
+  };
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    if (score(laws[i]) < score(laws[choice.best])) choice.best = i;
+  for (std::size_t i = 0; i < laws.size() && choice.by_aicc; ++i)
+    if (i != choice.best && score(laws[i]) < score(laws[choice.best]) + apart)
+      choice.as_good.push_back(i);
+  return choice;
+}
+
+bool through_origin(const Law& law) {
+  return law.form == Form::line && std::abs(law.coefficients[0]) <= law.ci95[0];
+}
+
+}  // namespace mahlwerk::report

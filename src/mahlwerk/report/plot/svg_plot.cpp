@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/plot/svg_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr double alike =
+    1e-9;  ///< relative difference below which two values are told apart no more
+
+constexpr std::size_t colours = 7;  // before dashes begin
+constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
+constexpr double letter = 6.6;  // average width of one at 12 px
+
+bool shown_on(double v, bool logarithmic) {
+  return std::isfinite(v) && (!logarithmic || v > 0);
+}
+
+/// Least and most of an axis, from what it is told or what the data hold, with a little air.
+struct Span {
+  double least = INFINITY, most = -INFINITY;
+  bool logarithmic;
+
+  explicit Span(bool is_logarithmic) : logarithmic(is_logarithmic) {}
+  void hold(double v) {
+    if (!shown_on(v, logarithmic)) return;
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
+  void settle(const Axis& axis, bool air) {
+    if (!(least <= most)) least = logarithmic ? 0.1 : 0, most = 1;
+    // Values that differ by their rounding alone are one.
+    if (most - least <= alike * std::max(std::abs(least), std::abs(most))) most = least;
+    if (least == most && logarithmic) least /= 2, most *= 2;
+    if (least == most) least -= 0.5 * std::max(std::abs(least), 1.0), most = 2 * most - least;
+    if (air && logarithmic) least /= 1.3, most *= 1.3;
+    if (air && !logarithmic) {
+      const double room = 0.06 * (most - least);
+      // From zero where zero is not far: sizes can then be compared by eye.
+      const bool from_zero = least >= 0 && least < 0.5 * most;
+      least = from_zero ? 0 : least - room;
+      most += room;
+    }
+    if (std::isfinite(axis.least)) least = axis.least;
+    if (std::isfinite(axis.most)) most = axis.most;
+  }
+  /// 0 at the least, 1 at the most.
+  double at(double v) const {
+    if (logarithmic)  // differences, as quotients may be too large for a number
+      return (std::log(v) - std::log(least)) / (std::log(most) - std::log(least));
+    return (v - least) / (most - least);
+  }
+};
+
+/// Where things are on the canvas, and the text that draws them.
+class Canvas {
+ public:
+  explicit Canvas(const Plot& plot);
+  std::string drawn() { return std::move(text_); }
+
+ private:
+  double across(double v) const { return left_ + x_.at(v) * (right_ - left_); }
+  double down(double v) const { return bottom_ - y_.at(v) * (bottom_ - top_); }
+  bool inside(double v, const Span& s) const { return shown_on(v, s.logarithmic); }
+  /// Far outside values are cut to what the clip path hides anyway.
+  double cut_down(double v) const {
+    return std::isfinite(v) && (!y_.logarithmic || v > 0) ? std::clamp(down(v), -1e4, 1e4) : 1e4;
+  }
+
+  void measure();
+  void place_legend();
+  void words(double x, double y, std::string_view anchor, std::string_view what,
+             std::string_view extra = "");
+  void grid();
+  void legend();
+  void band(const Series& s, std::string_view colour);
+  void line(const Series& s, std::string_view colour, std::string_view dash);
+  void points(const Series& s, std::string_view colour);
+  void steps(const Series& s, std::string_view colour, bool filled);
+  void many(const Series& s, std::string_view colour);
+
+  const Plot& plot_;
+  Span x_, y_;
+  double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
+  struct Entry {
+    std::size_t series;
+    double x, y;
+  };
+  std::vector<Entry> entries_;  // of the legend
+  std::string text_;
+};
+
+Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.y.logarithmic) {
+  measure();
+  text_ = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" "
+      "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
+      "UI,Helvetica,Arial,sans-serif\" "
+      "font-size=\"12\" style=\"fill:var(--ink,#222)\">\n",
+      plot.width, plot.height, escaped(plot.title));
+  grid();
+  legend();
+  // A clip path needs a name of its own on a page with several plots: an inner <svg> clips without
+  // one.
+  text_ += fmt::format(
+      "<svg x=\"{0:g}\" y=\"{1:g}\" width=\"{2:g}\" height=\"{3:g}\" viewBox=\"{0:g} {1:g} {2:g} "
+      "{3:g}\" overflow=\"hidden\">\n",
+      left_, top_, right_ - left_, bottom_ - top_);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& s = plot.series[i];
+    const std::size_t number = s.colour.value_or(i);
+    const std::string_view colour = kind_colour(number);
+    if (s.mark == Mark::steps) {
+      steps(s, colour, i == 0);
+    } else {
+      if (s.band) band(s, colour);
+      if (s.mark != Mark::dots) line(s, colour, dashes[number / colours % dashes.size()]);
+      if (s.mark != Mark::line) points(s, colour);
+    }
+  }
+  text_ += "</svg>\n</svg>\n";
+}
+
+void Canvas::measure() {
+  for (const Series& s : plot_.series) {
+    for (const double v : s.x) x_.hold(v);
+    for (std::size_t i = 0; i < s.y.size(); ++i) {
+      const double error = i < s.error.size() && std::isfinite(s.error[i]) ? s.error[i] : 0;
+      y_.hold(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
+      y_.hold(s.y[i] - error);
+      y_.hold(s.y[i] + error);
+    }
+  }
+  const bool points = std::any_of(plot_.series.begin(), plot_.series.end(), [](const Series& s) {
+    return s.mark == Mark::points || s.mark == Mark::dots;
+  });
+  x_.settle(plot_.x, points);
+  y_.settle(plot_.y, true);
+  std::size_t widest = 0;
+  for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5))
+    widest = std::max(widest, width(tick_text(v, y_.logarithmic)));
+  left_ = std::max(62.0, 34 + letter * static_cast<double>(widest));
+  right_ = plot_.width - 16;
+  top_ = plot_.title.empty() ? 12 : 34;
+  place_legend();
+  bottom_ = plot_.height - 46;
+}
+
+/// The legend lies above the plot, in as many rows as it takes.
+void Canvas::place_legend() {
+  double x = left_, y = top_ + 6;
+  for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+    if (plot_.series[i].name.empty()) continue;
+    const double room = 44 + letter * static_cast<double>(width(plot_.series[i].name));
+    if (x > left_ && x + room - 20 > right_) {
+      x = left_;
+      y += 18;
+    }
+    entries_.push_back({i, x, y});
+    x += room;
+  }
+  if (!entries_.empty()) top_ = y + 14;
+}
+
+void Canvas::words(double x, double y, std::string_view anchor, std::string_view what,
+                   std::string_view extra) {
+  text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+                       anchor, extra, escaped(what));
+}
+
+void Canvas::grid() {
+  constexpr std::string_view rule =
+      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" style=\"stroke:var(--grid,#ddd)\"/>\n";
+  constexpr std::string_view soft = " style=\"fill:var(--soft,#555)\"";
+  for (const double v : ticks(x_.least, x_.most, x_.logarithmic, 7)) {
+    const double x = across(v);
+    text_ += fmt::format(rule, x, top_, x, bottom_);
+    words(x, bottom_ + 17, "middle", tick_text(v, x_.logarithmic), soft);
+  }
+  for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5)) {
+    const double y = down(v);
+    text_ += fmt::format(rule, left_, y, right_, y);
+    words(left_ - 7, y + 4, "end", tick_text(v, y_.logarithmic), soft);
+  }
+  text_ += fmt::format(
+      "<path d=\"M{0:.1f} {1:.1f}L{0:.1f} {2:.1f}L{3:.1f} {2:.1f}\" fill=\"none\" "
+      "style=\"stroke:var(--soft,#555)\"/>\n",
+      left_, top_, bottom_, right_);
+  if (!plot_.title.empty())
+    words(left_, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
+  words(0.5 * (left_ + right_), plot_.height - 8, "middle", plot_.x.label);
+  const double middle = 0.5 * (top_ + bottom_);
+  words(14, middle, "middle", plot_.y.label,
+        fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
+}
+
+void Canvas::legend() {
+  for (const Entry& entry : entries_) {
+    const Series& s = plot_.series[entry.series];
+    const std::size_t number = s.colour.value_or(entry.series);
+    const std::string_view colour = kind_colour(number);
+    if (s.mark == Mark::dots)
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n",
+                           entry.x + 9, entry.y - 4, colour);
+    else
+      text_ += fmt::format(
+          "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
+          "stroke-dasharray=\"{}\"/>\n",
+          entry.x, entry.y - 4, colour, s.mark == Mark::steps ? 3 : 2,
+          dashes[number / colours % dashes.size()]);
+    words(entry.x + 24, entry.y, "start", s.name);
+  }
+}
+
+/// From point to point; where one has no error, none is shown.
+void Canvas::band(const Series& s, std::string_view colour) {
+  std::string path, back;
+  const auto close = [&] {
+    if (!back.empty()) path += back + "Z";
+    back.clear();
+  };
+  for (std::size_t i = 0; i < std::min({s.x.size(), s.y.size(), s.error.size()}); ++i) {
+    if (!inside(s.x[i], x_) || !inside(s.y[i], y_) || !std::isfinite(s.error[i])) {
+      close();
+      continue;
+    }
+    const double x = across(s.x[i]);
+    path +=
+        fmt::format("{}{:.1f} {:.1f}", back.empty() ? 'M' : 'L', x, cut_down(s.y[i] + s.error[i]));
+    back = fmt::format("L{:.1f} {:.1f}", x, cut_down(s.y[i] - s.error[i])) + back;
+  }
+  close();
+  text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.16\"/>\n", path, colour);
+}
+
+void Canvas::line(const Series& s, std::string_view colour, std::string_view dash) {
+  std::string path;
+  bool pen_up = true;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+    const bool there = inside(s.x[i], x_) && inside(s.y[i], y_);
+    if (there)
+      path += fmt::format("{}{:.1f} {:.1f}", pen_up ? 'M' : 'L', across(s.x[i]), cut_down(s.y[i]));
+    pen_up = !there;
+  }
+  text_ += fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\" "
+      "stroke-linejoin=\"round\"/>\n",
+      path, colour, s.mark == Mark::points ? 1 : 1.6, dash);
+}
+
+/// So many that each is a speck, one where several would hide each other; without errors.
+void Canvas::many(const Series& s, std::string_view colour) {
+  std::set<std::pair<int, int>> places;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
+    if (inside(s.x[i], x_) && inside(s.y[i], y_))
+      places.emplace(static_cast<int>(std::lround(across(s.x[i]))),
+                     static_cast<int>(std::lround(cut_down(s.y[i]))));
+  std::string path;
+  for (const auto& [x, y] : places) path += fmt::format("M{} {}h0", x, y);
+  text_ += fmt::format(
+      "<path d=\"{}\" stroke=\"{}\" stroke-width=\"3.6\" stroke-linecap=\"round\" "
+      "stroke-opacity=\"0.55\" fill=\"none\"/>\n",
+      path, colour);
+}
+
+void Canvas::points(const Series& s, std::string_view colour) {
+  constexpr std::size_t few = 300;
+  if (s.mark == Mark::dots && s.x.size() > few) return many(s, colour);
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+    if (!inside(s.x[i], x_) || !inside(s.y[i], y_)) continue;
+    const double x = across(s.x[i]), y = cut_down(s.y[i]);
+    if (i < s.error.size() && s.error[i] > 0)
+      text_ += fmt::format(
+          "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {1:.1f}h6M{3:.1f} {2:.1f}h6\" stroke=\"{4}\" "
+          "fill=\"none\"/>\n",
+          x, cut_down(s.y[i] + s.error[i]), cut_down(s.y[i] - s.error[i]), x - 3, colour);
+    text_ +=
+        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, colour);
+  }
+}
+
+void Canvas::steps(const Series& s, std::string_view colour, bool filled) {
+  const std::size_t bins = std::min(s.y.size(), s.x.empty() ? 0 : s.x.size() - 1);
+  std::string path;
+  for (std::size_t i = 0; i < bins; ++i) {
+    const double low = inside(s.x[i], x_) ? across(s.x[i]) : left_ - 10;
+    if (path.empty()) path = fmt::format("M{:.1f} {:.1f}", low, bottom_ + 5);
+    path +=
+        fmt::format("V{:.1f}H{:.1f}", std::min(cut_down(s.y[i]), bottom_ + 5), across(s.x[i + 1]));
+  }
+  if (bins > 0) path += fmt::format("V{:.1f}", bottom_ + 5);
+  text_ += fmt::format(
+      "<path d=\"{0}\" fill=\"{1}\" fill-opacity=\"{2}\" stroke=\"{1}\" stroke-width=\"1.6\"/>\n",
+      path, colour, filled ? 0.15 : 0);
+}
+
+std::vector<double> powers(double least, double most, int wanted) {
+  const int first = static_cast<int>(std::ceil(std::log10(least) - 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(most) + 1e-9));
+  const int stride = std::max(1, (last - first) / std::max(wanted, 1) + 1);
+  std::vector<double> list;
+  if (last - first >= 2) {
+    for (int e = first; e <= last; e += stride) list.push_back(std::pow(10, e));
+    return list;
+  }
+  for (int e = first - 1; e <= last; ++e)  // less than two decades: 1, 2, 5
+    for (const double m : {1.0, 2.0, 5.0}) {
+      const double v = m * std::pow(10, e);
+      if (v >= least * (1 - 1e-9) && v <= most * (1 + 1e-9)) list.push_back(v);
+    }
+  return list;
+}
+
+}  // namespace
+
+std::vector<double> ticks(double least, double most, bool logarithmic, int wanted) {
+  if (!(most - least > alike * std::max(std::abs(least), std::abs(most)))) return {};
+  if (logarithmic) return powers(least, most, wanted);
+  const double rough = (most - least) / wanted;
+  const double scale = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * scale;
+  for (const double m : {5.0, 2.0, 1.0}) {
+    if (m * scale >= rough * 0.999) step = m * scale;
+  }
+  std::vector<double> list;
+  for (double k = std::ceil(least / step - 1e-9); k * step <= most + 1e-9 * step; ++k)
+    list.push_back(k * step + 0.0);  // not -0
+  return list;
+}
+
+std::string svg(const Plot& plot) {
+  return Canvas(plot).drawn();
+}
+
+}  // namespace mahlwerk::report
