@@ -9,7 +9,9 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "mahlwerk/observe/columns.hpp"
 #include "mahlwerk/results/jar_surface.hpp"
@@ -26,34 +28,105 @@ Vec3 area_vector(const std::array<Vec3, 3>& t) {
   return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// Adds the area of a triangle to the cells it lies in: halved across its longest edge until a
-/// piece is within one cell, or no longer than `least` [m].
-void share_out(const std::array<Vec3, 3>& t, const WallGrid& grid, double least,
-               std::vector<double>& areas) {
-  const Vec3 area = area_vector(t), middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
-  const double size = norm(area);
-  if (!(size > 0)) return;
-  const int cell = observe::cell_of(grid, middle, area.z / size);
-  constexpr double inwards = 1e-3;  // corners on the border of two cells are in either
-  const bool within = std::ranges::all_of(t, [&](const Vec3& corner) {
-    return observe::cell_of(grid, corner + inwards * (middle - corner), area.z / size) == cell;
-  });
-  std::size_t longest = 0;
-  double length = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
-      length = l;
-      longest = k;
+using Triangle = std::array<Vec3, 3>;
+
+/// Borders between cells that are planes: normal . p = distance [m].
+struct Border {
+  Vec3 normal;
+  double distance = 0;
+};
+struct Borders {
+  std::vector<Border> side, disc;
+};
+
+Borders borders_of(const WallGrid& grid) {
+  Borders made;
+  const auto through_axis = [](std::vector<Border>& list, int slots) {
+    for (int i = 0; i < slots / 2; ++i) {  // a plane is two borders, half a turn apart
+      const double angle = 2 * std::numbers::pi * i / slots;
+      list.push_back({{-std::sin(angle), std::cos(angle), 0}, 0});
     }
-  if (within || length <= least) {
-    areas[static_cast<std::size_t>(cell)] += size;
-    return;
-  }
-  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-  const Vec3 half = 0.5 * (a + b);
-  share_out({a, half, c}, grid, least, areas);
-  share_out({half, b, c}, grid, least, areas);
+  };
+  for (int i = 1; i < WallGrid::along; ++i)
+    made.side.push_back({{0, 0, 1}, std::lerp(grid.bottom, grid.top, 1.0 * i / WallGrid::along)});
+  through_axis(made.side, WallGrid::around);
+  through_axis(made.disc, WallGrid::sectors);
+  return made;
 }
+
+/// Shares triangles out to the cells they lie in.
+class Sharing {
+ public:
+  /// Pieces at the borders of rings, which are round, are no longer than `least` [m].
+  Sharing(const WallGrid& grid, double least)
+      : areas(WallGrid::cells), grid_(grid), borders_(borders_of(grid)), least_(least) {}
+
+  void add(const Triangle& t) {
+    const Vec3 area = area_vector(t);
+    if (!(norm(area) > 0)) return;
+    axial_ = area.z / norm(area);
+    const int cell = cell_at((1.0 / 3) * (t[0] + t[1] + t[2]));
+    cut(t, WallGrid::part(cell) == WallGrid::Part::side ? borders_.side : borders_.disc);
+  }
+
+  std::vector<double> areas;
+
+ private:
+  int cell_at(const Vec3& where) const { return observe::cell_of(grid_, where, axial_); }
+
+  /// Along the borders it crosses.
+  void cut(const Triangle& t, std::span<const Border> borders) {
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      std::array<double, 3> off;
+      for (std::size_t k = 0; k < 3; ++k)
+        off[k] = dot(borders[i].normal, t[k]) - borders[i].distance;
+      const double rounding = 1e-12 * grid_.radius;
+      const auto [least, most] = std::ranges::minmax(off);
+      if (least > -rounding || most < rounding) continue;
+      // One corner is on a side of its own.
+      std::size_t k = 0;
+      while (off[k] * off[(k + 1) % 3] > 0 || off[k] * off[(k + 2) % 3] > 0 || off[k] == 0) ++k;
+      const Vec3 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+      const Vec3 ab = a + off[k] / (off[k] - off[(k + 1) % 3]) * (b - a);
+      const Vec3 ac = a + off[k] / (off[k] - off[(k + 2) % 3]) * (c - a);
+      for (const Triangle& piece : {Triangle{a, ab, ac}, Triangle{ab, b, c}, Triangle{ab, c, ac}})
+        cut(piece, borders.subspan(i + 1));
+      return;
+    }
+    halve(t);
+  }
+
+  /// Across its longest edge, until a piece is within one ring or short enough.
+  void halve(const Triangle& t) {
+    const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+    std::size_t longest = 0;
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
+        length = l;
+        longest = k;
+      }
+    const int cell = cell_at(middle);
+    constexpr double inwards = 1e-3;  // corners on the border of two cells are in either
+    const auto same = [&](const Vec3& corner) {
+      return cell_at(corner + inwards * (middle - corner)) == cell;
+    };
+    if (WallGrid::part(cell) == WallGrid::Part::side || length <= least_ ||
+        std::ranges::all_of(t, same)) {
+      areas[static_cast<std::size_t>(cell)] += norm(area_vector(t));
+      return;
+    }
+    const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+    const Vec3 half = 0.5 * (a + b);
+    halve({a, half, c});
+    halve({half, b, c});
+  }
+
+  WallGrid grid_;
+  Borders borders_;
+  double least_;
+  double axial_ = 0;  // along the axis, of the unit normal of the triangle that is shared out
+};
 
 template <class Of>
 void for_triangles(const geometry::AnyShape& shape, const Of& of) {
@@ -75,14 +148,12 @@ const char* part_name(int cell) {
 }
 
 std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  std::vector<double> areas(WallGrid::cells);
-  // Pieces at the borders of cells a third as long as these, but no more than takes a blink.
+  // A third as long as cells, but no more pieces than take a blink.
   constexpr double parts = 3, many = 1e6;
-  const double cell = std::min(2 * std::numbers::pi * grid.radius / WallGrid::around,
-                               (grid.top - grid.bottom) / WallGrid::along);
-  const double least = std::max(cell / parts, std::sqrt(wall_area(shape) / many));
-  for_triangles(shape, [&](const std::array<Vec3, 3>& t) { share_out(t, grid, least, areas); });
-  return areas;
+  const double cell = 2 * std::numbers::pi * grid.radius / WallGrid::around;
+  Sharing sharing(grid, std::max(cell / parts, std::sqrt(wall_area(shape) / many)));
+  for_triangles(shape, [&](const Triangle& t) { sharing.add(t); });
+  return std::move(sharing.areas);
 }
 
 /// A jar whose areas are reckoned when they are first asked for.
