@@ -20,31 +20,6 @@ namespace {
 
 constexpr std::string_view no_such_key = "unknown-key";
 
-/// Whether the engine looks at a value: what it does not is no assumption of its results. "auto"
-/// may look at all.
-bool matters(std::string_view dotted, const Case& c) {
-  static const std::vector<std::string_view> of_soft{
-      "law",       "rolling",        "rolling_damping",    "stiffness_speed",    "damping",
-      "softening", "curved_walls",   "rescaled_unloading", "time_step_fraction", "damping_depth",
-      "hop",       "youngs_modulus", "poisson_ratio"};
-  static const std::vector<std::string_view> of_event{
-      "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  if (c.run.engine != "event" && c.run.engine != "soft") return true;
-  const auto& of_other = c.run.engine == "event" ? of_soft : of_event;
-  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
-  const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
-  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
-  return std::ranges::find(of_other, key) == of_other.end();
-}
-
-/// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
-bool asked_for(std::string_view dotted, const Case& c) {
-  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
-  if (key == "hardness") return c.wear.has_value();
-  if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
-  return dotted != "jar.density" || c.wear || c.heat;
-}
-
 class CaseReader {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
@@ -67,12 +42,8 @@ class CaseReader {
     read_top();
     read_sections();
     check_fit(c_, fit.places, findings_);
-    for (Origin& origin : findings_.origins) {
-      const bool asked = asked_for(origin.key, c_);
-      origin.assumed = origin.assumed && asked && matters(origin.key, c_);
-      origin.unverified = origin.unverified && asked;
-    }
     c_.origins = std::move(findings_.origins);
+    keep_what_matters(c_);
     auto more = findings_.faults.empty() ? faults(c_) : misfits(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));
     if (!findings_.faults.empty()) throw InputError(in_order(std::move(findings_.faults)));

@@ -105,6 +105,9 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& places, 
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
                                        Findings& findings);
 
+/// What the engine does not look at, or nobody asked for, is no assumption of the results.
+void keep_what_matters(Case& c);
+
 /// Where the value under `key` was said; the key itself if that is no place in a file.
 std::string place_of(const Case& c, const std::string& key);
 

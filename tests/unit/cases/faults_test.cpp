@@ -124,6 +124,20 @@ TEST(CaseFaults, wrong_types) {
                    "wrong-type"));
 }
 
+TEST(CaseFaults, of_a_sweep_come_together_and_have_no_others_in_their_wake) {
+  const std::string swept = with(vial, "frequency", "") +
+                            "[sweep]\ndesign = \"grit\"\nsamples = 0\n"
+                            "\"mill.frequency\" = { from = \"3 Hz\", steps = 4 }\n"
+                            "\"mill.amplitude\" = [\"1 mm\", \"\"]\n"
+                            "together = [[\"mill.frequency\", \"mill.nothing\"]]\n";
+  std::vector<std::string> places;
+  for (const Fault& fault : faults_of(swept)) places.push_back(fault.where + " " + fault.code);
+  EXPECT_EQ(places,
+            (std::vector<std::string>{"case.toml:25 unknown-word", "case.toml:26 out-of-range",
+                                      "case.toml:27 bad-range", "case.toml:28 wrong-type",
+                                      "case.toml:29 bad-together"}));
+}
+
 TEST(CaseFaults, unknown_words) {
   const auto unknown = [](const std::string& key, const std::string& line, int at,
                           const char* what) {

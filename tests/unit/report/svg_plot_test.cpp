@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/report/plot/scale.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/plot/scale.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/report/readable.hpp"
 

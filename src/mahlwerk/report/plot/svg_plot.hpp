@@ -46,8 +46,4 @@ struct Plot {
 /// them.
 std::string svg(const Plot& plot);
 
-/// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are
-/// few, what lies between, on a logarithmic axis.
-std::vector<double> ticks(double least, double most, bool logarithmic, int wanted);
-
 }  // namespace mahlwerk::report

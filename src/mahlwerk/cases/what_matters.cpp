@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Which of the values a case was given without a word its results rest on.
+#include <algorithm>
+
+#include "mahlwerk/cases/read_parts.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Whether the engine looks at a value: what it does not is no assumption of its results. "auto"
+/// may look at all.
+bool matters(std::string_view dotted, const Case& c) {
+  static const std::vector<std::string_view> of_soft{
+      "law",       "rolling",        "rolling_damping",    "stiffness_speed",    "damping",
+      "softening", "curved_walls",   "rescaled_unloading", "time_step_fraction", "damping_depth",
+      "hop",       "youngs_modulus", "poisson_ratio"};
+  static const std::vector<std::string_view> of_event{
+      "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
+  if (c.run.engine != "event" && c.run.engine != "soft") return true;
+  const auto& of_other = c.run.engine == "event" ? of_soft : of_event;
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
+  const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
+  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
+  return std::ranges::find(of_other, key) == of_other.end();
+}
+
+/// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
+bool asked_for(std::string_view dotted, const Case& c) {
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
+  if (key == "hardness") return c.wear.has_value();
+  if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
+  return dotted != "jar.density" || c.wear || c.heat;
+}
+
+}  // namespace
+
+void keep_what_matters(Case& c) {
+  for (Origin& origin : c.origins) {
+    const bool asked = asked_for(origin.key, c);
+    origin.assumed = origin.assumed && asked && matters(origin.key, c);
+    origin.unverified = origin.unverified && asked;
+  }
+}
+
+}  // namespace mahlwerk::cases

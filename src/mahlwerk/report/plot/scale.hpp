@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "mahlwerk/report/plot/svg_plot.hpp"
+
+// How values lie along an axis, and which of them stand beside it.
+namespace mahlwerk::report {
+
+/// Numbers alone, and positive ones alone on a logarithmic axis.
+bool shown_on(double v, bool logarithmic);
+
+/// Least and most of an axis, from what it is told or what the data hold, with a little air.
+struct Span {
+  double least = INFINITY, most = -INFINITY;
+  bool logarithmic;
+
+  explicit Span(bool is_logarithmic) : logarithmic(is_logarithmic) {}
+  void hold(double v);
+  void settle(const Axis& axis, bool air);
+  double at(double v) const;  ///< 0 at the least, 1 at the most
+};
+
+/// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are
+/// few, what lies between, on a logarithmic axis.
+std::vector<double> ticks(double least, double most, bool logarithmic, int wanted);
+
+}  // namespace mahlwerk::report
