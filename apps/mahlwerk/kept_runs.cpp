@@ -14,9 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// [s] Replicates that take less are run again after a process was killed.
-constexpr double checkpoint_every = 1;
-
 fs::path made(const fs::path& place) {
   std::error_code failed;
   fs::create_directories(place, failed);
@@ -27,15 +24,17 @@ fs::path made(const fs::path& place) {
   return place;
 }
 
-/// The states of a point's replicates, as far as they are known.
-std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const fs::path& place) {
+/// The states of a point's replicates, as far as they are known. Replicates that take less than
+/// `every` [s] are run again after a process was killed.
+std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const fs::path& place,
+                                                double every) {
   if (point.observe.collisions || point.observe.frames) return nullptr;
   const std::string what = fmt::format("version {}\n{}{}", version(), cases::write(point),
                                        cases::contents_of_files(point));
   const fs::path file = place / (campaign::hash_text(fingerprint(what)) + ".checkpoint");
   const auto fresh = [&] {
     return std::make_unique<campaign::Checkpoint>(
-        file, what, static_cast<std::size_t>(point.run.replicates), checkpoint_every);
+        file, what, static_cast<std::size_t>(point.run.replicates), every);
   };
   auto states = fresh();
   if (fs::exists(file)) try {
@@ -71,7 +70,7 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
   campaign::Queue queue;
   std::size_t begun = 0;
   for (const cases::Case& point : points) {
-    states.push_back(states_of(point, place_));
+    states.push_back(states_of(point, place_, request.checkpoint.value_or(1)));
     begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
     queue.wanted += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
   }

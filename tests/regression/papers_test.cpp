@@ -7,7 +7,29 @@
 namespace mahlwerk::tests {
 namespace {
 
-class Papers : public ProgramTest {};
+class Papers : public ProgramTest {
+ protected:
+  /// A paper with one campaign, c.toml, and one claim about `quantity` against `key`.
+  void paper(const std::string& quantity, const std::string& key) const {
+    std::filesystem::create_directory(here_ / "mine");
+    std::ofstream(here_ / "mine" / "paper.toml")
+        << "title = \"T\"\nsource = \"S\"\n[[claim]]\nfigure = \"1\"\nsays = \"s\"\nkind = "
+           "\"trend\"\ncampaign = \"c\"\nquantity = \""
+        << quantity << "\"\nagainst = \"" << key << "\"\nis = \"rises\"\n";
+  }
+  void campaign() const {
+    std::filesystem::copy_file(
+        std::filesystem::path(MAHLWERK_HOME) / "papers/vertical-vibration-mill/frequency.toml",
+        here_ / "mine" / "c.toml");
+  }
+  /// Six settings of a vial, to be run with `longer`: many states of each are kept.
+  void long_paper() const {
+    paper("dissipated_power", "mill.frequency");
+    campaign();
+  }
+  const std::string longer =
+      "papers mine --set run.time='10000 s' --set run.replicates=1 --checkpoint 0.01 ";
+};
 
 TEST_F(Papers, OneCommandMakesEveryFigureAndJudgesEveryClaim) {
   const Ended e = mahlwerk("papers vertical-vibration-mill --out out");
@@ -30,78 +52,36 @@ TEST_F(Papers, OneCommandMakesEveryFigureAndJudgesEveryClaim) {
   EXPECT_EQ(text("out/claims.csv"), claims);
 }
 
-/// Runs of a second and more: their states are kept.
-constexpr const char* long_runs = R"(
-title = "Long runs"
-[mill]
-kind = "vibration"
-frequency = "10 Hz"
-amplitude = "25 mm"
-[jar]
-kind = "capsule"
-diameter = "12 mm"
-volume = "5 ml"
-[[balls]]
-count = 1
-diameter = "8 mm"
-density = "7850 kg/m3"
-[contact]
-restitution = 0.9
-tangential_restitution = 0.9
-[run]
-engine = "event"
-time = "4000 s"
-replicates = 2
-[sweep]
-"mill.frequency" = ["10 Hz", "15 Hz", "20 Hz"]
-)";
-
 TEST_F(Papers, AKilledPaperGoesOnAndGivesTheSame) {
-  std::filesystem::create_directory(here_ / "mine");
-  std::ofstream(here_ / "mine" / "long.toml") << long_runs;
-  std::ofstream(here_ / "mine" / "paper.toml")
-      << "title = \"T\"\nsource = \"S\"\n[[claim]]\nfigure = \"1\"\nsays = \"s\"\nkind = "
-         "\"trend\"\ncampaign = \"long\"\nquantity = \"dissipated_power\"\nagainst = "
-         "\"mill.frequency\"\nis = \"rises\"\n";
-  const Ended whole = mahlwerk("papers mine --out whole");
+  long_paper();
+  const Ended whole = mahlwerk(longer + "--out whole");
   ASSERT_EQ(whole.code, 0) << whole.said;
   EXPECT_FALSE(exists("whole.checkpoints")) << "all is written";
-  EXPECT_EQ(mahlwerk_until("out.checkpoints", SIGKILL, "papers mine --out out").code,
-            128 + SIGKILL);
-  const Ended again = mahlwerk("papers mine --out out --threads 1");
+  EXPECT_EQ(mahlwerk_until("out.checkpoints", SIGKILL, longer + "--out out").code, 128 + SIGKILL);
+  EXPECT_FALSE(exists("out"));
+  const Ended again = mahlwerk(longer + "--out out --threads 1");
   ASSERT_EQ(again.code, 0) << again.said;
-  EXPECT_NE(again.said.find("of 3 settings go on where they were ended"), std::string::npos)
+  EXPECT_NE(again.said.find("of 6 settings go on where they were ended"), std::string::npos)
       << again.said;
   EXPECT_EQ(text("out/claims.csv"), text("whole/claims.csv"));
-  EXPECT_EQ(text("out/long/campaign.csv"), text("whole/long/campaign.csv"));
+  EXPECT_EQ(text("out/c/campaign.csv"), text("whole/c/campaign.csv"));
   EXPECT_FALSE(exists("out.checkpoints"));
 }
 
 TEST_F(Papers, AnInterruptedPaperWritesNothingAndGoesOn) {
-  std::filesystem::create_directory(here_ / "mine");
-  std::ofstream(here_ / "mine" / "long.toml") << long_runs;
-  std::ofstream(here_ / "mine" / "paper.toml")
-      << "title = \"T\"\nsource = \"S\"\n[[figure]]\n"
-         "number = \"1\"\ntitle = \"t\"\ncampaign = \"long\"\nquantity = \"dissipated_power\"\n"
-         "against = \"mill.frequency\"\n";
-  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, "papers mine --out out");
+  long_paper();
+  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
   EXPECT_EQ(ended.code, 130) << ended.said;
   EXPECT_NE(ended.said.find("the same command goes on"), std::string::npos) << ended.said;
   EXPECT_FALSE(exists("out")) << "half a paper is no paper";
-  EXPECT_EQ(mahlwerk("papers mine --out out").code, 0);
+  EXPECT_EQ(mahlwerk(longer + "--out out").code, 0);
 }
 
 TEST_F(Papers, WhatIsWrongIsSaidBeforeAnythingRuns) {
   expect_refused("papers no-such-mill --out out", "there is no paper of this name");
-  std::filesystem::create_directory(here_ / "mine");
-  std::ofstream(here_ / "mine" / "paper.toml")
-      << "title = \"T\"\nsource = \"S\"\n[[claim]]\nfigure = \"1\"\nsays = \"s\"\nkind = "
-         "\"trend\"\ncampaign = \"c\"\nquantity = \"flight_share\"\nagainst = "
-         "\"mill.amplitude\"\nis = \"rises\"\n";
+  paper("flight_share", "mill.amplitude");
   expect_refused("papers mine --out out", "there is no such case file");
-  std::filesystem::copy_file(
-      std::filesystem::path(MAHLWERK_HOME) / "papers/vertical-vibration-mill/frequency.toml",
-      here_ / "mine" / "c.toml");
+  campaign();
   expect_refused("papers mine --out out", "c.toml does not vary mill.amplitude");
   expect_refused("papers mine --out out", "has no quantity flight_share");
 }
