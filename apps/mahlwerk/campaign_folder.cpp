@@ -47,12 +47,20 @@ void refuse_strangers(const fs::path& place, bool force) {
   if (!is_free(place) && !holds_campaign(place)) const results::Folder tried(place, force);
 }
 
+void make_folder(const fs::path& place) {
+  std::error_code failed;
+  fs::create_directories(place, failed);
+  if (failed)
+    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
+                           "check that you may write there, or give another folder with --out",
+                           "cannot-write"});
+}
+
 /// The lock's file, in a folder that is a campaign's or has been made one.
 fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
   const fs::path lock = place / (name_of(shard) + ".lock");
   if (is_free(place)) {
-    std::error_code none;
-    fs::create_directories(place, none);  // what hinders it shows as the lock is taken
+    make_folder(place);
   } else if (!holds_campaign(place) || request.force) {
     if (fs::exists(lock)) const campaign::CampaignLock last(lock);
     results::Folder fresh(place, request.force);
@@ -66,12 +74,7 @@ fs::path opened(const Request& request, const fs::path& place, const Shard& shar
 
 void prepare_place(const fs::path& place) {
   refuse_strangers(place, false);
-  std::error_code failed;
-  fs::create_directories(place, failed);
-  if (failed)
-    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
-                           "check that you may write there, or give another folder with --out",
-                           "cannot-write"});
+  make_folder(place);
 }
 
 CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file,
@@ -94,7 +97,20 @@ void CampaignFolder::open() {
   if (!shard_.whole()) lock_.emplace(place_ / "campaign.lock", CampaignLock::Holds::with_others);
   store_.emplace(place_ / (name_of(shard_) + ".sqlite"),
                  shard_.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard);
+  refuse_other_case();
   if (shard_.whole()) clear_remains();
+}
+
+/// Two cases of one name would take turns in one folder. A case that was moved is the same.
+void CampaignFolder::refuse_other_case() const {
+  const fs::path last = store_->case_file();
+  std::error_code none;
+  if (last.empty() || last == case_file_ || !fs::exists(last, none) ||
+      fs::equivalent(last, case_file_, none))
+    return;
+  throw InputError(Fault{place_.string(), "the folder holds the campaign of " + last.string(),
+                         "give another folder with --out, or replace it with --force",
+                         "other-campaign"});
 }
 
 /// What runs that were killed had begun to write.

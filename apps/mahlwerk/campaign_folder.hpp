@@ -59,6 +59,7 @@ class CampaignFolder {
   };
   class Desk;
   void open();
+  void refuse_other_case() const;
   void clear_remains() const;
   std::vector<cases::Override> settings(std::size_t point) const;
   std::vector<std::string> said(std::size_t point) const;

@@ -41,7 +41,7 @@ std::vector<cases::Case> both(const Request& request, const fs::path& file) {
     if (const cases::Case& what = made.back(); !what.sweep.empty())
       throw InputError(Fault{what.file, "the case has a [sweep], compare takes a single case",
                              "take the section [sweep] away; --set gives one of its values",
-                             "compare-one-case"});
+                             "one-case"});
     for (Fault& fault : campaign::run_faults(made.back())) {
       fault.what = fmt::format("the {} engine cannot run this case: {}", engine, fault.what);
       wrong.push_back(std::move(fault));

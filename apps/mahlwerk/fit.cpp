@@ -100,7 +100,7 @@ FitJob prepare(const Request& request, const fs::path& file) {
   if (!job.base.sweep.empty())
     throw InputError(Fault{job.base.file, "the case has a [sweep], fit takes a single case",
                            "take the section [sweep] away; columns of the data may change the case",
-                           "fit-one-case"});
+                           "one-case"});
   job.numbers = campaign::free_numbers(job.base, held);
   if (auto wrong = campaign::fit_faults(job.base, job.data, job.numbers, job.data_file);
       !wrong.empty())

@@ -24,14 +24,17 @@ fs::path made(const fs::path& place) {
   return place;
 }
 
-/// The states of a point's replicates, as far as they are known. Replicates that take less than
-/// `every` [s] are run again after a process was killed.
-std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const fs::path& place,
-                                                double every) {
+/// All that a point's outcome depends on.
+std::string what_runs(const cases::Case& point) {
+  return fmt::format("version {}\n{}{}", version(), cases::write(point),
+                     cases::contents_of_files(point));
+}
+
+/// The states of a point's replicates, as far as they are known, in `file`. Replicates that take
+/// less than `every` [s] are run again after a process was killed.
+std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const std::string& what,
+                                                const fs::path& file, double every) {
   if (point.observe.collisions || point.observe.frames) return nullptr;
-  const std::string what = fmt::format("version {}\n{}{}", version(), cases::write(point),
-                                       cases::contents_of_files(point));
-  const fs::path file = place / (campaign::hash_text(fingerprint(what)) + ".checkpoint");
   const auto fresh = [&] {
     return std::make_unique<campaign::Checkpoint>(
         file, what, static_cast<std::size_t>(point.run.replicates), every);
@@ -58,7 +61,7 @@ KeptRuns::KeptRuns(const fs::path& results) : place_(made(results.string() + ".c
 
 std::vector<results::Outcome> KeptRuns::compute(const Request& request,
                                                 const std::vector<cases::Case>& points,
-                                                const Streams& streams) const {
+                                                const Streams& streams) {
   ProgressLine line(request.quiet);
   campaign::Options options;
   options.threads = campaign::threads_of(request.threads);
@@ -70,7 +73,9 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
   campaign::Queue queue;
   std::size_t begun = 0;
   for (const cases::Case& point : points) {
-    states.push_back(states_of(point, place_, request.checkpoint.value_or(1)));
+    const std::string what = what_runs(point);
+    files_.push_back(place_ / (campaign::hash_text(fingerprint(what)) + ".checkpoint"));
+    states.push_back(states_of(point, what, files_.back(), request.checkpoint.value_or(1)));
     begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
     queue.wanted += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
   }
@@ -88,7 +93,11 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
 
 void KeptRuns::remove() {
   std::error_code none;
-  fs::remove_all(place_, none);
+  for (const fs::path& file : files_) fs::remove(file, none);
+  bool others = false;
+  for (const auto& entry : fs::directory_iterator(place_, none))
+    others = others || entry.path().filename() != "lock";
+  if (!others) fs::remove_all(place_, none);
 }
 
 }  // namespace mahlwerk::app

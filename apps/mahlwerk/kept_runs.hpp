@@ -23,11 +23,14 @@ class KeptRuns {
   /// keep every collision, or frames, are run anew.
   std::vector<results::Outcome> compute(const Request& request,
                                         const std::vector<cases::Case>& points,
-                                        const Streams& streams) const;
-  void remove();  ///< the results have been written
+                                        const Streams& streams);
+  /// The results have been written: forgets what was computed. States of runs with other settings
+  /// stay.
+  void remove();
 
  private:
   std::filesystem::path place_;
+  std::vector<std::filesystem::path> files_;  // of states
   std::optional<campaign::CampaignLock> lock_;
 };
 

@@ -108,8 +108,10 @@ void add_checkpoint_options(CLI::App& sub, const Command& command, Request& requ
 
 void add_campaign_options(CLI::App& sub, const Command& command, Request& request) {
   sub.add_option("FOLDER", request.target, "the campaign's folder")->required();
-  if (command.name == "export")
+  if (command.name == "export") {
     sub.add_option("--out", request.out, "file to write (default: the terminal)");
+    sub.add_flag("--force", request.force, "replace the file if it is there");
+  }
   if (command.name == "retry")
     sub.add_option("--jobs,--threads", request.threads,
                    "how many replicates run at a time (default: all cores)")
@@ -156,7 +158,7 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
     sub.add_option("SHELL", request.target, "bash or zsh")
         ->required()
         ->check(CLI::IsMember({"bash", "zsh"}));
-  if (command.takes != Takes::shell)
+  if (command.takes != Takes::shell && command.name != "export")
     sub.add_flag("--json", request.json, "print JSON instead of a table");
 }
 

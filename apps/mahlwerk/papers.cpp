@@ -130,7 +130,7 @@ class Shared {
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job,
-                                                   const KeptRuns& kept) {
+                                                   KeptRuns& kept) {
   Shared shared;
   Streams streams;
   std::map<std::string, std::vector<std::size_t>> at;
@@ -215,7 +215,9 @@ int papers(const Request& request) {
       ended = interrupted;
       break;
     }
-    const report::PaperResult result = report::paper_result(job.paper, run);
+    report::PaperResult result = report::paper_result(job.paper, run);
+    for (const auto& [key, value, swept] : overrides(request))
+      result.changed.push_back(fmt::format("{} = {}", key, value));
     write(job, run, result);
     kept.remove();
     const double seconds =

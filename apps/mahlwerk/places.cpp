@@ -51,7 +51,7 @@ fs::path one_case_file(const std::string& target, std::string_view command) {
   if (files.size() == 1) return files.front();
   throw InputError(
       Fault{target, fmt::format("the folder holds {} cases, {} takes one", files.size(), command),
-            "name one of its files", fmt::format("{}-one-case", command)});
+            "name one of its files", "one-case"});
 }
 
 fs::path default_place(const std::string& target, const fs::path& file, bool several) {

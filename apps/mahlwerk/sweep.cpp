@@ -183,6 +183,9 @@ int sweep_export(const Request& request) {
   const fs::path place = request.target;
   const campaign::Store store = look_into(place);
   if (request.out) {
+    if (fs::exists(*request.out) && !request.force)
+      throw InputError(Fault{request.out->string(), "there is such a file already",
+                             "give another name, or replace it with --force", "result-exists"});
     std::ofstream out(*request.out, std::ios::binary);
     store.write_csv(out);
     out.close();

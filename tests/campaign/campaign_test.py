@@ -227,7 +227,8 @@ def one_at_a_time_leaves_the_case_as_it_is_and_can_be_checked(program):
 def two_at_once_are_refused(program):
     with Campaign(program, frequencies(50), time="60 s") as c:
         first = subprocess.Popen(c.command("--quiet", "--results", "summary"))
-        time.sleep(0.4)
+        while not (c.out / "campaign.sqlite").exists():  # it holds the lock before it makes that
+            time.sleep(0.01)
         said = c.run(code=2)
         assert "another process is at work" in said, said
         assert "a process is at work on it" in c.part("status")
@@ -242,6 +243,44 @@ def export_is_what_the_store_holds(program):
         lines = c.part("export").splitlines()
         assert len(lines) == 4 and lines[0].startswith("point,mill.frequency_Hz,status,"), lines[0]
         assert c.part("export") == (c.out / "campaign.csv").read_text()
+
+
+def export_replaces_nothing_unasked(program):
+    with Campaign(program, frequencies(2)) as c:
+        c.run("--quiet")
+        notes = c.here / "notes.txt"
+        notes.write_text("important")
+        assert "there is such a file already" in c.part("export", "--out", str(notes), code=2)
+        assert notes.read_text() == "important"
+        c.part("export", "--out", str(notes), "--force")
+        assert notes.read_text() == (c.out / "campaign.csv").read_text()
+
+
+def another_case_does_not_take_the_folder(program):
+    with Campaign(program, frequencies(2)) as c:
+        c.run("--quiet")
+        before = numbers(c.out)
+        own = c.case
+        c.case = c.here / "other.toml"
+        c.case.write_text(own.read_text().replace("A ball", "Another"))
+        said = c.run(code=2)
+        assert "holds the campaign of" in said and str(own) in said, said
+        assert numbers(c.out) == before
+        own.unlink()  # as if it had been moved
+        c.run("--quiet")
+        assert numbers(c.out) == before
+
+
+def what_is_finished_is_read_without_rights_to_write(program):
+    with Campaign(program, frequencies(2)) as c:
+        c.run("--quiet")
+        assert not list(c.out.glob("campaign.sqlite-*")), "a journal was left"
+        ended = in_a_small_room(f"""
+          mount --bind {c.out} {c.out} && mount -o remount,ro,bind {c.out} || exit 77
+          {program} sweep export {c.out}""")
+        if ended is None or ended.returncode == 77:
+            return SKIPPED
+        assert ended.stdout == (c.out / "campaign.csv").read_text(), ended
 
 
 def in_a_small_room(script):

@@ -28,7 +28,7 @@ class Papers : public ProgramTest {
     campaign();
   }
   const std::string longer =
-      "papers mine --set run.time='10000 s' --set run.replicates=1 --checkpoint 0.01 ";
+      "papers mine --set run.time='4000 s' --set run.replicates=1 --checkpoint 0.05 ";
 };
 
 TEST_F(Papers, OneCommandMakesEveryFigureAndJudgesEveryClaim) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/cases/sweep_words.hpp"
 
@@ -29,8 +30,16 @@ bool is_range(const Node& node) {
 }  // namespace
 
 void KeyReader::read(const Node& table, const std::set<std::string_view>& own) {
-  for (const auto& [key, node] : table.members)
-    if (!own.contains(key)) read_key(key, node);
+  const std::vector<std::string> words(own.begin(), own.end());
+  for (const auto& [key, node] : table.members) {
+    const bool dotted = key.find('.') != std::string::npos || node.kind == Node::Kind::table;
+    const std::string near = dotted || own.contains(key) ? "" : nearest_word(key, words);
+    if (!near.empty())
+      fault(node, fmt::format("unknown key `{}` in [{}]", key, section_),
+            fmt::format("did you mean `{}`?", near), "unknown-key");
+    else if (!own.contains(key))
+      read_key(key, node);
+  }
 }
 
 void KeyReader::fault(const Node& at, std::string what, std::string remedy, const char* code) {

@@ -80,6 +80,11 @@ void check_design(const Node& table, const Sweep& sweep, const Places& places, F
           {places.at(key.key),
            fmt::format("design = \"{}\" takes ranges, \"{}\" is a list", word, key.key),
            fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key.key), "bad-design"});
+    if (needs_ranges(sweep.design) && key.steps > 0)
+      findings.faults.push_back(
+          {places.at(key.key),
+           fmt::format("steps has no meaning under design = \"{}\": it draws from the range", word),
+           "take it out, or write design = \"grid\"", "too-much"});
     if (!needs_ranges(sweep.design) && key.range && key.steps == 0)
       findings.faults.push_back(
           {places.at(key.key), fmt::format("the range of \"{}\" lacks `steps`", key.key),
@@ -87,10 +92,10 @@ void check_design(const Node& table, const Sweep& sweep, const Places& places, F
            "ranges: design = \"latin-hypercube\"",
            "bad-range"});
   }
-  if (needs_samples(sweep.design) && sweep.samples == 0)
+  if (needs_samples(sweep.design) && table.find("samples") == nullptr)
     findings.faults.push_back({table.where, fmt::format("design = \"{}\" lacks `samples`", word),
                                "write for instance samples = 32", "missing-value"});
-  if (!needs_samples(sweep.design) && sweep.samples > 0)
+  if (!needs_samples(sweep.design) && table.find("samples") != nullptr)
     findings.faults.push_back({table.find("samples")->where,
                                fmt::format("samples has no meaning under design = \"{}\"", word),
                                "take it out, or choose another design", "too-much"});

@@ -138,6 +138,18 @@ TEST(CaseFaults, of_a_sweep_come_together_and_have_no_others_in_their_wake) {
                                       "case.toml:29 bad-together"}));
 }
 
+TEST(CaseFaults, of_a_design_that_cannot_use_a_value) {
+  const auto swept = [](const std::string& lines) { return vial + "[sweep]\n" + lines; };
+  EXPECT_TRUE(only(swept("desing = \"sobol\"\n\"mill.frequency\" = [\"3 Hz\"]\n"), "case.toml:25",
+                   "did you mean `design`?", "unknown-key"));
+  EXPECT_TRUE(only(swept("design = \"sobol\"\nsamples = 4\n\"mill.frequency\" = { from = \"3 Hz\", "
+                         "to = \"5 Hz\", steps = 5 }\n"),
+                   "case.toml:27", "steps has no meaning", "too-much"));
+  EXPECT_TRUE(only(swept("design = \"sobol\"\nsamples = 2.5\n\"mill.frequency\" = { from = \"3 "
+                         "Hz\", to = \"5 Hz\" }\n"),
+                   "case.toml:26", "whole number", "out-of-range"));
+}
+
 TEST(CaseFaults, unknown_words) {
   const auto unknown = [](const std::string& key, const std::string& line, int at,
                           const char* what) {

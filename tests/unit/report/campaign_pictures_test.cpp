@@ -53,7 +53,7 @@ TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words)
     }
   EXPECT_EQ(names(twice),
             (Names{"d50-map", "d50-map-2", "dissipated_power-map", "dissipated_power-map-2"}));
-  EXPECT_TRUE(has(campaign_figures(twice).at("figures/d50-map.svg"), ">D50 (µm), agate<"));
+  EXPECT_TRUE(has(campaign_figures(twice).at("figures/d50-map.svg"), ">D50 (µm), material agate<"));
 }
 
 TEST(CampaignFigures, keys_side_by_side_make_one_line) {

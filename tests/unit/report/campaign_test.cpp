@@ -56,8 +56,8 @@ TEST(CampaignPage, says_what_varies_what_failed_and_what_stands_out) {
       << html.substr(html.find("lead"), 400);
   // 12 W (speed/300 rpm)^3 with 2 %: 1.5 W at 150 rpm, 55.6 W at 500 rpm, (500/150)^3 = 37.04.
   EXPECT_TRUE(has(html,
-                  "What changes most is dissipated power: from 1.500 ± 0.030 W (150 rpm) to "
-                  "55.6 ± 1.1 W (500 rpm), 37 times as much."));
+                  "What changes most is dissipated power: from 1.500 ± 0.030 W (speed 150 rpm) to "
+                  "55.6 ± 1.1 W (speed 500 rpm), 37 times as much."));
   EXPECT_TRUE(has(html, "Run 3: the jar is too small"));
   EXPECT_TRUE(has(html, "failed: the jar is too small"));
 }
@@ -71,7 +71,7 @@ TEST(CampaignPage, tells_a_reason_once_for_all_that_failed_of_it) {
   EXPECT_TRUE(has(html, "30 points."));
   EXPECT_TRUE(has(html, "All of them failed."));
   EXPECT_TRUE(has(html, "Runs 1, 2, 3, 4, 6, 7, 8, 9, 10, 11, ... (29 in all): no space left"));
-  EXPECT_TRUE(has(html, "Run 5: line one\nline two"));
+  EXPECT_TRUE(has(html, "Run 5: line one<br/>line two"));
   EXPECT_FALSE(has(html, "<svg"));
 }
 

@@ -123,7 +123,24 @@ TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
       << result.judged[0].found;  // mean of 100,100,101
   EXPECT_NE(claims_markdown(result).find("| 1 | it rises \\| <b> |"), std::string::npos);
   EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why\n"));
-  EXPECT_NE(claims_text(result).find("Of 1 claims: yes 1."), std::string::npos);
+  EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1."), std::string::npos);
+}
+
+TEST(Paper, WordsAboutItsOwnSettingsAreLeftOutWhereOthersWereRun) {
+  std::string reasoned = claim;
+  reasoned.replace(reasoned.find("\"w\""), 3, "\"for reasons\"");
+  const Paper paper = read_paper_text(head + reasoned, "paper.toml");
+  PaperResult result{.paper = &paper, .pictures = {}, .judged = {{}}, .seconds = {}};
+  EXPECT_NE(paper_page(result, "1").find("for reasons"), std::string::npos);
+  result.changed = {"run.time = 2 s"};
+  for (const std::string& told : {paper_page(result, "1"), claims_text(result)}) {
+    EXPECT_EQ(told.find("for reasons"), std::string::npos) << told;
+    EXPECT_NE(told.find("Run with run.time = 2 s, not as the paper's campaigns say."),
+              std::string::npos)
+        << told;
+  }
+  EXPECT_EQ(claims_csv(result).find("for reasons"), std::string::npos);
+  EXPECT_EQ(claims_markdown(result).find("for reasons"), std::string::npos);
 }
 
 TEST(Paper, EveryPaperOfTheProjectAsksForWhatItsCampaignsHave) {

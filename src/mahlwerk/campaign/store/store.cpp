@@ -55,7 +55,8 @@ std::string hash_text(RunHash hash) {
 }
 
 Store::Store(const std::filesystem::path& file, Access access)
-    : database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
+    : writes_(access == Access::write),
+      database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
   if (access == Access::read) {
     if (database_.word("PRAGMA user_version") != std::to_string(format))
       throw InputError(Fault{file.generic_string(), "this is no campaign's store of this version",
@@ -74,6 +75,20 @@ Store::Store(const std::filesystem::path& file, Access access)
     throw InputError(Fault{file.generic_string(), "the campaign's store is of another version",
                            "go on with the version that made it, or start anew with --force",
                            "store"});
+}
+
+/// With a journal that lies beside readers only while it is written to: whoever may not write to
+/// the folder can read what is finished.
+Store::~Store() {
+  if (!writes_) return;
+  run_done_.reset();
+  run_failed_.reset();
+  summary_.reset();
+  try {
+    database_.run("PRAGMA busy_timeout=0; PRAGMA journal_mode=DELETE");
+  } catch (const InputError&) {
+    // somebody reads it just now: it stays as it is
+  }
 }
 
 void Store::make_tables() {

@@ -80,6 +80,9 @@ class Store {
     read
   };
   Store(const std::filesystem::path& file, Access access);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   /// Makes this the plan. Runs that are known stay as they are, others wait.
   void plan(const Planned& planned);
@@ -119,6 +122,7 @@ class Store {
   void add_columns(const std::vector<results::Quantity>& quantities);
   void prepare_summary(const std::vector<results::Quantity>& quantities);
 
+  bool writes_;  ///< and readers look on
   mutable std::mutex mutex_;
   Database database_;
   std::optional<Statement> run_done_, run_failed_, summary_;

@@ -122,6 +122,7 @@ std::string rows_of(const std::vector<Law>& laws, const Choice& choice, const Un
 std::string row_of(const std::string& line, const std::vector<Law>& laws, const Choice& choice,
                    const Units& units) {
   std::string name(name_of(laws[choice.best].form));
+  if (!choice.by_aicc) name += ", of too few points";
   if (!choice.as_good.empty()) name += " (or " + named(laws, choice.as_good, ", ") + ")";
   return "<tr>" + row(line.empty() ? "-" : line, name, laws[choice.best], units);
 }
@@ -161,6 +162,8 @@ FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t colu
     made.curves.push_back(curve_of(laws[choice.best], lines[i], i, over_decades(lines[i].x)));
     rows += several ? row_of(lines[i].name, laws, choice, units) : rows_of(laws, choice, units);
     if (!several) words = escaped(verdict(laws, choice, units)) + " ";
+    if (several && !choice.by_aicc)
+      words = "So few points do not tell the laws apart: the nearest by adjusted R² is given. ";
   }
   if (rows.empty()) return made;
   made.table = fmt::format(

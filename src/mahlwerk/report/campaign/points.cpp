@@ -87,10 +87,11 @@ std::string listed(const std::vector<std::size_t>& numbers) {
   return numbers.size() > most ? fmt::format("{}, ... ({} in all)", text, numbers.size()) : text;
 }
 
-std::string values_of(const Sheet& sheet, const Point& p) {
+/// As HTML, each line on one of its own.
+std::string in_lines(std::string_view message) {
   std::string text;
-  for (const std::size_t key : sheet.free)
-    if (key < p.values.size()) text += (text.empty() ? "" : ", ") + p.values[key];
+  for (const char c : escaped(message))
+    text += c == '\n' ? std::string("<br/>") : std::string(1, c);
   return text;
 }
 
@@ -117,10 +118,10 @@ std::string what_stands_out(const Sheet& sheet) {
   constexpr double same = 1.001;
   if (!(most > same)) return "";
   const Column& c = sheet.campaign.columns[what];
-  const auto told = [&](const Point& p) {
+  const auto told = [&, points = sheet.campaign.points.data()](const Point& p) {
     return fmt::format("{} ({})",
                        readable(value_at(p, what), half_width_at(p, what), c.unit).text(),
-                       values_of(sheet, p));
+                       sheet.others(static_cast<std::size_t>(&p - points), {}));
   };
   return fmt::format(" What changes most is {}: from {} to {}, {:.3g} times as much.",
                      label(c.name), told(*from), told(*to), most);
@@ -187,8 +188,9 @@ std::string failures(const Campaign& c) {
   if (groups.empty()) return "";
   std::string rows;
   for (std::size_t i = 0; i < std::min(groups.size(), most); ++i)
-    rows += fmt::format("<p>Run{} {}: {}</p>\n", groups[i].second.size() == 1 ? "" : "s",
-                        listed(groups[i].second), escaped(shortened(groups[i].first, long_enough)));
+    rows +=
+        fmt::format("<p>Run{} {}: {}</p>\n", groups[i].second.size() == 1 ? "" : "s",
+                    listed(groups[i].second), in_lines(shortened(groups[i].first, long_enough)));
   if (groups.size() > most)
     rows += fmt::format("<p>... and {} more reasons.</p>\n", groups.size() - most);
   return fmt::format("<div class=\"box warn\"><h2>Failed</h2>\n{}</div>\n", rows);

@@ -156,8 +156,17 @@ std::string Sheet::others(std::size_t point, const std::vector<std::size_t>& but
   std::string text;
   for (const std::size_t key : free)
     if (std::ranges::find(but, key) == but.end())
-      text += (text.empty() ? "" : ", ") + value_of(campaign.points[point], key);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_name(campaign, key),
+                          value_of(campaign.points[point], key));
   return text;
+}
+
+std::string short_name(const Campaign& campaign, std::size_t key) {
+  const auto last = [](const std::string& dotted) { return dotted.substr(dotted.rfind('.') + 1); };
+  const std::string name = last(campaign.swept[key].key);
+  const auto alike = std::ranges::count_if(
+      campaign.swept, [&](const Swept& other) { return last(other.key) == name; });
+  return alike == 1 ? name : campaign.swept[key].key;
 }
 
 double value_at(const Point& point, std::size_t column) {

@@ -37,7 +37,7 @@ struct Sheet {
 
   /// The key with most values among those that can be an axis, or the number of keys.
   std::size_t axis() const;
-  /// What of the keys `but` leaves out a point has: "5 mm, steel".
+  /// What of the keys `but` leaves out a point has: "diameter 5 mm, material steel".
   std::string others(std::size_t point, const std::vector<std::size_t>& but) const;
 };
 
@@ -47,6 +47,9 @@ double half_width_at(const Point& point, std::size_t column);
 
 /// Points with different words for how the charge moves.
 bool regimes_differ(const Campaign& campaign);
+
+/// "speed" for mill.speed, unless another key ends in the same word.
+std::string short_name(const Campaign& campaign, std::size_t key);
 
 /// "mill.speed (rpm)".
 std::string axis_label(const Swept& key);

@@ -20,7 +20,19 @@ std::string score(const PaperResult& result) {
     const auto count = std::ranges::count(result.judged, one, &Judged::holds);
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(one), count);
   }
-  return fmt::format("Of {} claims: {}.", result.judged.size(), text);
+  return fmt::format("Of {} claim{}: {}.", result.judged.size(),
+                     result.judged.size() == 1 ? "" : "s", text);
+}
+
+std::string why(const PaperResult& result, std::size_t claim) {
+  return result.changed.empty() ? result.paper->claims[claim].why : "";
+}
+
+/// A sentence; empty where the campaigns were run as they are.
+std::string changes(const PaperResult& result) {
+  if (result.changed.empty()) return "";
+  return fmt::format("Run with {}, not as the paper's campaigns say.",
+                     fmt::join(result.changed, ", "));
 }
 
 double whole_time(const PaperResult& result) {
@@ -36,7 +48,7 @@ std::string claim_rows(const PaperResult& result) {
     const Judged& judged = result.judged[i];
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td></tr>\n",
                         escaped(claim.figure), escaped(claim.says), escaped(judged.found),
-                        word(judged.holds), escaped(claim.why));
+                        word(judged.holds), escaped(why(result, i)));
   }
   return rows;
 }
@@ -57,6 +69,8 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
   const Paper& paper = *result.paper;
   std::string body =
       fmt::format("<p class=\"lead\">{}. {}</p>\n", escaped(paper.source), score(result));
+  if (!result.changed.empty())
+    body += fmt::format("<div class=\"box warn\"><p>{}</p></div>\n", escaped(changes(result)));
   if (!paper.about.empty())
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(paper.about));
   body += fmt::format(
@@ -92,9 +106,10 @@ std::string claims_text(const PaperResult& result) {
     const Judged& judged = result.judged[i];
     text += fmt::format("{:<6} {:<14} {}\n{:22}{}\n", claim.figure, word(judged.holds), claim.says,
                         "", judged.found);
-    if (!claim.why.empty()) text += fmt::format("{:22}why: {}\n", "", claim.why);
+    if (!why(result, i).empty()) text += fmt::format("{:22}why: {}\n", "", why(result, i));
   }
-  return fmt::format("{}\n{}\n", text, score(result));
+  const std::string changed = changes(result);
+  return fmt::format("{}\n{}\n{}{}", text, score(result), changed, changed.empty() ? "" : "\n");
 }
 
 std::string claims_markdown(const PaperResult& result) {
@@ -106,9 +121,9 @@ std::string claims_markdown(const PaperResult& result) {
   std::string text = "| figure | the paper says | we find | holds | why |\n|---|---|---|---|---|\n";
   for (std::size_t i = 0; i < result.judged.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.figure), cell(claim.says),
-                    cell(result.judged[i].found), word(result.judged[i].holds), cell(claim.why));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.figure), cell(claim.says),
+                        cell(result.judged[i].found), word(result.judged[i].holds),
+                        cell(why(result, i)));
   }
   return text;
 }
@@ -123,7 +138,7 @@ std::string claims_csv(const PaperResult& result) {
   for (std::size_t i = 0; i < result.judged.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
     text += line({claim.figure, claim.says, result.judged[i].found, word(result.judged[i].holds),
-                  claim.why});
+                  why(result, i)});
   }
   return text;
 }

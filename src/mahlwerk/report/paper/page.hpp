@@ -32,6 +32,9 @@ struct PaperResult {
   std::vector<PaperPicture> pictures;
   std::vector<Judged> judged;             ///< by claim
   std::map<std::string, double> seconds;  ///< by campaign
+  /// What was set instead of what the campaigns say, "run.time = 2 s". The paper's words about why
+  /// a claim holds are then left out: they are about its own settings.
+  std::vector<std::string> changed = {};
 };
 PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCampaign>& run);
 

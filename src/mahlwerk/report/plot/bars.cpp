@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
@@ -27,6 +28,7 @@ class Drawing {
     for (const BarGroup& group : plot.groups) {
       text(left_ - 8, y + 0.5 * height_of(group) + 4, "end", group.name);
       bars(group, y);
+      text_ += std::exchange(notes_, "");  // above the error bars of the other bar
       y += height_of(group);
     }
     const double x = across(plot.base);
@@ -51,10 +53,14 @@ class Drawing {
     return plot_.side_by_side ? std::max(row, 10 + 11.0 * static_cast<double>(group.bars.size()))
                               : row;
   }
+  static std::string worded(double x, double y, std::string_view anchor, std::string_view what,
+                            std::string_view extra) {
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+                       anchor, extra, escaped(what));
+  }
   void text(double x, double y, std::string_view anchor, std::string_view what,
             std::string_view extra = "") {
-    text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                         anchor, extra, escaped(what));
+    text_ += worded(x, y, anchor, what, extra);
   }
   void measure();
   void legend();
@@ -64,7 +70,7 @@ class Drawing {
 
   const BarPlot& plot_;
   double left_ = 0, right_ = 0, top_ = 34, bottom_ = 0, least_ = 0, most_ = 1;
-  std::string text_;
+  std::string text_, notes_;
 };
 
 /// Room for names on the left, for notes at both ends of the bars.
@@ -92,7 +98,7 @@ void Drawing::measure() {
 }
 
 void Drawing::legend() {
-  text(16, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
+  text(16, 18, "start", plot_.title, title_style(plot_.title, page_width - 20));
   double x = left_;
   for (std::size_t i = 0; i < plot_.words.size(); ++i) {
     text_ += fmt::format("<rect x=\"{:.1f}\" y=\"30\" width=\"12\" height=\"12\" fill=\"{}\"/>\n",
@@ -147,8 +153,11 @@ void Drawing::bar(const Bar& b, double y, double size) {
   }
   if (b.note.empty()) return;
   const bool left = b.end < plot_.base;
-  text(left ? std::min(low, to) - 5 : std::max(high, to) + 5, middle + 4, left ? "end" : "start",
-       b.note, " font-size=\"11\" style=\"fill:var(--soft,#555)\"");
+  notes_ += worded(
+      left ? std::min(low, to) - 5 : std::max(high, to) + 5, middle + 4, left ? "end" : "start",
+      b.note,
+      " font-size=\"11\" style=\"fill:var(--soft,#555);stroke:var(--paper,#fff);stroke-width:3px;"
+      "paint-order:stroke\"");
 }
 
 }  // namespace

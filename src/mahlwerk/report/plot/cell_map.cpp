@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/plot/scale.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -51,7 +52,8 @@ class Drawing {
         "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}{}"
         "</svg>\n",
         page_width, height_, escaped(map_.title),
-        words(left_, 18, "start", map_.title, " font-size=\"14\" font-weight=\"600\""), text_);
+        words(left_, 18, "start", map_.title, title_style(map_.title, page_width - left_ - 4)),
+        text_);
   }
 
  private:

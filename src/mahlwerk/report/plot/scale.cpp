@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/report/plot/scale.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -61,6 +65,13 @@ double Span::at(double v) const {
   if (logarithmic)  // differences, as quotients may be too large for a number
     return (std::log(v) - std::log(least)) / (std::log(most) - std::log(least));
   return (v - least) / (most - least);
+}
+
+std::string title_style(std::string_view title, double room) {
+  constexpr double usual = 14, least = 9, wide = 0.6;  // of a letter, by its size
+  const double letters = std::max(1.0, static_cast<double>(width(title)));
+  return fmt::format(" font-size=\"{:.3g}\" font-weight=\"600\"",
+                     std::clamp(room / (wide * letters), least, usual));
 }
 
 std::vector<double> ticks(double least, double most, bool logarithmic, int wanted) {

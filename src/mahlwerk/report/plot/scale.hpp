@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/report/plot/svg_plot.hpp"
@@ -23,6 +25,9 @@ struct Span {
   void settle(const Axis& axis, bool air);
   double at(double v) const;  ///< 0 at the least, 1 at the most
 };
+
+/// Attributes of a picture's title, in letters small enough for `room` [px].
+std::string title_style(std::string_view title, double room);
 
 /// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are
 /// few, what lies between, on a logarithmic axis.

@@ -92,12 +92,16 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
 }
 
 void Canvas::measure() {
+  // An interval that reaches below 0 where no value does needs no room: it is cut there.
+  const bool positive = std::ranges::all_of(plot_.series, [](const Series& s) {
+    return std::ranges::none_of(s.y, [](double v) { return v < 0; });
+  });
   for (const Series& s : plot_.series) {
     for (const double v : s.x) x_.hold(v);
     for (std::size_t i = 0; i < s.y.size(); ++i) {
       const double error = i < s.error.size() && std::isfinite(s.error[i]) ? s.error[i] : 0;
       y_.hold(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
-      y_.hold(s.y[i] - error);
+      y_.hold(positive ? std::max(s.y[i] - error, 0.0) : s.y[i] - error);
       y_.hold(s.y[i] + error);
     }
   }
@@ -157,7 +161,7 @@ void Canvas::grid() {
       "style=\"stroke:var(--soft,#555)\"/>\n",
       left_, top_, bottom_, right_);
   if (!plot_.title.empty())
-    words(left_, 18, "start", plot_.title, " font-size=\"14\" font-weight=\"600\"");
+    words(left_, 18, "start", plot_.title, title_style(plot_.title, plot_.width - left_ - 4));
   words(0.5 * (left_ + right_), plot_.height - 8, "middle", plot_.x.label);
   const double middle = 0.5 * (top_ + bottom_);
   words(14, middle, "middle", plot_.y.label,
