@@ -67,7 +67,10 @@ class CampaignFolder::Desk {
     queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
     queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
     queue.kept = [&](std::size_t i) {
-      return campaign::Kept{.in = &*paper(i).checkpoint, .always = false};
+      Paper& mine = paper(i);
+      using Ended = campaign::Kept::Ended;
+      return campaign::Kept{.in = &*mine.checkpoint,
+                            .ended = mine.replicates > 1 ? Ended::noted : Ended::forgotten};
     };
     queue.wanted = wanted_;
     queue.weight = [&](std::size_t i) {
@@ -85,6 +88,7 @@ class CampaignFolder::Desk {
   struct Paper {
     std::string name;  // of its folder, below the campaign's
     std::string began = now();
+    std::int64_t replicates = 1;
     std::unique_ptr<results::Folder> folder;  // or null
     Streams streams;
     std::optional<campaign::Checkpoint> checkpoint;
@@ -104,6 +108,7 @@ class CampaignFolder::Desk {
     cases::Case what = owner_.file_.read(owner_.catalogue_, owner_.settings(point));
     what.sweep = {};
     auto made = std::make_unique<Paper>();
+    made->replicates = what.run.replicates;
     const std::string hash = campaign::hash_text(owner_.runs_[point].hash);
     made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));

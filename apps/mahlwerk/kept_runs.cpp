@@ -83,9 +83,12 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
     fmt::print(stderr, "{} of {} settings go on where they were ended\n", begun, points.size());
   queue.size = points.size();
   queue.open = [&](std::size_t i) { return points[i]; };
-  queue.done = [&](std::size_t i, results::Outcome&& ended) { outcomes[i] = std::move(ended); };
+  queue.done = [&](std::size_t i, results::Outcome&& ended) {
+    if (states[i]) states[i]->flush();
+    outcomes[i] = std::move(ended);
+  };
   queue.kept = [&](std::size_t i) {
-    return campaign::Kept{.in = states[i].get(), .always = false};
+    return campaign::Kept{.in = states[i].get(), .ended = campaign::Kept::Ended::noted};
   };
   campaign::work_off(queue, options);
   return outcomes;

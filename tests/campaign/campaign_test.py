@@ -165,6 +165,22 @@ def jobs_and_shards_give_the_same_to_the_bit(program):
         assert "9 runs had been run before" in c.run(out=shards)
 
 
+def shards_go_on_after_they_were_joined(program):
+    with Campaign(program, frequencies(3)) as c:
+        quiet = ("--quiet", "--results", "summary")
+        for i in (1, 2):
+            c.run("--shard", f"{i}/2", *quiet)
+        c.part("merge", "--quiet")
+        c.case.write_text(c.case.read_text().replace("steps = 3", "steps = 5"))
+        for i in (1, 2):
+            c.run("--shard", f"{i}/2", *quiet)
+        c.part("merge", "--quiet")
+        assert len(numbers(c.out)) == 5, "the points that are new"
+        whole = c.here / "whole"
+        c.run(*quiet, out=whole)
+        assert numbers(c.out) == numbers(whole)
+
+
 def a_killed_shard_goes_on(program):
     with Campaign(program, frequencies(40), time="5 s") as c:
         whole, out = c.here / "whole", c.out

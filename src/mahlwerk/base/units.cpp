@@ -136,6 +136,7 @@ Quantity parse_quantity(std::string_view text) {
 
 double parse_in(std::string_view text, std::string_view unit) {
   const Parts p = split(text);
+  if (celsius(unit)) return celsius(p.unit) ? p.number : parse_in(text, "K") - ice_point;
   const Measure wanted = parse_unit(unit);
   if (celsius(p.unit) && wanted.dimension == Dimension{.temperature = 1})
     return finite_or_fault(converted(p.number + ice_point, {}, wanted.scale), text);

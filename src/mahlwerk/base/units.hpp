@@ -32,8 +32,8 @@ class UnitError : public std::runtime_error {
 /// is wrong, and the nearest known unit.
 Quantity parse_quantity(std::string_view text);
 
-/// Reads `text` and returns its value measured in `unit` ("m", "Hz", "rad/s", "kg/m3", "" for a
-/// pure number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError when the unit is
+/// Reads `text` and returns its value measured in `unit` ("m", "Hz", "rad/s", "kg/m3", "degC", ""
+/// for a pure number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError when the unit is
 /// missing or of another dimension, with an example of what is expected.
 double parse_in(std::string_view text, std::string_view unit);
 

@@ -121,11 +121,13 @@ class Parser {
   }
   Quantity signed_power() {
     if (take('-')) {
+      negated_ = true;
       Quantity result = deeper([&] { return signed_power(); });
       result.value = -result.value;
       return result;
     }
     const Quantity base = atom();
+    negated_ = false;
     if (!take('^')) return base;
     const Quantity exponent = deeper([&] { return signed_power(); });
     return power(base, exponent);
@@ -156,7 +158,15 @@ class Parser {
     const std::size_t before = at_;
     if (rest().empty() || !is_letter(rest().front())) return result;
     const std::string_view name = take_name();
-    if (name.find('.') == std::string_view::npos) return product(result, unit(name), 1);
+    if (name == "degC") return temperature(result.value);
+    if (name.find('.') == std::string_view::npos) {
+      if (!rest().empty() && rest().front() == '^')
+        throw FormulaError(
+            fmt::format("the power of \"{0} {1}^\" may be that of the unit or of all; "
+                        "write {0} {1}2 or ({0} {1})^2",
+                        result.value, name));
+      return product(result, unit(name), 1);
+    }
     at_ = before;  // "2 jar.diameter" lacks its sign
     throw FormulaError(fmt::format("a sign is missing before \"{}\"", rest()));
   }
@@ -167,7 +177,13 @@ class Parser {
     at_ += n;
     return left.substr(0, n);
   }
+  /// Not a multiple of a unit: 20 degC are 293.15 K.
+  Quantity temperature(double number) const {
+    if (negated_) throw FormulaError("degC has no sign in a formula; write for instance 268.15 K");
+    return parse_quantity(fmt::format("{} degC", number));
+  }
   static Quantity unit(std::string_view name) {
+    if (name == "degC") throw FormulaError("degC stands behind a number alone");
     try {
       return parse_quantity(fmt::format("1 {}", name));
     } catch (const UnitError& error) {
@@ -208,6 +224,7 @@ class Parser {
   const ValueOf& value_of_;
   std::size_t at_ = 0;
   int depth_ = 0;
+  bool negated_ = false;  // a minus stands before the value that is read
 };
 
 }  // namespace

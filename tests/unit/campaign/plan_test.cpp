@@ -66,6 +66,8 @@ TEST(Plan, the_unit_of_a_range_is_that_of_its_upper_end) {
   EXPECT_EQ(value_in_range(range("mill.speed", "1 Hz", "120 rpm"), 0), "60 rpm");
   EXPECT_EQ(value_in_range(range("mill.speed", "1 Hz", "120 rpm"), 0.5), "90 rpm");
   EXPECT_EQ(value_in_range(range("jar.diameter", "10 mm", "0.02 m"), 1), "0.02 m");
+  EXPECT_EQ(value_in_range(range("heat.ambient", "20 degC", "50 degC"), 0), "20 degC");
+  EXPECT_EQ(value_in_range(range("heat.ambient", "293.15 K", "50 degC"), 0.5), "35 degC");
 }
 
 TEST(Plan, balls_are_counted_in_whole_numbers) {

@@ -48,6 +48,20 @@ TEST(Formula, is_reckoned_in_units) {
   EXPECT_DOUBLE_EQ(value("30 % * 10 mm", "m"), 0.003);
 }
 
+TEST(Formula, degrees_are_a_temperature_and_no_multiple_of_one) {
+  EXPECT_DOUBLE_EQ(value("20 degC + 5 K", "K"), 298.15);
+  EXPECT_DOUBLE_EQ(value("(20 degC + 40 degC) / 2", "K"), 303.15);
+  EXPECT_NE(fault("-5 degC").find("268.15 K"), std::string::npos);
+  EXPECT_NE(fault("20 * degC").find("behind a number"), std::string::npos);
+}
+
+TEST(Formula, a_power_of_a_number_with_a_unit_must_say_of_which) {
+  EXPECT_NE(fault("0.5 m^2").find("write 0.5 m2 or (0.5 m)^2"), std::string::npos)
+      << fault("0.5 m^2");
+  EXPECT_DOUBLE_EQ(value("0.5 m2", "m2"), 0.5);
+  EXPECT_DOUBLE_EQ(value("(0.5 m)^2", "m2"), 0.25);
+}
+
 TEST(Formula, knows_a_few_functions) {
   EXPECT_DOUBLE_EQ(value("sqrt(jar.diameter * jar.diameter)", "m"), 0.012);
   EXPECT_DOUBLE_EQ(value("cbrt(8 ml)", "m"), 0.02);

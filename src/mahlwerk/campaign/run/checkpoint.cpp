@@ -95,13 +95,19 @@ bool Checkpoint::due(std::size_t job) const {
   return std::chrono::steady_clock::now() - kept_[job] > every_;
 }
 
-void Checkpoint::keep(std::size_t job, Replica& replica) {
+void Checkpoint::keep(std::size_t job, Replica& replica, bool now) {
   Archive archive;
   replica.carry(archive);
   const std::lock_guard lock(mutex_);
   states_[job] = archive.bytes();
   kept_[job] = std::chrono::steady_clock::now();
-  write();
+  waits_ = true;
+  if (now || kept_[job] - filed_ > every_) write();
+}
+
+void Checkpoint::flush() {
+  const std::lock_guard lock(mutex_);
+  if (waits_) write();
 }
 
 /// All that is kept, into the file.
@@ -117,6 +123,8 @@ void Checkpoint::write() {
   stream.close();
   std::error_code failed;
   if (stream) std::filesystem::rename(aside, file_, failed);
+  filed_ = std::chrono::steady_clock::now();
+  waits_ = false;
   written_ = stream && !failed;  // the run goes on without it; who asked for it is told at the end
 }
 

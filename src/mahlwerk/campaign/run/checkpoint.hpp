@@ -27,7 +27,9 @@ class Checkpoint {
 
   void restore(std::size_t job, Replica& replica);  ///< to its kept state, if there is one
   bool due(std::size_t job) const;
-  void keep(std::size_t job, Replica& replica);
+  /// Into the file if `now`, or if that is due; else it waits for the next that is, or for flush().
+  void keep(std::size_t job, Replica& replica, bool now = false);
+  void flush();
   void remove();                             ///< the run has ended as wanted
   bool written() const { return written_; }  ///< whether the last try to write the file succeeded
 
@@ -39,7 +41,8 @@ class Checkpoint {
   std::chrono::duration<double> every_;
   std::vector<std::string> states_;                          // by job
   std::vector<std::chrono::steady_clock::time_point> kept_;  // when
-  bool loaded_ = false, written_ = true;
+  std::chrono::steady_clock::time_point filed_ = std::chrono::steady_clock::now();
+  bool loaded_ = false, written_ = true, waits_ = false;
   mutable std::mutex mutex_;
 };
 

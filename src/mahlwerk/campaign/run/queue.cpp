@@ -9,7 +9,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
-#include <new>
+#include <system_error>
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
@@ -57,6 +57,16 @@ class Teller {
   Clock::time_point told_ = Clock::now();
 };
 
+/// Whether another point may fare better: not where a file cannot be written.
+bool of_the_point(const std::exception& why) {
+  if (dynamic_cast<const std::system_error*>(&why) != nullptr) return false;
+  const auto* input = dynamic_cast<const InputError*>(&why);
+  return input == nullptr || std::ranges::none_of(input->faults(), [](const Fault& fault) {
+           return fault.code == "cannot-write" || fault.code == "result-exists" ||
+                  fault.code == "store";
+         });
+}
+
 /// A point at work.
 struct Open {
   Open(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
@@ -73,8 +83,10 @@ struct Open {
   Choice choice;
   cases::Case decided;  // with the engine that runs it
   results::Outcome outcome;
-  std::size_t next = 0;  // replicate to begin
-  std::size_t left = 0;  // replicates that have not ended
+  std::size_t next = 0;               // replicate to begin
+  std::size_t left = 0;               // replicates that have not ended
+  std::exception_ptr failure;         // of the first that failed: no other is begun
+  std::atomic<bool> dropped = false;  // then, for those at work
   Clock::time_point began = Clock::now();
 };
 
@@ -121,34 +133,46 @@ class Crew {
   std::optional<Task> take() {
     std::unique_lock lock(mutex_);
     for (;;) {
+      if (broken_) return std::nullopt;
       for (const auto& point : open_)
-        if (point->next < point->outcome.replicates.size())
-          return broken_ ? std::nullopt : std::optional(Task{point, point->next++});
-      if (next_ < queue_.size && !stopped()) {
-        const std::size_t index = next_++;
-        ++opening_;
-        lock.unlock();
-        auto point = open(index);
-        lock.lock();
-        --opening_;
-        changed_.notify_all();
-        if (point) open_.push_back(std::move(point));
-      } else if (opening_ > 0) {
+        if (point->next < point->outcome.replicates.size()) return Task{point, point->next++};
+      if (next_ < queue_.size && !stopped())
+        open_next(lock);
+      else if (opening_ > 0)
         changed_.wait(lock);  // it may bring work for more than one
-      } else {
+      else
         return std::nullopt;
-      }
     }
   }
 
+  /// Others go on while the case is read.
+  void open_next(std::unique_lock<std::mutex>& lock) {
+    const std::size_t index = next_++;
+    ++opening_;
+    lock.unlock();
+    std::shared_ptr<Open> point;
+    std::exception_ptr trouble;
+    try {
+      point = open(index);
+    } catch (...) {
+      trouble = std::current_exception();
+    }
+    lock.lock();
+    --opening_;
+    changed_.notify_all();
+    if (trouble) std::rethrow_exception(trouble);
+    if (point) open_.push_back(std::move(point));
+  }
+
+  /// Nothing if it failed, which has been said then.
   std::shared_ptr<Open> open(std::size_t index) try {
     cases::Case what = queue_.open(index);
     std::vector<Fault> wrong = run_faults(what);
     if (wrong.empty()) wrong = memory_faults({what}, threads(), options_.memory);
     if (!wrong.empty()) throw InputError(std::move(wrong));
     return std::make_shared<Open>(index, std::move(what), options_.stop);
-  } catch (const std::exception& why) {
-    failed(index, why);
+  } catch (...) {
+    failed(index, std::current_exception());
     return nullptr;
   }
 
@@ -157,16 +181,19 @@ class Crew {
   /// Runs a replicate; with the last of its point, gives the outcome away.
   void finish(const Task& task) {
     Open& point = *task.point;
+    std::exception_ptr trouble;
     try {
       point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
-    } catch (const std::exception& why) {
-      if (drop(task.point)) failed(point.index, why);
-      return;
+    } catch (...) {
+      trouble = std::current_exception();
     }
     {
       const std::lock_guard lock(mutex_);
-      if (--point.left > 0 || std::erase(open_, task.point) == 0) return;
+      if (trouble && !point.failure) drop(point, trouble);
+      if (--point.left > 0) return;
+      open_.remove(task.point);
     }
+    if (point.failure) return failed(point.index, point.failure);
     point.outcome.interrupted = stopped();
     point.outcome.wall_seconds = seconds_since(point.began);
     for (const results::Replicate& r : point.outcome.replicates)
@@ -175,16 +202,19 @@ class Crew {
     queue_.done(point.index, std::move(point.outcome));
   }
 
-  /// No further replicate of it is begun, and its outcome is not given away; false if that was so
-  /// before.
-  bool drop(const std::shared_ptr<Open>& point) {
-    const std::lock_guard lock(mutex_);
-    return std::erase(open_, point) > 0;
+  /// No further replicate of it is begun, those at work end soon.
+  static void drop(Open& point, const std::exception_ptr& why) {
+    point.failure = why;
+    point.dropped = true;
+    point.left -= point.outcome.replicates.size() - point.next;
+    point.next = point.outcome.replicates.size();
   }
 
-  void failed(std::size_t index, const std::exception& why) {
-    if (!queue_.failed) throw;
-    queue_.failed(index, why);
+  void failed(std::size_t index, const std::exception_ptr& why) try {
+    std::rethrow_exception(why);
+  } catch (const std::exception& e) {
+    if (!queue_.failed || !of_the_point(e)) throw;
+    queue_.failed(index, e);
   }
 
   results::Replicate simulate(const Open& point, std::size_t replicate) {
@@ -198,7 +228,7 @@ class Crew {
     const double weight = queue_.weight ? queue_.weight(point.index) : 1;
     teller_.add(weight * replica.account().time, 0, 0);  // what was done by an earlier process
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
-    while (!replica.done() && !stopped()) {
+    while (!replica.done() && !stopped() && !point.dropped) {
       const scene::Account before = replica.account();
       replica.go_on();
       const scene::Account& now = replica.account();
@@ -207,9 +237,18 @@ class Crew {
                   static_cast<double>(now.collisions - before.collisions), now.worst_collision);
       if (kept.in != nullptr && kept.in->due(job)) kept.in->keep(job, replica);
     }
-    if (kept.in != nullptr && (kept.always || stopped() || kept.in->due(job)))
-      kept.in->keep(job, replica);
+    if (kept.in != nullptr && !point.dropped) keep_end(kept, job, replica, cpu);
     return replica.result();
+  }
+
+  /// `cpu`: [s] the thread's time when it would have begun here.
+  void keep_end(const Kept& kept, std::size_t job, Replica& replica, double cpu) const {
+    constexpr double worth = 0.05;  // [s] of computing
+    const bool long_enough = thread_cpu_seconds() - cpu > worth;
+    if (stopped() || kept.ended == Kept::Ended::written)
+      kept.in->keep(job, replica, true);
+    else if (kept.ended == Kept::Ended::noted && long_enough)
+      kept.in->keep(job, replica);
   }
 
   const Queue& queue_;

@@ -11,9 +11,15 @@ namespace mahlwerk::campaign {
 
 /// Where the states of a point's replicates are kept, from which job on.
 struct Kept {
+  /// What becomes of the state of a replicate that has ended.
+  enum class Ended {
+    written,   ///< at once
+    noted,     ///< with the next that is due, if it took long enough to be worth it
+    forgotten  ///< nobody waits for it: the point ends with it
+  };
   Checkpoint* in = nullptr;
   std::size_t from = 0;
-  bool always = true;  ///< also of every replicate that ends; else only where one is due
+  Ended ended = Ended::written;
 };
 
 /// Runs that wait to be done. Only those at work are in memory: a point's case is asked for when
@@ -24,7 +30,8 @@ struct Queue {
   std::function<cases::Case(std::size_t point)> open;
   /// What came of it, interrupted or not; from several threads at once. What it throws ends all.
   std::function<void(std::size_t point, results::Outcome&& outcome)> done;
-  /// Instead of `done`: why the point cannot be run. If there is none, it ends all.
+  /// Instead of `done`, once none of its replicates is at work: why the point cannot be run. If
+  /// there is none, it ends all; so does trouble with files, which is not the point's.
   std::function<void(std::size_t point, const std::exception& why)> failed;
   std::function<Kept(std::size_t point)> kept;  ///< none: no state is kept
   int threads_each = 1;                         ///< that share the work of one replicate

@@ -123,7 +123,8 @@ void Store::make_view() {
   while (known.step())
     columns += fmt::format(", s.{}, s.{}", as_name(known.text(0)), as_name(known.text(1)));
   database_.run(
-      fmt::format("DROP VIEW IF EXISTS results; CREATE VIEW results AS SELECT {} FROM "
+      // Another store may be attached, whose view would be meant by the bare name.
+      fmt::format("DROP VIEW IF EXISTS main.results; CREATE VIEW main.results AS SELECT {} FROM "
                   "points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash "
                   "= p.hash ORDER BY p.point",
                   columns));
@@ -155,7 +156,8 @@ void Store::plan(const Planned& planned) {
     first = false;
   }
   Transaction all(database_);
-  database_.run("DELETE FROM swept; DELETE FROM overrides; DROP VIEW results; DROP TABLE points");
+  database_.run(
+      "DELETE FROM swept; DELETE FROM overrides; DROP VIEW IF EXISTS results; DROP TABLE points");
   std::string columns;
   for (std::size_t k = 0; k < swept.size(); ++k) {
     Swept& s = swept[k];
@@ -178,6 +180,9 @@ void Store::plan(const Planned& planned) {
   say.bind(1, "title").bind(2, planned.title).run();
   say.bind(1, "version").bind(2, planned.version).run();
   say.bind(1, "case_file").bind(2, planned.case_file.generic_string()).run();
+  say.bind(1, "planned")
+      .bind(2, database_.word("SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"))
+      .run();
   Statement set = database_.prepare("INSERT INTO overrides(key, value) VALUES(?, ?)");
   for (const cases::Override& one : planned.overrides)
     set.bind(1, one.key).bind(2, one.value).run();

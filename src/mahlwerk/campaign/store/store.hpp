@@ -94,7 +94,7 @@ class Store {
   void keep(const Finished& finished);
   void fail(RunHash hash, std::string_view why);
   std::size_t retry();  ///< failed runs wait again; how many
-  /// Takes over what `other` has done, and its plan where there is none yet; how many runs.
+  /// Takes over what `other` has done, and its plan if that was made later; how many runs.
   std::size_t merge(const std::filesystem::path& other);
 
   Counts counts() const;
@@ -118,6 +118,8 @@ class Store {
   };
   void make_tables();
   void make_view();
+  void refuse_stranger(const std::filesystem::path& other) const;
+  void take_newer_plan();
   std::vector<Swept> swept() const;
   void add_columns(const std::vector<results::Quantity>& quantities);
   void prepare_summary(const std::vector<results::Quantity>& quantities);

@@ -181,29 +181,43 @@ void Store::write_csv(std::ostream& out) const {
   }
 }
 
+/// Throws InputError if `other`, attached, has points and shares none with this plan.
+void Store::refuse_stranger(const std::filesystem::path& other) const {
+  if (count(database_, "SELECT count(*) FROM main.points") > 0 &&
+      count(database_, "SELECT count(*) FROM other.points") > 0 &&
+      count(database_,
+            "SELECT count(*) FROM other.points WHERE hash IN (SELECT hash FROM main.points)") == 0)
+    throw InputError(Fault{other.generic_string(), "this is a shard of another campaign",
+                           "take it away, or join it in a folder of its own", "store"});
+}
+
+/// The plan of the store that is attached as `other`, if it was made later: the case has changed
+/// since.
+void Store::take_newer_plan() {
+  const auto made = [&](const std::string& store) {
+    return database_.word("SELECT value FROM " + store + ".campaign WHERE key = 'planned'");
+  };
+  const bool none = count(database_, "SELECT count(*) FROM main.points") == 0;
+  if (!none && made("other") <= made("main")) return;
+  const std::string points =
+      database_.word("SELECT sql FROM other.sqlite_master WHERE name = 'points'");
+  database_.run(fmt::format(
+      "DROP VIEW IF EXISTS main.results; DROP TABLE main.points; {}; INSERT INTO main.points "
+      "SELECT * FROM other.points; DELETE FROM main.swept; INSERT INTO main.swept SELECT * FROM "
+      "other.swept; DELETE FROM main.overrides; INSERT INTO main.overrides SELECT * FROM "
+      "other.overrides; INSERT OR REPLACE INTO main.campaign SELECT * FROM other.campaign",
+      points));
+  make_view();
+}
+
 std::size_t Store::merge(const std::filesystem::path& other) {
   const Store source(other, Access::read);  // that it is one
   const std::vector<results::Quantity> quantities = source.quantities();
   const std::lock_guard lock(mutex_);
   const Attached attached(database_, other);
   Transaction all(database_);
-  if (count(database_, "SELECT count(*) FROM points") == 0) {
-    const std::string points =
-        database_.word("SELECT sql FROM other.sqlite_master WHERE name = 'points'");
-    database_.run(fmt::format(
-        "DROP VIEW results; DROP TABLE main.points; {}; INSERT INTO main.points SELECT * FROM "
-        "other.points; DELETE FROM main.swept; INSERT INTO main.swept SELECT * FROM other.swept; "
-        "DELETE FROM main.overrides; INSERT INTO main.overrides SELECT * FROM other.overrides; "
-        "INSERT OR REPLACE INTO main.campaign SELECT * FROM other.campaign",
-        points));
-    make_view();
-  }
-  if (count(database_, "SELECT count(*) FROM other.points") > 0 &&
-      count(database_,
-            "SELECT count(*) FROM other.points WHERE hash IN (SELECT hash FROM "
-            "main.points)") == 0)
-    throw InputError(Fault{other.generic_string(), "this is a shard of another campaign",
-                           "take it away, or join it in a folder of its own", "store"});
+  refuse_stranger(other);
+  take_newer_plan();
   database_.run(
       "INSERT OR IGNORE INTO main.runs(hash, status) SELECT hash, 'waiting' FROM other.runs");
   summary_.reset();

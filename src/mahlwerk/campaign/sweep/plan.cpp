@@ -48,8 +48,7 @@ Ends ends_of(const cases::SweptKey& range) {
   try {
     const Quantity first = parse_quantity(range.values[0]), second = parse_quantity(last);
     if (first.dimension != second.dimension) refuse(range, "the ends have units of two kinds");
-    const double one = parse_quantity(unit.empty() ? "1" : fmt::format("1 {}", unit)).value;
-    ends.from = first.value / one;
+    ends.from = parse_in(range.values[0], unit);
   } catch (const UnitError& error) {
     refuse(range, error.what());
   }

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "mahlwerk/base/error.hpp"
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+using cases::sample::Folder;
+using cases::sample::read_sample;
+using cases::sample::vial;
+using cases::sample::with;
+
+/// So full that some replicates find no place for all balls, and others do.
+cases::Case crowded() {
+  std::string text =
+      with(with(vial, "count", "count = 38"), "diameter = \"8", "diameter = \"5 mm\"");
+  return read_sample(with(text, "time", "time = \"0.2 s\"\nreplicates = 6"), {{"seed", "5"}});
+}
+
+TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
+  struct Watch : scene::Observer {
+    explicit Watch(std::atomic<int>& count) : alive(count) { ++alive; }
+    ~Watch() override { --alive; }
+    void collisions(std::span<const scene::Collision>) override {}
+    std::atomic<int>& alive;
+  };
+  std::atomic<int> alive = 0, failed = 0, done = 0, at_work = -1;
+  Queue queue;
+  queue.size = 1;
+  queue.open = [](std::size_t) { return crowded(); };
+  queue.done = [&](std::size_t, results::Outcome&&) { ++done; };
+  queue.failed = [&](std::size_t, const std::exception&) {
+    ++failed;
+    at_work = alive.load();
+  };
+  Options options;
+  options.threads = 4;
+  options.records = [&](std::size_t, int) { return std::make_unique<Watch>(alive); };
+  work_off(queue, options);
+  EXPECT_EQ(failed, 1);
+  EXPECT_EQ(done, 0);
+  EXPECT_EQ(at_work, 0);
+}
+
+TEST(Queue, what_cannot_be_opened_ends_all_threads_where_nobody_takes_failures) {
+  Queue queue;
+  queue.size = 40;
+  queue.open = [](std::size_t i) {
+    if (i == 7) throw InputError(Fault{"case", "this one is wrong", "", ""});
+    return read_sample(with(vial, "time", "time = \"0.1 s\""));
+  };
+  queue.done = [](std::size_t, results::Outcome&&) {};
+  Options options;
+  options.threads = 4;
+  EXPECT_THROW(work_off(queue, options), InputError);
+}
+
+TEST(Queue, trouble_with_files_is_no_failure_of_a_point) {
+  int failed = 0;
+  Queue queue;
+  queue.size = 3;
+  queue.done = [](std::size_t, results::Outcome&&) {};
+  queue.failed = [&](std::size_t, const std::exception&) { ++failed; };
+  Options options;
+  options.threads = 2;
+  queue.open = [](std::size_t) -> cases::Case {
+    throw InputError(Fault{"out", "the disk is full", "make room", "cannot-write"});
+  };
+  EXPECT_THROW(work_off(queue, options), InputError);
+  queue.open = [](std::size_t) -> cases::Case {
+    throw std::filesystem::filesystem_error("no folder", std::make_error_code(std::errc::io_error));
+  };
+  EXPECT_THROW(work_off(queue, options), std::filesystem::filesystem_error);
+  EXPECT_EQ(failed, 0);
+}
+
+TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop) {
+  const Folder folder;
+  const cases::Case what = read_sample(with(vial, "time", "time = \"2000 s\"\nreplicates = 3"));
+  std::atomic<bool> stop = false;
+  results::Outcome whole, again;
+  const auto run = [&](Checkpoint& states, bool no_further, results::Outcome& outcome) {
+    Queue queue;
+    queue.size = 1;
+    queue.open = [&](std::size_t) {
+      stop = no_further;  // nothing more is computed
+      return what;
+    };
+    queue.done = [&](std::size_t, results::Outcome&& ended) { outcome = std::move(ended); };
+    queue.kept = [&](std::size_t) { return Kept{.in = &states, .ended = Kept::Ended::noted}; };
+    Options options;
+    options.threads = 1;
+    options.stop = &stop;
+    work_off(queue, options);
+  };
+  constexpr double never = 1e9;  // [s]
+  Checkpoint first(folder.path() / "states", "a run", 3, never);
+  run(first, false, whole);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "states")) << "nothing was due";
+  first.flush();
+  Checkpoint second(folder.path() / "states", "a run", 3, never);
+  second.load();
+  run(second, true, again);
+  ASSERT_EQ(again.replicates.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(again.replicates[i].account.collisions, whole.replicates[i].account.collisions);
+    EXPECT_GT(again.replicates[i].account.collisions, 0);
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign
