@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "mahlwerk/report/campaign/plots.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
@@ -153,7 +155,7 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
   EXPECT_TRUE(has(pictures[0].below, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
-  EXPECT_TRUE(in_order(pictures[0].below, {">µ* of noise<", ">effects<", ">8.00 ± 0.60<",
+  EXPECT_TRUE(in_order(pictures[0].below, {">of noise<", ">effects<", ">8.00 ± 0.60<",
                                            "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
   EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
   EXPECT_EQ(sensitivity_words(s),
@@ -193,9 +195,36 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
             "0.030 of the variance). Not told from zero: the effect of "
             "contact.friction.");
   EXPECT_TRUE(in_order(pictures[0].below, {"Noise makes 12 % of the variance seen", ">groups<",
-                                           ">0.73 to 0.79<", ">64<", ">-<", ">63<"}));
+                                           ">0.75 (0.73 to 0.79)<", ">64<", ">63<"}));
   s.noise = NAN;
   EXPECT_TRUE(has(sensitivity_pictures(s)[0].below, "errors of the points are not known"));
+}
+
+TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  s.effects = {{.key = "mill.speed", .total = 0.75, .count = 64},
+               {.key = "contact.friction", .total = 0.02, .count = 64}};
+  const std::string below = sensitivity_pictures(s)[0].below;
+  EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise makes")) << below;
+  EXPECT_FALSE(has(below, ">groups<"));
+}
+
+TEST(Tornado, draws_an_interval_that_lies_unevenly) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  s.effects = {{.key = "mill.speed", .total = 0.5, .total_ci95 = 0.5}};
+  s.effects[0].total_low = 0.25;
+  s.effects[0].total_high = 1.25;
+  const std::string svg = sensitivity_pictures(s)[0].svg;
+  const auto drawn = bars(svg);
+  ASSERT_EQ(drawn.size(), 1U);
+  const auto [foot, unit] = std::pair(drawn[0].first, drawn[0].second / 0.5);
+  const std::size_t at = svg.find("<path d=\"M", svg.find("fill-opacity")) + 10;
+  char* rest = nullptr;
+  const double low = std::strtod(svg.c_str() + at, &rest);
+  const double high = std::strtod(std::strchr(rest, 'H') + 1, nullptr);
+  const double digit = 0.051;  // places and widths are written to a tenth, the unit is two widths
+  EXPECT_NEAR(low, foot + 0.25 * unit, (2 + 0.25 / 0.5) * digit);
+  EXPECT_NEAR(high, foot + 1.25 * unit, (2 + 1.25 / 0.5) * digit);
 }
 
 TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {

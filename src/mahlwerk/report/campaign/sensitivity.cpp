@@ -53,8 +53,9 @@ BarPlot sobol(const Sensitivity& s) {
   plot.side_by_side = true;
   plot.words = {"alone, S1", "with others, ST"};
   for (const Effect& e : largest_first(s))
-    plot.groups.push_back(
-        {e.key, {{e.first_order, e.first_order_ci95, 0, ""}, {e.total, e.total_ci95, 1, ""}}});
+    plot.groups.push_back({e.key,
+                           {{e.first_order, e.first_order_ci95, 0, ""},
+                            {e.total, e.total_ci95, 1, "", e.total_low, e.total_high}}});
   return plot;
 }
 
@@ -78,63 +79,85 @@ Plot scatter_of(const Sensitivity& s, const Multiple& m) {
   return plot;
 }
 
-std::string count_cell(std::size_t count) {
-  return fmt::format("<td class=\"n\" data-v=\"{0}\">{0}</td>", count);
-}
-
-std::string interval_cell(double low, double high) {
-  const bool known = std::isfinite(low) && std::isfinite(high);
-  return fmt::format("<td class=\"n\">{}</td>",
-                     known ? fmt::format("{:.2g} to {:.2g}", low, high) : "-");
+std::string number_cell(double value, std::string_view text) {
+  return fmt::format("<td class=\"n\" data-v=\"{}\">{}</td>",
+                     std::isfinite(value) ? fmt::format("{}", value) : "", escaped(text));
 }
 
 std::string cell(double value, double ci95, const Multiple& m, std::string_view unit) {
-  return fmt::format("<td class=\"n\" data-v=\"{}\">{}</td>",
-                     std::isfinite(value) ? fmt::format("{}", value) : "",
-                     escaped(readable(value, ci95, unit, m.factor).number));
+  return number_cell(value, readable(value, ci95, unit, m.factor).number);
+}
+
+/// A total and its interval, which may lie unevenly.
+std::string total_cell(const Effect& e) {
+  if (!(e.total_low < e.total_high)) return number_cell(e.total, readable(e.total, NAN, "").number);
+  return number_cell(e.total,
+                     fmt::format("{:.2g} ({:.2g} to {:.2g})", e.total, e.total_low, e.total_high));
+}
+
+std::string end_cells(std::string_view end, double value, double ci95, const Sensitivity& s,
+                      const Multiple& m) {
+  return fmt::format("<td class=\"n\">{}</td>", escaped(end)) + cell(value, ci95, m, s.unit);
+}
+
+/// Whether as many effects, or groups, were used of each key.
+bool counts_agree(const Sensitivity& s) {
+  return std::ranges::all_of(s.effects,
+                             [&](const Effect& e) { return e.count == s.effects.front().count; });
 }
 
 /// What all the numbers below have in common.
 std::string lead(const Sensitivity& s, const Multiple& m) {
-  if (s.method == Method::morris) return "";
   if (s.method == Method::one_at_a_time)
-    return fmt::format("<p>The case itself: {}.</p>\n",
-                       escaped(readable(s.base, s.base_ci95, s.unit, m.factor).text()));
+    return fmt::format("The case itself: {}.",
+                       readable(s.base, s.base_ci95, s.unit, m.factor).text());
+  const bool shares = s.method == Method::sobol;
+  std::string text = counts_agree(s)
+                         ? fmt::format("{}: {}.", shares ? "Groups of runs" : "Effects of each key",
+                                       s.effects.front().count)
+                         : "";
+  if (!shares) return text;
   if (!std::isfinite(s.noise))
-    return "<p>The errors of the points are not known: noise counts as a share of every key's "
-           "total.</p>\n";
-  return fmt::format("<p>Noise makes {:.2g} % of the variance seen; it is taken off.</p>\n",
-                     100 * s.noise);
+    return text +
+           " The errors of the points are not known: noise counts as a share of every key's total.";
+  return text +
+         fmt::format(" Noise makes {:.2g} % of the variance seen; it is taken off.", 100 * s.noise);
+}
+
+std::vector<std::string> heads(const Sensitivity& s) {
+  if (s.method == Method::one_at_a_time) return {"low end", "there", "high end", "there"};
+  const bool shares = s.method == Method::sobol;
+  std::vector<std::string> names = shares ? std::vector<std::string>{"S1", "ST (interval)"}
+                                          : std::vector<std::string>{"µ*", "of noise", "µ", "σ"};
+  if (!counts_agree(s)) names.emplace_back(shares ? "groups" : "effects");
+  return names;
+}
+
+std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
+  if (s.method == Method::one_at_a_time)
+    return end_cells(e.low_end, e.low, e.low_ci95, s, m) +
+           end_cells(e.high_end, e.high, e.high_ci95, s, m);
+  const std::string count =
+      counts_agree(s) ? "" : number_cell(static_cast<double>(e.count), fmt::format("{}", e.count));
+  if (s.method == Method::sobol)
+    return cell(e.first_order, e.first_order_ci95, m, "") + total_cell(e) + count;
+  return cell(e.mean_absolute, e.mean_absolute_ci95, m, s.unit) + cell(e.of_noise, NAN, m, s.unit) +
+         cell(e.mean, e.mean_ci95, m, s.unit) + cell(e.deviation, e.deviation_ci95, m, s.unit) +
+         count;
 }
 
 /// The numbers of the bars and those that they do not show.
 std::string numbers(const Sensitivity& s, const Multiple& m) {
   std::string head, body;
-  const auto heads = [&](std::initializer_list<std::string_view> names) {
-    for (const std::string_view name : names) head += fmt::format("<th class=\"n\">{}</th>", name);
-  };
-  if (s.method == Method::morris) heads({"µ*", "µ* of noise", "µ", "σ", "effects"});
-  if (s.method == Method::sobol) heads({"S1", "ST", "its interval", "groups"});
-  if (s.method == Method::one_at_a_time) heads({"low end", "there", "high end", "there"});
-  for (const Effect& e : largest_first(s)) {
-    body += fmt::format("<tr><td>{}</td>", escaped(e.key));
-    if (s.method == Method::morris)
-      body += cell(e.mean_absolute, e.mean_absolute_ci95, m, s.unit) +
-              cell(e.of_noise, NAN, m, s.unit) + cell(e.mean, e.mean_ci95, m, s.unit) +
-              cell(e.deviation, e.deviation_ci95, m, s.unit) + count_cell(e.count);
-    if (s.method == Method::sobol)
-      body += cell(e.first_order, e.first_order_ci95, m, "") + cell(e.total, e.total_ci95, m, "") +
-              interval_cell(e.total_low, e.total_high) + count_cell(e.count);
-    if (s.method == Method::one_at_a_time)
-      body += fmt::format("<td class=\"n\">{}</td>{}<td class=\"n\">{}</td>{}", escaped(e.low_end),
-                          cell(e.low, e.low_ci95, m, s.unit), escaped(e.high_end),
-                          cell(e.high, e.high_ci95, m, s.unit));
-    body += "</tr>\n";
-  }
+  for (const std::string& name : heads(s)) head += fmt::format("<th class=\"n\">{}</th>", name);
+  for (const Effect& e : largest_first(s))
+    body += fmt::format("<tr><td>{}</td>{}</tr>\n", escaped(e.key), cells(e, s, m));
+  const std::string text = lead(s, m);
   return fmt::format(
       "{}<div class=\"wide\"><table class=\"laws\"><thead><tr><th>{}</th>{}</tr></thead>\n<tbody>"
       "\n{}</tbody></table></div>\n",
-      lead(s, m), escaped(with_unit("key", m)), head, body);
+      text.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(text)), escaped(with_unit("key", m)),
+      head, body);
 }
 
 }  // namespace
@@ -152,7 +175,7 @@ std::vector<Effect> largest_first(const Sensitivity& s) {
   std::vector<Effect> list = s.effects;
   std::ranges::stable_sort(list, std::greater{}, [&](const Effect& e) {
     const double size = size_of(e, s);
-    return std::isfinite(size) ? size : -1.0;
+    return std::isfinite(size) ? size : -INFINITY;
   });
   return list;
 }
