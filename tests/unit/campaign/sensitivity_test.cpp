@@ -135,6 +135,15 @@ TEST(VarianceShares, LeaveOutWhatHangsOnFailedRuns) {
   const IshigamiParts v = ishigami_parts();
   states("first", found.keys[1].first.value, v.second / v.all(), half_width(found.keys[1].first),
          "closed form");
+  // Nor do the errors of failed runs, which have none, hide those of the others.
+  const Values widths(y.size(), 0.1 * 1.96);
+  const Values errors = standard_errors(y, widths, Values(y.size(), 1e6));
+  ASSERT_EQ(errors.size(), y.size());
+  EXPECT_TRUE(std::isnan(errors[0]));
+  const VarianceShares known = variance_shares(3, y, errors);
+  states("share of errors", known.noise, 0.01 / found.variance, 1e-4 * 0.01 / found.variance,
+         "1.96 is right to 2e-5");
+  EXPECT_EQ(known.keys[1].told, std::optional(true));
 }
 
 TEST(VarianceShares, AreFreeOfTheShareOfErrors) {

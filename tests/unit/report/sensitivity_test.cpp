@@ -25,6 +25,12 @@ std::vector<std::pair<double, double>> bars(const std::string& picture) {
   return list;
 }
 
+/// y of a text.
+double place_of(const std::string& picture, const std::string& text) {
+  const std::size_t at = picture.rfind(" y=\"", picture.find(text));
+  return std::strtod(picture.c_str() + at + 4, nullptr);
+}
+
 Sensitivity one_at_a_time() {
   return {.quantity = "dissipated_power",
           .unit = "W",
@@ -125,6 +131,22 @@ TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
   EXPECT_EQ(drawn[2].first, drawn[3].first) << "both from the case to the right";
   EXPECT_NEAR(drawn[2].second / drawn[3].second, 8.0 / 18, 0.005);
   EXPECT_TRUE(has(sensitivity_words(s), "mill.speed matters most")) << "24 W over 18 W";
+}
+
+TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
+  Sensitivity s = one_at_a_time();
+  s.effects[0].low = s.effects[0].high = s.base;
+  s.effects[0].idle = true;
+  const std::string idle = sensitivity_pictures(s)[0].svg;
+  EXPECT_TRUE(has(idle, ">0.2, 0.8<"));
+  EXPECT_FALSE(has(idle, ">0.2<"));
+  EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
+  // The case stands at the low end of the range.
+  s.effects[0].high = 14;
+  s.effects[0].idle = false;
+  const std::string one_end = sensitivity_pictures(s)[0].svg;
+  EXPECT_TRUE(in_order(one_end, {">0.2<", ">0.8<"}));
+  EXPECT_NE(place_of(one_end, ">0.2<"), place_of(one_end, ">0.8<")) << "below each other";
 }
 
 TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {

@@ -31,10 +31,14 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   plot.words = {"key at its low end", "at its high end"};
   for (const Effect& e : largest_first(s)) {
     BarGroup group{.name = e.key, .bars = {}};
-    group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, e.low_end});
-    group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, e.high_end});
+    // What changes nothing has both ends in one place.
+    const std::string low = e.idle ? "" : e.low_end,
+                      high = e.idle ? e.low_end + ", " + e.high_end : e.high_end;
+    group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, low});
+    group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, high});
     // Both on one side would hide each other.
-    plot.side_by_side = plot.side_by_side || (e.low - s.base) * (e.high - s.base) > 0;
+    const bool one_side = !e.idle && (e.low - s.base) * (e.high - s.base) >= 0;
+    plot.side_by_side = plot.side_by_side || one_side;
     plot.groups.push_back(std::move(group));
   }
   return plot;
@@ -61,7 +65,7 @@ BarPlot sobol(const Sensitivity& s) {
 
 /// Effects that differ from place to place (high sigma) are bent or depend on other keys.
 Plot scatter_of(const Sensitivity& s, const Multiple& m) {
-  Plot plot{.title = label(s.quantity) + ": how effects differ",
+  Plot plot{.title = label(s.quantity),
             .x = {.label = with_unit("mean size, µ*", m), .least = 0},
             .y = {.label = with_unit("scatter, σ", m), .least = 0},
             .series = {},
