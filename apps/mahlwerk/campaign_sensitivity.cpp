@@ -18,19 +18,30 @@ double half(const campaign::Sure& sure) {
   return 0.5 * (sure.high - sure.low);
 }
 
+/// Values or half-widths of a column at all points; NaN where there is none.
+std::vector<double> of_points(const report::Campaign& campaign, std::size_t column,
+                              std::vector<double> report::Point::*list) {
+  std::vector<double> numbers;
+  for (const report::Point& point : campaign.points)
+    numbers.push_back(column < (point.*list).size() ? (point.*list)[column] : NAN);
+  return numbers;
+}
+
+std::size_t column_of(const report::Campaign& campaign, std::string_view name) {
+  const auto column = std::ranges::find(campaign.columns, name, &report::Column::name);
+  return static_cast<std::size_t>(column - campaign.columns.begin());
+}
+
 /// What the keys do to one column of the campaign.
 class Answer {
  public:
   Answer(const report::Campaign& campaign, const cases::Sweep& sweep,
          const campaign::Places& design, std::size_t column)
-      : sweep_(sweep), design_(design) {
-    for (const report::Point& point : campaign.points) {
-      const auto at = [&](const std::vector<double>& list) {
-        return column < list.size() ? list[column] : NAN;
-      };
-      outcomes_.push_back(at(point.value));
-      widths_.push_back(at(point.ci95));
-    }
+      : sweep_(sweep),
+        design_(design),
+        outcomes_(of_points(campaign, column, &report::Point::value)),
+        widths_(of_points(campaign, column, &report::Point::ci95)),
+        replicates_(of_points(campaign, column_of(campaign, "replicates"), &report::Point::value)) {
     said_.quantity = campaign.columns[column].name;
     said_.unit = campaign.columns[column].unit;
   }
@@ -60,6 +71,8 @@ class Answer {
       effect.low_ci95 = half(found.keys[k].at_low);
       effect.high = found.keys[k].at_high.value;
       effect.high_ci95 = half(found.keys[k].at_high);
+      effect.told = found.keys[k].told;
+      effect.idle = found.keys[k].idle;
     }
   }
   void morris() {
@@ -76,19 +89,31 @@ class Answer {
       effect.mean_ci95 = half(of.mean);
       effect.deviation = of.spread.value;
       effect.deviation_ci95 = half(of.spread);
+      effect.of_noise = of.of_noise;
+      effect.count = of.count;
+      effect.told = of.told;
+      effect.idle = of.idle;
     }
   }
   void sobol() {
     const campaign::VarianceShares found =
         campaign::variance_shares(sweep_.keys.size(), outcomes_, errors());
     said_.method = report::Method::sobol;
+    said_.variance = found.variance;
+    said_.noise = found.noise;
     say_mean();
     for (std::size_t k = 0; k < said_.effects.size(); ++k) {
       Effect& effect = said_.effects[k];
-      effect.first_order = found.keys[k].first.value;
-      effect.first_order_ci95 = half(found.keys[k].first);
-      effect.total = found.keys[k].total.value;
-      effect.total_ci95 = half(found.keys[k].total);
+      const campaign::Shares& of = found.keys[k];
+      effect.first_order = of.first.value;
+      effect.first_order_ci95 = half(of.first);
+      effect.total = of.total.value;
+      effect.total_ci95 = half(of.total);
+      effect.total_low = of.total.low;
+      effect.total_high = of.total.high;
+      effect.count = of.count;
+      effect.told = of.told;
+      effect.idle = of.idle;
     }
   }
 
@@ -101,20 +126,13 @@ class Answer {
     said_.base = mean.value;
     said_.base_ci95 = mean.ci95;
   }
-  /// Standard errors; none where intervals are missing.
   std::vector<double> errors() const {
-    constexpr double widths = 1.96;  // of a normal law
-    std::vector<double> list;
-    for (const double width : widths_) {
-      if (!std::isfinite(width)) return {};
-      list.push_back(width / widths);
-    }
-    return list;
+    return campaign::standard_errors(outcomes_, widths_, replicates_);
   }
 
   const cases::Sweep& sweep_;
   const campaign::Places& design_;
-  std::vector<double> outcomes_, widths_;
+  std::vector<double> outcomes_, widths_, replicates_;
   Sensitivity said_;
 };
 
@@ -127,9 +145,8 @@ void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
                            sweep.design == Design::morris || sweep.design == Design::sobol_indices;
   if (!made_for_it || design.size() != campaign.points.size()) return;
   for (const std::string& name : report::compared_quantities(campaign)) {
-    const auto column = std::ranges::find(campaign.columns, name, &report::Column::name);
-    const auto at = static_cast<std::size_t>(column - campaign.columns.begin());
-    campaign.sensitivities.push_back(Answer(campaign, sweep, design, at).said());
+    const std::size_t column = column_of(campaign, name);
+    campaign.sensitivities.push_back(Answer(campaign, sweep, design, column).said());
   }
 }
 

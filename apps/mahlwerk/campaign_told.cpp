@@ -39,7 +39,9 @@ report::Campaign told(const campaign::Store& store) {
   const bool all = store.counts().points <= many;
   const std::vector<std::string>& usual = report::usual_quantities();
   for (const results::Quantity& q : store.quantities()) {
-    if (!all && std::ranges::find(usual, q.name) == usual.end()) continue;
+    // Errors hang on the number of replicates.
+    const bool wanted = q.name == "replicates" || std::ranges::find(usual, q.name) != usual.end();
+    if (!all && !wanted) continue;
     names.push_back(q.name);
     campaign.columns.push_back({q.name, q.unit, q.about});
   }

@@ -6,9 +6,11 @@
   campaign_test.py PROGRAM TEST    exits with 77 where the test cannot be run here
 """
 
+import math
 import os
 import pathlib
 import random
+import re
 import shutil
 import signal
 import sqlite3
@@ -238,6 +240,61 @@ def one_at_a_time_leaves_the_case_as_it_is_and_can_be_checked(program):
         assert asked(c.out, 'SELECT "contact.restitution", "mill.frequency_Hz" FROM results') == [
             (0.9, 10), (0.5, 10), (0.95, 10), (0.9, 8), (0.9, 12)]
         assert (c.out / "figures" / "tornado-dissipated_power.svg").exists()
+
+
+SENSITIVE = ('design = "%s"\nsamples = %d\n"mill.frequency" = { from = "8 Hz", to = "12 Hz" }\n'
+             '"contact.rolling_friction" = { from = 0.01, to = 0.1 }')
+T_OF_TWO = math.tan(0.475 * math.pi)  # Student's law with one degree of freedom is Cauchy's
+
+
+def powers(c):
+    """Of each point, and its standard error."""
+    return [(power, width / T_OF_TWO) for power, width in asked(
+        c.out, 'SELECT dissipated_power_W, dissipated_power_ci95_W FROM results ORDER BY point')]
+
+
+def answers(c):
+    """What the page says of the power's answer to keys: its words, the row of each key."""
+    page = (c.out / "campaign.html").read_text()
+    part = page[page.index("What matters"):]
+    figure = [f for f in part.split("<figure>") if 'aria-label="dissipated power"' in f][0]
+    rows = {key: [float(v) if v else math.nan for v in re.findall(r'data-v="([^"]*)"', row)]
+            for key, row in re.findall(r"<tr><td>([a-z_.]+)</td>(.*?)</tr>", figure)}
+    return part[:part.index("<figure>")], figure, rows
+
+
+def of_two_replicates_the_noise_of_effects_is_theirs(program):
+    with Campaign(program, SENSITIVE % ("morris", 4)) as c:
+        c.run("--quiet")
+        words, figure, rows = answers(c)
+        step, squares = 2 / 3, []
+        places = asked(c.out, 'SELECT "mill.frequency_Hz" FROM results ORDER BY point')
+        found = powers(c)
+        for i in range(len(found) - 1):
+            if i % 3 != 2 and places[i] != places[i + 1]:
+                squares.append((found[i][1]**2 + found[i + 1][1]**2) / step**2)
+        assert len(squares) == 4, places
+        expected = math.sqrt(2 / math.pi * sum(squares) / 4)
+        size, noise, _, _ = rows["mill.frequency"]
+        assert math.isclose(noise, expected, rel_tol=1e-9), (noise, expected)
+        assert size > 0 and "Effects of each key: 4." in figure, (rows, figure)
+        assert rows["contact.rolling_friction"][0] == 0, rows
+        assert words.count("Changes nothing in this case: contact.rolling_friction.") == 1, words
+
+
+def of_two_replicates_the_noise_of_shares_is_theirs(program):
+    with Campaign(program, SENSITIVE % ("sobol-indices", 8)) as c:
+        c.run("--quiet")
+        _, figure, rows = answers(c)
+        found = powers(c)
+        ends = [found[i] for i in range(len(found)) if i % 4 in (0, 3)]  # a and b of each group
+        mean = sum(y for y, _ in ends) / len(ends)
+        variance = sum((y - mean)**2 for y, _ in ends) / (len(ends) - 1)
+        noise = 100 * sum(e**2 for _, e in ends) / len(ends) / variance
+        said = float(re.search(r"Noise makes ([0-9.]+) % of the variance", figure)[1])
+        assert abs(said - noise) <= 0.05 * noise, (said, noise)  # told to two digits
+        assert rows["contact.rolling_friction"][1] == 0, rows
+        assert "Groups of runs: 8." in figure, figure
 
 
 def two_at_once_are_refused(program):

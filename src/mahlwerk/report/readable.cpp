@@ -75,6 +75,8 @@ int places(double value, double ci95) {
 std::string fixed(double value, double ci95) {
   const int digits = places(value, ci95);
   std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-'))
+    text.erase(0, 1);  // less than a digit below 0
   if (std::isfinite(ci95)) text += fmt::format(" ± {:.{}f}", ci95, ci95 > 0 ? digits : 0);
   return text;
 }

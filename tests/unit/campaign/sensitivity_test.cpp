@@ -135,6 +135,15 @@ TEST(VarianceShares, LeaveOutWhatHangsOnFailedRuns) {
   const IshigamiParts v = ishigami_parts();
   states("first", found.keys[1].first.value, v.second / v.all(), half_width(found.keys[1].first),
          "closed form");
+  // Nor do the errors of failed runs, which have none, hide those of the others.
+  const Values widths(y.size(), 0.1 * 1.96);
+  const Values errors = standard_errors(y, widths, Values(y.size(), 1e6));
+  ASSERT_EQ(errors.size(), y.size());
+  EXPECT_TRUE(std::isnan(errors[0]));
+  const VarianceShares known = variance_shares(3, y, errors);
+  states("share of errors", known.noise, 0.01 / found.variance, 1e-4 * 0.01 / found.variance,
+         "1.96 is right to 2e-5");
+  EXPECT_EQ(known.keys[1].told, std::optional(true));
 }
 
 TEST(VarianceShares, AreFreeOfTheShareOfErrors) {
@@ -154,6 +163,73 @@ TEST(VarianceShares, AreFreeOfTheShareOfErrors) {
   states("total of the first", found.keys[0].total.value, 1, sure(found.keys[0].total), "1");
   states("total of the second", found.keys[1].total.value, 0, sure(found.keys[1].total), "0");
   states("without errors said", raw.keys[1].total.value, 0.2, sure(raw.keys[1].total), "0.25/1.25");
+}
+
+TEST(VarianceShares, OfAKeyThatChangesNothingAreZeroWhateverTheErrors) {
+  // Runs that differ in an idle key alone are the same run: their errors do not add up.
+  Random random(5, 2);
+  const Places rows = saltelli_design(2, 64);
+  Values y;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const bool same = row % 4 == 2;  // key 1 from b: as a, two rows before
+    y.push_back(same ? y[row - 2] : 10 * rows[row][0] + normal(random));
+  }
+  const VarianceShares found = variance_shares(2, y, Values(y.size(), 1.0));
+  EXPECT_FALSE(found.keys[0].idle);
+  EXPECT_EQ(found.keys[0].told, std::optional(true));
+  EXPECT_TRUE(found.keys[1].idle);
+  EXPECT_EQ(found.keys[1].told, std::optional(false));
+  EXPECT_EQ(found.keys[1].total.value, 0);
+  EXPECT_EQ(found.keys[1].total.low, 0);
+  EXPECT_EQ(found.keys[1].first.high, 0);
+}
+
+TEST(VarianceShares, OfNoiseAreToldInFewOf200Designs) {
+  // Key 0 does much, key 1 nothing, but its runs have errors of their own. The whole interval of a
+  // total lies above the truth in 2.5 of 100.
+  constexpr int times = 200;
+  constexpr double share = 0.025;
+  const Places rows = saltelli_design(2, 128);
+  int first = 0, second = 0, unsure = 0;
+  for (std::uint32_t t = 0; t < times; ++t) {
+    Random random(17, t);
+    const Values y = outcomes(rows, [&](const Values& x) { return 10 * x[0] + normal(random); });
+    const VarianceShares found = variance_shares(2, y, Values(y.size(), 1.0), t);
+    first += found.keys[0].told == std::optional(true);
+    second += found.keys[1].told == std::optional(true);
+    unsure += variance_shares(2, y, {}, t).keys[1].told.value_or(false);
+  }
+  EXPECT_EQ(first, times);
+  stays_below("told of noise", second, times * share + 3.3 * std::sqrt(times * share * (1 - share)),
+              "binomial");
+  EXPECT_EQ(unsure, 0) << "errors that are not known may make all of it";
+}
+
+TEST(VarianceShares, AreNotToldWhereTheOutcomeHardlyVariesMoreThanItsErrors) {
+  // Nothing but noise, said to be all but a hundredth of the variance: of the groups drawn anew
+  // many have less than that.
+  Random random(5, 3);
+  const Places rows = saltelli_design(2, 64);
+  const Values y = outcomes(rows, [&](const Values&) { return normal(random); });
+  const double seen = variance_shares(2, y, {}).variance;
+  const VarianceShares hardly = variance_shares(2, y, Values(y.size(), std::sqrt(0.99 * seen))),
+                       less = variance_shares(2, y, Values(y.size(), std::sqrt(1.5 * seen)));
+  states("share of errors", hardly.noise, 0.99, 1e-12, "as made");
+  EXPECT_TRUE(std::isfinite(hardly.keys[0].total.value));
+  EXPECT_TRUE(std::isnan(hardly.keys[0].total.low));
+  EXPECT_EQ(hardly.keys[0].told, std::optional(false));
+  states("share of errors", less.noise, 1.5, 1e-12, "as made");
+  EXPECT_LT(less.variance, 0);
+  EXPECT_TRUE(std::isnan(less.keys[0].total.value));
+  EXPECT_EQ(less.keys[0].told, std::optional(false));
+}
+
+TEST(VarianceShares, OfOneGroupHaveNoInterval) {
+  const VarianceShares found = variance_shares(1, {1, 2, 3}, {0.1, 0.1, 0.1});
+  EXPECT_EQ(found.keys[0].count, 1U);
+  EXPECT_TRUE(std::isfinite(found.keys[0].total.value));
+  EXPECT_TRUE(std::isnan(found.keys[0].total.low));
+  EXPECT_EQ(found.keys[0].told, std::nullopt);
 }
 
 TEST(VarianceShares, AreNotInventedWhereNothingVaries) {
@@ -218,6 +294,55 @@ TEST(ElementaryEffects, OfNoiseAloneAreWhatErrorsGive) {
          "3.3 standard errors");
 }
 
+TEST(ElementaryEffects, OfNoiseAreRightWhereErrorsComeFromTwoReplicates) {
+  // The error of a mean of two is half their difference. On the mean it is smaller than the true
+  // one, by sqrt(2/pi); its square is not.
+  constexpr std::size_t ways = 4000;
+  const Places rows = morris_design(1, ways, 3);
+  Random random(5, 4);
+  Values y, ci95;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double one = normal(random), other = normal(random), half = std::abs(one - other) / 2;
+    y.push_back((one + other) / 2);
+    ci95.push_back(std::tan(0.475 * std::numbers::pi) * half);  // Student's law of one is Cauchy's
+  }
+  const Values errors = standard_errors(y, ci95, Values(y.size(), 2));
+  const auto found = elementary_effects(rows, y, errors);
+  // Squares of one degree of freedom scatter by sqrt(2) of their mean, a root by half of that.
+  const double alone = 3.3 * found.keys[0].of_noise * std::sqrt(2.0 / (2 * ways)) / 2;
+  states("mu*", found.keys[0].mean_size.value, found.keys[0].of_noise,
+         std::hypot(alone, half_width(found.keys[0].mean_size) * 3.3 / 1.96),
+         "3.3 standard errors");
+}
+
+TEST(ElementaryEffects, AreToldIfSurelyMoreThanNoiseMakes) {
+  const Places rows = morris_design(3, 10, 1);
+  Random random(5, 5);
+  const Values y = outcomes(rows, [&](const Values& x) { return 100 * x[0] + normal(random); });
+  const auto found = elementary_effects(rows, y, Values(y.size(), 1.0)),
+             errors_unknown = elementary_effects(rows, y, {});
+  EXPECT_EQ(found.keys[0].told, std::optional(true));
+  EXPECT_EQ(found.keys[1].told, std::optional(false));
+  EXPECT_EQ(errors_unknown.keys[0].told, std::nullopt);
+
+  // One way has no interval: what is below noise is not told, of what is above nothing is known.
+  const auto one = elementary_effects({{0}, {2.0 / 3}}, {1, 5}, {1, 1});
+  EXPECT_TRUE(std::isnan(one.keys[0].mean_size.low));
+  EXPECT_EQ(one.keys[0].told, std::nullopt);
+  EXPECT_EQ(elementary_effects({{0}, {2.0 / 3}}, {1, 1.1}, {1, 1}).keys[0].told,
+            std::optional(false));
+}
+
+TEST(ElementaryEffects, SayWhichKeyChangesNothing) {
+  const Places rows = morris_design(2, 5, 1);
+  const Values y = outcomes(rows, [](const Values& x) { return std::exp(x[0]); });
+  const auto found = elementary_effects(rows, y, {});
+  EXPECT_FALSE(found.keys[0].idle);
+  EXPECT_TRUE(found.keys[1].idle);
+  EXPECT_EQ(found.keys[1].told, std::optional(false));
+  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).keys[1].idle) << "not known";
+}
+
 TEST(ElementaryEffects, LeaveOutStepsThatFailed) {
   const Places rows = morris_design(2, 4, 1);
   Values y = outcomes(rows, [](const Values& x) { return x[0]; });
@@ -238,13 +363,52 @@ TEST(Swings, AreWhatEachKeyDoesAlone) {
   ASSERT_EQ(found.keys.size(), 2U);
   EXPECT_EQ(found.keys[0].at_low.value, 4);
   EXPECT_DOUBLE_EQ(found.keys[0].at_high.high, 6.2);
-  EXPECT_TRUE(found.keys[0].told);
-  EXPECT_FALSE(found.keys[1].told);  // 0.3 is less than sqrt(0.1^2 + 0.3^2)
+  EXPECT_EQ(found.keys[0].told, std::optional(true));
+  EXPECT_EQ(found.keys[1].told, std::optional(false));  // 0.3 is less than sqrt(0.1^2 + 0.3^2)
   const Swings failed = swings({5, nan, 6}, {});
   EXPECT_EQ(failed.failed, 1);
   EXPECT_TRUE(std::isnan(failed.keys[0].at_low.value));
-  EXPECT_FALSE(failed.keys[0].told);
+  EXPECT_EQ(failed.keys[0].told, std::nullopt);
   EXPECT_THROW(swings({1, 2}, {}), std::invalid_argument);
+}
+
+TEST(Swings, AreComparedWithTheCaseItself) {
+  // The ends differ by 2, more than sqrt(1 + 1); from the case both by 1, which is less.
+  EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].told, std::optional(false));
+  EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].told, std::optional(true)) << "the high end";
+}
+
+TEST(Swings, AreNotJudgedWithoutIntervals) {
+  EXPECT_EQ(swings({5, 4, 6}, {}).keys[0].told, std::nullopt);
+  EXPECT_EQ(swings({5, 4, 6}, {nan, 0.1, 0.1}).keys[0].told, std::nullopt);
+  EXPECT_EQ(swings({5, 5.1, 6}, {1, 1, nan}).keys[0].told, std::nullopt) << "the other may differ";
+  EXPECT_EQ(swings({5, 9, 6}, {1, 1, nan}).keys[0].told, std::optional(true));
+}
+
+TEST(Swings, SayWhichKeyChangesNothing) {
+  const Swings found = swings({5, 5, 5, 5, 5.1, 5, nan}, {});
+  EXPECT_TRUE(found.keys[0].idle);
+  EXPECT_FALSE(found.keys[1].idle);
+  EXPECT_FALSE(found.keys[2].idle) << "a failed run tells nothing";
+}
+
+TEST(StandardErrors, AreHalfWidthsOverStudentsQuantile) {
+  const double t1 = std::tan(0.475 * std::numbers::pi);  // Cauchy's law
+  const double t2 = 0.95 * std::sqrt(2 / (1 - 0.95 * 0.95));
+  const Values found = standard_errors({1, 2, 3}, {t1, 2 * t2, 2}, {2, 3, 1});
+  ASSERT_EQ(found.size(), 3U);
+  states("of two replicates", found[0], 1, 1e-9, "closed form of Student's quantile");
+  states("of three", found[1], 2, 1e-9, "closed form");
+  states("of one, over time", found[2], 1, 0.131, "t_95 of 10 batches is 2.262, of many 1.960");
+}
+
+TEST(StandardErrors, AreUnknownWhereOneIsMissing) {
+  EXPECT_TRUE(standard_errors({1, 2}, {0.1, nan}, {2, 2}).empty());
+  EXPECT_TRUE(standard_errors({1, 2}, {0.1, 0.1}, {2, nan}).empty());
+  EXPECT_TRUE(standard_errors({1, 2}, {0.1, 0.1}, {}).empty());
+  EXPECT_EQ(standard_errors({1, nan}, {0.1, nan}, {2, nan}).size(), 2U)
+      << "a failed run needs none";
+  EXPECT_THROW(standard_errors({1, 2}, {0.1}, {2, 2}), std::invalid_argument);
 }
 
 }  // namespace

@@ -31,6 +31,12 @@ TEST(Readable, RoundsWhereTheHalfWidthSaysSo) {
   EXPECT_EQ(readable(0.000966, 0.000029, "J", 0.001022).text(), "0.966 ± 0.029 mJ");
 }
 
+TEST(Readable, RoundsToZeroWithoutASign) {
+  EXPECT_EQ(readable(-0.004, 0.14, "").text(), "0.00 ± 0.14");
+  EXPECT_EQ(readable(-0.3, 43, "1/s").text(), "0 ± 43 /s");
+  EXPECT_EQ(readable(-0.05, 0.14, "").text(), "-0.05 ± 0.14");
+}
+
 TEST(Readable, KnowsTheWidthOnATerminal) {
   EXPECT_EQ(width("2.4 ± 0.1 µJ"), 12U);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "mahlwerk/report/campaign/plots.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
@@ -23,6 +25,12 @@ std::vector<std::pair<double, double>> bars(const std::string& picture) {
   return list;
 }
 
+/// y of a text.
+double place_of(const std::string& picture, const std::string& text) {
+  const std::size_t at = picture.rfind(" y=\"", picture.find(text));
+  return std::strtod(picture.c_str() + at + 4, nullptr);
+}
+
 Sensitivity one_at_a_time() {
   return {.quantity = "dissipated_power",
           .unit = "W",
@@ -34,14 +42,16 @@ Sensitivity one_at_a_time() {
                        .low = 11.8,
                        .low_ci95 = 0.3,
                        .high = 12.1,
-                       .high_ci95 = 0.3},
+                       .high_ci95 = 0.3,
+                       .told = false},
                       {.key = "mill.speed",
                        .low_end = "200 rpm",
                        .high_end = "400 rpm",
                        .low = 4,
                        .low_ci95 = 0.1,
                        .high = 28,
-                       .high_ci95 = 0.6}}};
+                       .high_ci95 = 0.6,
+                       .told = true}}};
 }
 
 TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
@@ -69,20 +79,46 @@ TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
   none.effects.pop_back();
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: no key has an effect that can be told from zero.");
-  // Without intervals nothing is said of zero.
-  none.base_ci95 = NAN;
+  // Where it is not known nothing is said of zero.
+  none.effects[0].told = std::nullopt;
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: contact.friction matters most (it goes "
             "through 300.0 mW over its range).");
 }
 
-TEST(Tornado, believes_what_an_effect_says_of_itself) {
+TEST(Tornado, an_effect_is_never_said_to_matter_and_not_to_be_told_at_once) {
   Sensitivity s = one_at_a_time();
   s.effects[0].told = true;
   EXPECT_FALSE(has(sensitivity_words(s), "Not told from zero"));
-  s.effects[0].told = std::nullopt;
   s.effects[1].told = false;
+  EXPECT_EQ(
+      sensitivity_words(s),
+      "dissipated power: of the effects that are told from zero that of contact.friction is "
+      "the largest (it goes through 300.0 mW over its range). Larger, but not told from zero: "
+      "that of mill.speed.");
+  s.effects[0].told = std::nullopt;
+  EXPECT_EQ(
+      sensitivity_words(s),
+      "dissipated power: the largest effect, that of mill.speed (it goes through 24.00 W over "
+      "its range), is not told from zero.");
+  s.effects[0].told = false;
   EXPECT_TRUE(has(sensitivity_words(s), "no key has an effect that can be told from zero"));
+}
+
+TEST(Tornado, says_once_which_keys_change_nothing) {
+  Campaign c = scattered(20);
+  Sensitivity power = one_at_a_time(), size = one_at_a_time();
+  size.quantity = "d50";
+  power.effects[0].idle = size.effects[0].idle = true;
+  c.sensitivities = {power, size};
+  std::string html = campaign_page(c, "1");
+  EXPECT_TRUE(in_order(html, {"<p>Changes nothing in this case: contact.friction.</p>", "<svg"}));
+  EXPECT_FALSE(has(html, "Not told from zero"));
+  // It changes one of them.
+  c.sensitivities[1].effects[0].idle = false;
+  html = campaign_page(c, "1");
+  EXPECT_FALSE(has(html, "Changes nothing"));
+  EXPECT_TRUE(has(html, "Not told from zero: the effect of contact.friction."));
 }
 
 TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
@@ -97,6 +133,22 @@ TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
   EXPECT_TRUE(has(sensitivity_words(s), "mill.speed matters most")) << "24 W over 18 W";
 }
 
+TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
+  Sensitivity s = one_at_a_time();
+  s.effects[0].low = s.effects[0].high = s.base;
+  s.effects[0].idle = true;
+  const std::string idle = sensitivity_pictures(s)[0].svg;
+  EXPECT_TRUE(has(idle, ">0.2, 0.8<"));
+  EXPECT_FALSE(has(idle, ">0.2<"));
+  EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
+  // The case stands at the low end of the range.
+  s.effects[0].high = 14;
+  s.effects[0].idle = false;
+  const std::string one_end = sensitivity_pictures(s)[0].svg;
+  EXPECT_TRUE(in_order(one_end, {">0.2<", ">0.8<"}));
+  EXPECT_NE(place_of(one_end, ">0.2<"), place_of(one_end, ">0.8<")) << "below each other";
+}
+
 TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::morris};
   s.effects.push_back({.key = "contact.friction",
@@ -104,14 +156,20 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
                        .mean_absolute_ci95 = 6e-7,
                        .mean = 1e-7,
                        .mean_ci95 = 6e-7,
-                       .deviation = 6e-7});
+                       .deviation = 6e-7,
+                       .of_noise = 4e-7,
+                       .count = 1,
+                       .told = false});
   s.effects.push_back({.key = "mill.speed",
                        .mean_absolute = 8e-6,
                        .mean_absolute_ci95 = 6e-7,
                        .mean = -8e-6,
                        .mean_ci95 = 6e-7,
                        .deviation = 1e-6,
-                       .deviation_ci95 = 4e-7});
+                       .deviation_ci95 = 4e-7,
+                       .of_noise = 5e-7,
+                       .count = 12,
+                       .told = true});
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 2U);
   EXPECT_EQ(pictures[1].name, "tornado-d50-scatter");
@@ -119,6 +177,8 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
   EXPECT_TRUE(has(pictures[0].below, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
+  EXPECT_TRUE(in_order(pictures[0].below, {">of noise<", ">effects<", ">8.00 ± 0.60<",
+                                           "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
   EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
   EXPECT_EQ(sensitivity_words(s),
             "D50: mill.speed matters most (on average 8.00 ± 0.60 µm over "
@@ -127,17 +187,23 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
 }
 
 TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol};
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
   s.effects.push_back({.key = "mill.speed",
                        .first_order = 0.5,
                        .first_order_ci95 = 0.04,
                        .total = 0.75,
-                       .total_ci95 = 0.03});
+                       .total_ci95 = 0.03,
+                       .total_low = 0.73,
+                       .total_high = 0.79,
+                       .count = 64,
+                       .told = true});
   s.effects.push_back({.key = "contact.friction",
                        .first_order = -0.01,
                        .first_order_ci95 = 0.04,
                        .total = 0.02,
-                       .total_ci95 = 0.03});
+                       .total_ci95 = 0.03,
+                       .count = 63,
+                       .told = false});
   s.effects.push_back({.key = "jar.material"});  // nothing is known of it
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 1U);
@@ -150,6 +216,62 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
             "D50: mill.speed matters most (with others it makes 0.750 ± "
             "0.030 of the variance). Not told from zero: the effect of "
             "contact.friction.");
+  EXPECT_TRUE(in_order(pictures[0].below, {"Noise makes 12 % of the variance seen", ">groups<",
+                                           ">0.75 (0.73 to 0.79)<", ">64<", ">63<"}));
+  s.noise = NAN;
+  EXPECT_TRUE(has(sensitivity_pictures(s)[0].below, "errors of the points are not known"));
+}
+
+TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  s.effects = {{.key = "mill.speed", .total = 0.75, .count = 64},
+               {.key = "contact.friction", .total = 0.02, .count = 64}};
+  const std::string below = sensitivity_pictures(s)[0].below;
+  EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise makes")) << below;
+  EXPECT_FALSE(has(below, ">groups<"));
+}
+
+TEST(Tornado, draws_an_interval_that_lies_unevenly) {
+  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  s.effects = {{.key = "mill.speed", .total = 0.5, .total_ci95 = 0.5}};
+  s.effects[0].total_low = 0.25;
+  s.effects[0].total_high = 1.25;
+  const std::string svg = sensitivity_pictures(s)[0].svg;
+  const auto drawn = bars(svg);
+  ASSERT_EQ(drawn.size(), 1U);
+  const auto [foot, unit] = std::pair(drawn[0].first, drawn[0].second / 0.5);
+  const std::size_t at = svg.find("<path d=\"M", svg.find("fill-opacity")) + 10;
+  char* rest = nullptr;
+  const double low = std::strtod(svg.c_str() + at, &rest);
+  const double high = std::strtod(std::strchr(rest, 'H') + 1, nullptr);
+  const double digit = 0.051;  // places and widths are written to a tenth, the unit is two widths
+  EXPECT_NEAR(low, foot + 0.25 * unit, (2 + 0.25 / 0.5) * digit);
+  EXPECT_NEAR(high, foot + 1.25 * unit, (2 + 1.25 / 0.5) * digit);
+}
+
+TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
+  Sensitivity s{.quantity = "d50",
+                .unit = "m",
+                .method = Method::sobol,
+                .variance = -1e-14,
+                .noise = 1.1,
+                .effects = {{.key = "mill.speed", .count = 64, .told = false}}};
+  EXPECT_EQ(sensitivity_words(s),
+            "D50: varies no more than the errors of its points: more replicates or points are "
+            "needed.");
+  EXPECT_TRUE(sensitivity_pictures(s).empty()) << "no empty plot";
+  s.variance = 0;
+  s.noise = NAN;
+  EXPECT_EQ(sensitivity_words(s), "D50: is the same at all points.");
+}
+
+TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
+  Sensitivity s{.quantity = "dissipated_power", .unit = "W", .method = Method::morris};
+  s.effects = {{.key = "mill.speed", .mean_absolute = 24, .mean = -24, .count = 1}};
+  const std::vector<Picture> pictures = sensitivity_pictures(s);
+  EXPECT_FALSE(has(pictures[0].below, "±"));
+  EXPECT_EQ(sensitivity_words(s),
+            "dissipated power: mill.speed matters most (on average 24.00 W over its range).");
 }
 
 TEST(Tornado, stands_on_the_page_and_among_the_figures) {

@@ -60,10 +60,24 @@ Sure spread_of(const std::vector<double>& values) {
   return around(whole, observe::student95(static_cast<int>(n) - 1) * error);
 }
 
+/// True if either is, false if both are known not to be.
+std::optional<bool> either(std::optional<bool> one, std::optional<bool> other) {
+  if (one.value_or(false) || other.value_or(false)) return true;
+  return one && other ? std::optional(false) : std::nullopt;
+}
+
+/// Whether mu* is more than errors make it. Without an interval chance may have made it larger.
+std::optional<bool> told_from(double noise, const Sure& mean_size) {
+  if (mean_size.value <= (std::isfinite(noise) ? noise : 0)) return false;
+  if (!std::isfinite(mean_size.low)) return std::nullopt;
+  if (std::isfinite(noise)) return mean_size.low > noise;
+  return mean_size.low > 0 ? std::nullopt : std::optional(false);
+}
+
 /// Steps of a key, as they are met along the ways.
 struct Steps {
   std::vector<double> effects, sizes;
-  double noise = 0;  // sum of the sizes that errors alone would give
+  double noise = 0;  // sum of the squares that errors alone would give
 };
 
 std::vector<Steps> steps_of(const Places& design, const std::vector<double>& outcomes,
@@ -79,15 +93,37 @@ std::vector<Steps> steps_of(const Places& design, const std::vector<double>& out
     const double step = design[row + 1][key] - design[row][key];
     steps[key].effects.push_back(change / step);  // (sen.2)
     steps[key].sizes.push_back(std::abs(change / step));
-    steps[key].noise += errors.empty()
-                            ? none
-                            : std::numbers::sqrt2 * std::numbers::inv_sqrtpi *
-                                  std::hypot(errors[row], errors[row + 1]) / std::abs(step);
+    steps[key].noise +=
+        errors.empty() ? none : std::pow(std::hypot(errors[row], errors[row + 1]) / step, 2);
   }
   return steps;
 }
 
+/// Squares of errors are right on the mean however few replicates they come from; errors are not.
+double of_noise(const Steps& steps) {
+  if (steps.effects.empty()) return none;
+  const double square = steps.noise / static_cast<double>(steps.effects.size());
+  return std::numbers::sqrt2 * std::numbers::inv_sqrtpi * std::sqrt(square);  // (sen.5)
+}
+
 }  // namespace
+
+std::vector<double> standard_errors(const std::vector<double>& outcomes,
+                                    const std::vector<double>& ci95,
+                                    const std::vector<double>& replicates) {
+  if (ci95.empty() || replicates.empty()) return {};
+  check(outcomes.size(), ci95, replicates);
+  constexpr double over_time =
+      2;  // t_95 of the ten batches and more that one replicate is cut into
+  std::vector<double> errors(outcomes.size(), none);
+  for (std::size_t row = 0; row < outcomes.size(); ++row) {
+    if (!std::isfinite(outcomes[row])) continue;
+    if (!std::isfinite(ci95[row]) || !(replicates[row] >= 1)) return {};
+    const int freedom = static_cast<int>(replicates[row]) - 1;
+    errors[row] = ci95[row] / (freedom > 0 ? observe::student95(freedom) : over_time);  // (sen.10)
+  }
+  return errors;
+}
 
 Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci95) {
   const std::size_t keys = outcomes.size() / 2;
@@ -95,12 +131,19 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
   const auto at = [&](std::size_t row) {
     return around(outcomes[row], ci95.empty() ? none : ci95[row]);
   };
-  const auto differs = [&](std::size_t row) {
-    return !ci95.empty() && std::abs(outcomes[row] - outcomes[0]) > std::hypot(ci95[row], ci95[0]);
+  const auto differs = [&](std::size_t row) -> std::optional<bool> {
+    const double change = std::abs(outcomes[row] - outcomes[0]);
+    const double joined = ci95.empty() ? none : std::hypot(ci95[row], ci95[0]);
+    if (!std::isfinite(change) || !std::isfinite(joined)) return std::nullopt;
+    return change > joined;
   };
   Swings found{.base = at(0), .keys = {}, .failed = count_failed(outcomes)};
   for (std::size_t row = 1; row < outcomes.size(); row += 2)
-    found.keys.push_back({at(row), at(row + 1), differs(row) || differs(row + 1)});
+    found.keys.push_back(
+        {.at_low = at(row),
+         .at_high = at(row + 1),
+         .told = either(differs(row), differs(row + 1)),
+         .idle = outcomes[row] == outcomes[0] && outcomes[row + 1] == outcomes[0]});
   return found;
 }
 
@@ -109,12 +152,14 @@ ElementaryEffects elementary_effects(const Places& design, const std::vector<dou
   check(design.size(), outcomes, errors);
   ElementaryEffects found{.keys = {}, .failed = count_failed(outcomes)};
   for (const Steps& steps : steps_of(design, outcomes, errors)) {
-    const std::size_t count = steps.effects.size();
-    found.keys.push_back({.mean_size = mean_of(steps.sizes),  // (sen.3)
-                          .mean = mean_of(steps.effects),
-                          .spread = spread_of(steps.effects),  // (sen.4)
-                          .of_noise = count > 0 ? steps.noise / static_cast<double>(count) : none,
-                          .count = count});
+    Effects& effects = found.keys.emplace_back();
+    effects.mean_size = mean_of(steps.sizes);  // (sen.3)
+    effects.mean = mean_of(steps.effects);
+    effects.spread = spread_of(steps.effects);  // (sen.4)
+    effects.of_noise = of_noise(steps);
+    effects.count = steps.effects.size();
+    effects.told = told_from(effects.of_noise, effects.mean_size);
+    effects.idle = effects.mean_size.value == 0;
   }
   return found;
 }

@@ -86,22 +86,77 @@ Pair shares_of(const std::vector<Group>& groups, const std::vector<std::size_t>&
   return {first / whole, total / whole, count};  // (sen.8, sen.9)
 }
 
-/// The middle 95 % of values; those that are NaN do not count.
+/// The middle 95 % of values. Those that are NaN had no variance to share: where they are more than
+/// lie beyond one end, the shares may be of any size.
 Sure middle(double value, std::vector<double> values) {
+  constexpr double beyond = 0.025;
+  const auto drawn = static_cast<double>(values.size());
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (values.size() < 2) return {value, none, none};
+  const auto left = static_cast<double>(values.size());
+  if (values.size() < 2 || drawn - left > beyond * drawn) return {value, none, none};
   std::ranges::sort(values);
   const auto at = [&](double share) {
     const double place = share * static_cast<double>(values.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), values.size() - 2);
     return std::lerp(values[below], values[below + 1], place - static_cast<double>(below));
   };
-  return {value, at(0.025), at(0.975)};
+  return {value, at(beyond), at(1 - beyond)};
 }
 
 /// How often groups are drawn anew: fewer times where there are so many that it would take long.
 std::size_t times(std::size_t groups, std::size_t keys) {
   return std::clamp<std::size_t>(200'000'000 / (groups * (keys + 2)), 200, 1000);
+}
+
+/// Whether a key does the same to no group: then its runs are one and the same, errors included.
+bool is_idle(const std::vector<Group>& groups, std::size_t key) {
+  bool any = false;
+  for (const Group& g : groups) {
+    const double change = g.mixed[key] - g.a;
+    if (!std::isfinite(change)) continue;
+    if (change != 0) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// Errors that are not taken off look like a share, too.
+std::optional<bool> told_from_none(const Shares& shares, bool errors_known) {
+  if (shares.count < 2) return std::nullopt;
+  if (!(shares.total.low > 0)) return false;
+  return errors_known ? std::optional(true) : std::nullopt;
+}
+
+/// Of each key what groups drawn anew give (Efron 1979).
+struct Redrawn {
+  std::vector<std::vector<double>> firsts, totals;
+};
+
+Redrawn redrawn(const std::vector<Group>& groups, std::size_t keys, std::uint64_t seed) {
+  constexpr std::uint32_t stream = 0x40000000;  // designs use those below
+  Random random(seed, stream);
+  Redrawn made{std::vector<std::vector<double>>(keys), std::vector<std::vector<double>>(keys)};
+  std::vector<std::size_t> drawn(groups.size());
+  const auto count = static_cast<double>(groups.size());
+  for (std::size_t time = groups.empty() ? 0 : times(groups.size(), keys); time > 0; --time) {
+    for (std::size_t& j : drawn)
+      j = std::min(groups.size() - 1, static_cast<std::size_t>(random.uniform() * count));
+    const Spread spread = spread_of(groups, drawn);
+    for (std::size_t key = 0; key < keys; ++key) {
+      const Pair shares = shares_of(groups, drawn, spread, key);
+      made.firsts[key].push_back(shares.first);
+      made.totals[key].push_back(shares.total);
+    }
+  }
+  return made;
+}
+
+Shares with_intervals(const Pair& best, std::vector<double> firsts, std::vector<double> totals) {
+  if (best.count < 2) firsts = totals = {};  // one group drawn again and again knows no scatter
+  return {.first = middle(best.first, std::move(firsts)),
+          .total = middle(best.total, std::move(totals)),
+          .count = best.count,
+          .told = std::nullopt};
 }
 
 }  // namespace
@@ -114,33 +169,20 @@ VarianceShares variance_shares(std::size_t keys, const std::vector<double>& outc
   found.failed =
       static_cast<int>(std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
   const std::vector<Group> groups = groups_of(keys, outcomes, errors);
-  std::vector<std::size_t> drawn(groups.size());
-  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-  const Spread spread = spread_of(groups, drawn);
+  std::vector<std::size_t> all(groups.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Spread spread = spread_of(groups, all);
   found.variance = spread.variance;
   found.noise = errors.empty() ? none : spread.noise / (spread.variance + spread.noise);
-  std::vector<Pair> best;
-  for (std::size_t key = 0; key < keys; ++key)
-    best.push_back(shares_of(groups, drawn, spread, key));
-
-  constexpr std::uint32_t stream = 0x40000000;  // designs use those below
-  Random random(seed, stream);
-  std::vector<std::vector<double>> firsts(keys), totals(keys);
-  const auto count = static_cast<double>(groups.size());
-  for (std::size_t time = groups.empty() ? 0 : times(groups.size(), keys); time > 0; --time) {
-    for (std::size_t& j : drawn)
-      j = std::min(groups.size() - 1, static_cast<std::size_t>(random.uniform() * count));
-    const Spread again = spread_of(groups, drawn);
-    for (std::size_t key = 0; key < keys; ++key) {
-      const Pair shares = shares_of(groups, drawn, again, key);
-      firsts[key].push_back(shares.first);
-      totals[key].push_back(shares.total);
-    }
+  Redrawn again = redrawn(groups, keys, seed);
+  for (std::size_t key = 0; key < keys; ++key) {
+    Shares& shares = found.keys.emplace_back(with_intervals(shares_of(groups, all, spread, key),
+                                                            std::move(again.firsts[key]),
+                                                            std::move(again.totals[key])));
+    shares.idle = is_idle(groups, key);
+    if (shares.idle && std::isfinite(shares.total.value)) shares.first = shares.total = {0, 0, 0};
+    shares.told = told_from_none(shares, !errors.empty());
   }
-  for (std::size_t key = 0; key < keys; ++key)
-    found.keys.push_back({.first = middle(best[key].first, std::move(firsts[key])),
-                          .total = middle(best[key].total, std::move(totals[key])),
-                          .count = best[key].count});
   return found;
 }
 

@@ -33,9 +33,12 @@ std::vector<Picture> answers(const Campaign& c) {
 std::string answers_section(const Campaign& c) {
   if (c.sensitivities.empty()) return "";
   std::string words;
+  const std::vector<std::string> idle = idle_keys(c.sensitivities);
   for (const Sensitivity& s : c.sensitivities)
-    if (const std::string one = sensitivity_words(s); !one.empty())
+    if (const std::string one = sensitivity_words(s, idle); !one.empty())
       words += fmt::format("<p>{}</p>\n", escaped(one));
+  if (!idle.empty())
+    words += fmt::format("<p>Changes nothing in this case: {}.</p>\n", escaped(joined(idle)));
   return "<h2>What matters</h2>\n" + words + panels(answers(c));
 }
 

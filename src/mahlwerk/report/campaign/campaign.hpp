@@ -58,11 +58,14 @@ struct Effect {
   double mean_absolute = NAN, mean_absolute_ci95 = NAN;  ///< Morris: mu*, mean of the sizes
   double mean = NAN, mean_ci95 = NAN;                    ///< mu, of the effects themselves
   double deviation = NAN, deviation_ci95 = NAN;          ///< sigma, how much they differ
+  double of_noise = NAN;                                 ///< mu* that errors alone would give
   double first_order = NAN, first_order_ci95 = NAN;      ///< Sobol: S1, share of it alone
   double total = NAN, total_ci95 = NAN;                  ///< ST, with what it does with others
-  /// Whoever computed it found it to differ from none by more than chance makes, or not; nothing:
-  /// that is judged by the intervals above.
+  double total_low = NAN, total_high = NAN;              ///< its interval, which may be uneven
+  std::size_t count = 0;                                 ///< Morris: effects used; Sobol: groups
+  /// It differs from none by more than chance makes; nothing: that is not known.
   std::optional<bool> told = std::nullopt;
+  bool idle = false;  ///< no run changes by a digit where this key alone does
 };
 
 /// How a quantity answers to the keys.
@@ -70,6 +73,8 @@ struct Sensitivity {
   std::string quantity, unit;  ///< of summary.json, in SI
   Method method = Method::one_at_a_time;
   double base = NAN, base_ci95 = NAN;  ///< of the case itself, or the mean over all points
+  double variance = NAN;               ///< Sobol: without that of errors
+  double noise = NAN;                  ///< Sobol: share of errors in the variance seen
   std::vector<Effect> effects = {};    ///< in any order
 };
 

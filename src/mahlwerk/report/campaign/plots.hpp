@@ -50,8 +50,19 @@ std::vector<Picture> regime_map(const Sheet& sheet);
 /// A quantity's answer to the keys: bars, and for Morris's method how the effects scatter.
 std::vector<Picture> sensitivity_pictures(const Sensitivity& sensitivity);
 
-/// Which key matters most, and which cannot be told from none: a sentence or two.
-std::string sensitivity_words(const Sensitivity& sensitivity);
+/// How far a quantity goes with the key, or its share of variance.
+double size_of(const Effect& effect, const Sensitivity& sensitivity);
+/// Those of which nothing is known last.
+std::vector<Effect> largest_first(const Sensitivity& sensitivity);
+
+/// Which key matters most, and which cannot be told from none: a sentence or two. Of keys that are
+/// `idle` in the whole campaign it need not be said again.
+std::string sensitivity_words(const Sensitivity& sensitivity,
+                              const std::vector<std::string>& idle = {});
+/// Keys that change none of the quantities.
+std::vector<std::string> idle_keys(const std::vector<Sensitivity>& sensitivities);
+/// "a, b and c".
+std::string joined(const std::vector<std::string>& words);
 
 /// Laws through a line's points: a table and what it says (HTML), and the best of them as a curve.
 struct FittedLines {

@@ -11,48 +11,6 @@
 namespace mahlwerk::report {
 namespace {
 
-/// What an effect is sorted by: how far a quantity goes with the key, or its share of variance.
-double size_of(const Effect& e, const Sensitivity& s) {
-  if (s.method == Method::morris) return e.mean_absolute;
-  if (s.method == Method::sobol) return std::isfinite(e.total) ? e.total : e.first_order;
-  double least = INFINITY, most = -INFINITY;
-  for (const double v : {e.low, e.high, s.base})
-    if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
-  return std::isfinite(e.low) || std::isfinite(e.high) ? most - least : NAN;
-}
-
-/// The largest first, those of which nothing is known last.
-std::vector<Effect> sorted(const Sensitivity& s) {
-  std::vector<Effect> list = s.effects;
-  std::ranges::stable_sort(list, std::greater{}, [&](const Effect& e) {
-    const double size = size_of(e, s);
-    return std::isfinite(size) ? size : -1.0;
-  });
-  return list;
-}
-
-/// Two values with overlapping intervals; not if an interval is missing.
-bool alike(double a, double a_ci95, double b, double b_ci95) {
-  return std::abs(a - b) <= std::hypot(a_ci95, b_ci95);
-}
-
-/// The effect is not told from none: as it says itself, else by the intervals. Without intervals
-/// nothing is said.
-bool may_be_none(const Effect& e, const Sensitivity& s) {
-  if (e.told) return !*e.told;
-  switch (s.method) {
-    case Method::morris:
-      return e.mean_absolute <= e.mean_absolute_ci95;
-    case Method::sobol:
-      return e.total <= e.total_ci95;
-    case Method::one_at_a_time:
-      break;
-  }
-  const bool low = alike(e.low, e.low_ci95, s.base, s.base_ci95);
-  const bool high = alike(e.high, e.high_ci95, s.base, s.base_ci95);
-  return low && high && alike(e.low, e.low_ci95, e.high, e.high_ci95);
-}
-
 Multiple multiple_of(const Sensitivity& s) {
   if (s.method == Method::sobol) return {1, "1"};
   double most = std::isfinite(s.base) && s.method == Method::one_at_a_time ? std::abs(s.base) : 0;
@@ -71,12 +29,16 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit(label(s.quantity), m)};
   plot.base = s.base / m.factor;
   plot.words = {"key at its low end", "at its high end"};
-  for (const Effect& e : sorted(s)) {
+  for (const Effect& e : largest_first(s)) {
     BarGroup group{.name = e.key, .bars = {}};
-    group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, e.low_end});
-    group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, e.high_end});
+    // What changes nothing has both ends in one place.
+    const std::string low = e.idle ? "" : e.low_end,
+                      high = e.idle ? e.low_end + ", " + e.high_end : e.high_end;
+    group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, low});
+    group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, high});
     // Both on one side would hide each other.
-    plot.side_by_side = plot.side_by_side || (e.low - s.base) * (e.high - s.base) > 0;
+    const bool one_side = !e.idle && (e.low - s.base) * (e.high - s.base) >= 0;
+    plot.side_by_side = plot.side_by_side || one_side;
     plot.groups.push_back(std::move(group));
   }
   return plot;
@@ -84,7 +46,7 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
 
 BarPlot morris(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit("mean size of the effect, µ*", m)};
-  for (const Effect& e : sorted(s))
+  for (const Effect& e : largest_first(s))
     plot.groups.push_back(
         {e.key, {{e.mean_absolute / m.factor, e.mean_absolute_ci95 / m.factor, 0, ""}}});
   return plot;
@@ -94,21 +56,22 @@ BarPlot sobol(const Sensitivity& s) {
   BarPlot plot{.title = label(s.quantity), .label = "share of the variance"};
   plot.side_by_side = true;
   plot.words = {"alone, S1", "with others, ST"};
-  for (const Effect& e : sorted(s))
-    plot.groups.push_back(
-        {e.key, {{e.first_order, e.first_order_ci95, 0, ""}, {e.total, e.total_ci95, 1, ""}}});
+  for (const Effect& e : largest_first(s))
+    plot.groups.push_back({e.key,
+                           {{e.first_order, e.first_order_ci95, 0, ""},
+                            {e.total, e.total_ci95, 1, "", e.total_low, e.total_high}}});
   return plot;
 }
 
 /// Effects that differ from place to place (high sigma) are bent or depend on other keys.
 Plot scatter_of(const Sensitivity& s, const Multiple& m) {
-  Plot plot{.title = label(s.quantity) + ": how effects differ",
+  Plot plot{.title = label(s.quantity),
             .x = {.label = with_unit("mean size, µ*", m), .least = 0},
             .y = {.label = with_unit("scatter, σ", m), .least = 0},
             .series = {},
             .width = 480,
             .height = 320};
-  for (const Effect& e : sorted(s)) {
+  for (const Effect& e : largest_first(s)) {
     Series series{.name = e.key, .mark = Mark::dots};
     series.x = {e.mean_absolute / m.factor};
     series.y = {e.deviation / m.factor};
@@ -120,80 +83,110 @@ Plot scatter_of(const Sensitivity& s, const Multiple& m) {
   return plot;
 }
 
-std::string cell(double value, double ci95, const Multiple& m, std::string_view unit) {
+std::string number_cell(double value, std::string_view text) {
   return fmt::format("<td class=\"n\" data-v=\"{}\">{}</td>",
-                     std::isfinite(value) ? fmt::format("{}", value) : "",
-                     escaped(readable(value, ci95, unit, m.factor).number));
+                     std::isfinite(value) ? fmt::format("{}", value) : "", escaped(text));
+}
+
+std::string cell(double value, double ci95, const Multiple& m, std::string_view unit) {
+  return number_cell(value, readable(value, ci95, unit, m.factor).number);
+}
+
+/// A total and its interval, which may lie unevenly.
+std::string total_cell(const Effect& e) {
+  if (!(e.total_low < e.total_high)) return number_cell(e.total, readable(e.total, NAN, "").number);
+  return number_cell(e.total,
+                     fmt::format("{:.2g} ({:.2g} to {:.2g})", e.total, e.total_low, e.total_high));
+}
+
+std::string end_cells(std::string_view end, double value, double ci95, const Sensitivity& s,
+                      const Multiple& m) {
+  return fmt::format("<td class=\"n\">{}</td>", escaped(end)) + cell(value, ci95, m, s.unit);
+}
+
+/// Whether as many effects, or groups, were used of each key.
+bool counts_agree(const Sensitivity& s) {
+  return std::ranges::all_of(s.effects,
+                             [&](const Effect& e) { return e.count == s.effects.front().count; });
+}
+
+/// What all the numbers below have in common.
+std::string lead(const Sensitivity& s, const Multiple& m) {
+  if (s.method == Method::one_at_a_time)
+    return fmt::format("The case itself: {}.",
+                       readable(s.base, s.base_ci95, s.unit, m.factor).text());
+  const bool shares = s.method == Method::sobol;
+  std::string text = counts_agree(s)
+                         ? fmt::format("{}: {}.", shares ? "Groups of runs" : "Effects of each key",
+                                       s.effects.front().count)
+                         : "";
+  if (!shares) return text;
+  if (!std::isfinite(s.noise))
+    return text +
+           " The errors of the points are not known: noise counts as a share of every key's total.";
+  return text +
+         fmt::format(" Noise makes {:.2g} % of the variance seen; it is taken off.", 100 * s.noise);
+}
+
+std::vector<std::string> heads(const Sensitivity& s) {
+  if (s.method == Method::one_at_a_time) return {"low end", "there", "high end", "there"};
+  const bool shares = s.method == Method::sobol;
+  std::vector<std::string> names = shares ? std::vector<std::string>{"S1", "ST (interval)"}
+                                          : std::vector<std::string>{"µ*", "of noise", "µ", "σ"};
+  if (!counts_agree(s)) names.emplace_back(shares ? "groups" : "effects");
+  return names;
+}
+
+std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
+  if (s.method == Method::one_at_a_time)
+    return end_cells(e.low_end, e.low, e.low_ci95, s, m) +
+           end_cells(e.high_end, e.high, e.high_ci95, s, m);
+  const std::string count =
+      counts_agree(s) ? "" : number_cell(static_cast<double>(e.count), fmt::format("{}", e.count));
+  if (s.method == Method::sobol)
+    return cell(e.first_order, e.first_order_ci95, m, "") + total_cell(e) + count;
+  return cell(e.mean_absolute, e.mean_absolute_ci95, m, s.unit) + cell(e.of_noise, NAN, m, s.unit) +
+         cell(e.mean, e.mean_ci95, m, s.unit) + cell(e.deviation, e.deviation_ci95, m, s.unit) +
+         count;
 }
 
 /// The numbers of the bars and those that they do not show.
 std::string numbers(const Sensitivity& s, const Multiple& m) {
   std::string head, body;
-  const auto heads = [&](std::initializer_list<std::string_view> names) {
-    for (const std::string_view name : names) head += fmt::format("<th class=\"n\">{}</th>", name);
-  };
-  if (s.method == Method::morris) heads({"µ*", "µ", "σ"});
-  if (s.method == Method::sobol) heads({"S1", "ST"});
-  if (s.method == Method::one_at_a_time) heads({"low end", "there", "high end", "there"});
-  for (const Effect& e : sorted(s)) {
-    body += fmt::format("<tr><td>{}</td>", escaped(e.key));
-    if (s.method == Method::morris)
-      body += cell(e.mean_absolute, e.mean_absolute_ci95, m, s.unit) +
-              cell(e.mean, e.mean_ci95, m, s.unit) + cell(e.deviation, e.deviation_ci95, m, s.unit);
-    if (s.method == Method::sobol)
-      body += cell(e.first_order, e.first_order_ci95, m, "") + cell(e.total, e.total_ci95, m, "");
-    if (s.method == Method::one_at_a_time)
-      body += fmt::format("<td class=\"n\">{}</td>{}<td class=\"n\">{}</td>{}", escaped(e.low_end),
-                          cell(e.low, e.low_ci95, m, s.unit), escaped(e.high_end),
-                          cell(e.high, e.high_ci95, m, s.unit));
-    body += "</tr>\n";
-  }
-  const std::string base =
-      s.method == Method::one_at_a_time
-          ? fmt::format("<p>The case itself: {}.</p>\n",
-                        escaped(readable(s.base, s.base_ci95, s.unit, m.factor).text()))
-          : "";
+  for (const std::string& name : heads(s)) head += fmt::format("<th class=\"n\">{}</th>", name);
+  for (const Effect& e : largest_first(s))
+    body += fmt::format("<tr><td>{}</td>{}</tr>\n", escaped(e.key), cells(e, s, m));
+  const std::string text = lead(s, m);
   return fmt::format(
       "{}<div class=\"wide\"><table class=\"laws\"><thead><tr><th>{}</th>{}</tr></thead>\n<tbody>"
       "\n{}</tbody></table></div>\n",
-      base, escaped(with_unit("key", m)), head, body);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-  return text;
+      text.empty() ? "" : fmt::format("<p>{}</p>\n", escaped(text)), escaped(with_unit("key", m)),
+      head, body);
 }
 
 }  // namespace
 
-std::string sensitivity_words(const Sensitivity& s) {
-  const std::vector<Effect> effects = sorted(s);
-  if (effects.empty() || !std::isfinite(size_of(effects.front(), s))) return "";
-  const double size = size_of(effects.front(), s);
-  const double ci95 = s.method == Method::morris  ? effects.front().mean_absolute_ci95
-                      : s.method == Method::sobol ? effects.front().total_ci95
-                                                  : NAN;
-  const std::string much =
-      s.method == Method::sobol
-          ? fmt::format("with others it makes {} of the variance", readable(size, ci95, "").text())
-          : fmt::format("{} {} over its range",
-                        s.method == Method::morris ? "on average" : "it goes through",
-                        readable(size, ci95, s.unit).text());
-  std::vector<std::string> none;
-  for (const Effect& e : effects)
-    if (may_be_none(e, s)) none.push_back(e.key);
-  if (none.size() == effects.size())
-    return fmt::format("{}: no key has an effect that can be told from zero.", label(s.quantity));
-  std::string text =
-      fmt::format("{}: {} matters most ({}).", label(s.quantity), effects.front().key, much);
-  if (!none.empty()) text += fmt::format(" Not told from zero: the effect of {}.", joined(none));
-  return text;
+double size_of(const Effect& e, const Sensitivity& s) {
+  if (s.method == Method::morris) return e.mean_absolute;
+  if (s.method == Method::sobol) return std::isfinite(e.total) ? e.total : e.first_order;
+  double least = INFINITY, most = -INFINITY;
+  for (const double v : {e.low, e.high, s.base})
+    if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
+  return std::isfinite(e.low) || std::isfinite(e.high) ? most - least : NAN;
+}
+
+std::vector<Effect> largest_first(const Sensitivity& s) {
+  std::vector<Effect> list = s.effects;
+  std::ranges::stable_sort(list, std::greater{}, [&](const Effect& e) {
+    const double size = size_of(e, s);
+    return std::isfinite(size) ? size : -INFINITY;
+  });
+  return list;
 }
 
 std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
-  if (s.effects.empty()) return {};
+  const auto known = [&](const Effect& e) { return std::isfinite(size_of(e, s)); };
+  if (std::ranges::none_of(s.effects, known)) return {};
   const Multiple m = multiple_of(s);
   const std::string name = "tornado-" + s.quantity;
   const std::string below = numbers(s, m);

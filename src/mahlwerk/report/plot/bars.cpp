@@ -82,9 +82,8 @@ void Drawing::measure() {
     for (const Bar& b : group.bars) {
       note = std::max(note, width(b.note));
       if (!std::isfinite(b.end)) continue;
-      const double half = std::isfinite(b.ci95) ? b.ci95 : 0;
-      least_ = std::min(least_, b.end - half);
-      most_ = std::max(most_, b.end + half);
+      least_ = std::min({least_, b.end, b.least()});
+      most_ = std::max({most_, b.end, b.most()});
     }
   }
   if (!(most_ > least_)) most_ = least_ + std::max(1.0, std::abs(least_));
@@ -142,10 +141,8 @@ void Drawing::bar(const Bar& b, double y, double size) {
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
       "fill-opacity=\"0.85\"/>\n",
       std::min(from, to), y, std::abs(to - from), size, kind_colour(b.colour));
-  double low = to, high = to;
-  if (b.ci95 > 0) {
-    low = across(b.end - b.ci95);
-    high = across(b.end + b.ci95);
+  const double low = across(b.least()), high = across(b.most());
+  if (b.least() < b.most()) {
     text_ += fmt::format(
         "<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{0:.1f} {3:.1f}v6M{1:.1f} {3:.1f}v6\" fill=\"none\" "
         "style=\"stroke:var(--ink,#222)\"/>\n",

@@ -14,6 +14,13 @@ struct Bar {
   double end = NAN, ci95 = NAN;
   std::size_t colour = 0;  ///< of kinds (colours.hpp)
   std::string note = {};   ///< beside its end: "200 rpm"
+  /// Of an interval that lies unevenly, in place of `ci95`.
+  double low = NAN, high = NAN;
+
+  bool uneven() const { return std::isfinite(low) && std::isfinite(high); }
+  double half() const { return std::isfinite(ci95) ? ci95 : 0; }
+  double least() const { return uneven() ? low : end - half(); }
+  double most() const { return uneven() ? high : end + half(); }
 };
 
 /// Bars of one thing; on one line if they go to different sides, else one below the other.

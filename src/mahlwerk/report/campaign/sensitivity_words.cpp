@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/report/campaign/plots.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool is_told(const Effect& e) {
+  return e.told.value_or(false);
+}
+
+bool is_not_told(const Effect& e) {
+  return !e.told.value_or(true);
+}
+
+std::string how_much(const Effect& e, const Sensitivity& s) {
+  const double size = size_of(e, s);
+  if (s.method == Method::sobol)
+    return fmt::format("with others it makes {} of the variance",
+                       readable(size, e.total_ci95, "").text());
+  if (s.method == Method::morris)
+    return fmt::format("on average {} over its range",
+                       readable(size, e.mean_absolute_ci95, s.unit).text());
+  return fmt::format("it goes through {} over its range", readable(size, NAN, s.unit).text());
+}
+
+/// The key that matters most. One that may owe its size to chance is not said to matter.
+std::string foremost(const Effect& largest, const Effect* told, const Sensitivity& s) {
+  if (told && told != &largest)
+    return fmt::format("of the effects that are told from zero that of {} is the largest ({}).",
+                       told->key, how_much(*told, s));
+  if (is_not_told(largest))
+    return fmt::format("the largest effect, that of {} ({}), is not told from zero.", largest.key,
+                       how_much(largest, s));
+  return fmt::format("{} matters most ({}).", largest.key, how_much(largest, s));
+}
+
+/// An outcome that shares nothing among keys.
+std::string without_variance(const Sensitivity& s) {
+  if (!(s.noise > 0)) return "is the same at all points.";
+  return "varies no more than the errors of its points: more replicates or points are needed.";
+}
+
+}  // namespace
+
+std::string joined(const Names& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return text;
+}
+
+Names idle_keys(const std::vector<Sensitivity>& sensitivities) {
+  Names keys;
+  if (sensitivities.empty()) return keys;
+  for (const Effect& e : sensitivities.front().effects) {
+    const bool always = std::ranges::all_of(sensitivities, [&](const Sensitivity& s) {
+      const auto same = std::ranges::find(s.effects, e.key, &Effect::key);
+      return same != s.effects.end() && same->idle;
+    });
+    if (always) keys.push_back(e.key);
+  }
+  return keys;
+}
+
+std::string sensitivity_words(const Sensitivity& s, const Names& idle) {
+  const std::string name = label(s.quantity) + ": ";
+  if (s.variance <= 0) return name + without_variance(s);
+  const std::vector<Effect> effects = largest_first(s);
+  if (effects.empty() || !std::isfinite(size_of(effects.front(), s))) return "";
+  if (std::ranges::all_of(effects, is_not_told))
+    return name + "no key has an effect that can be told from zero.";
+  const auto first = std::ranges::find_if(effects, is_told);
+  const Effect* told = first == effects.end() ? nullptr : &*first;
+  std::string text = name + foremost(effects.front(), told, s);
+  Names larger, none;
+  for (const Effect& e : effects) {
+    if (told && size_of(e, s) > size_of(*told, s))
+      larger.push_back(e.key);
+    else if (is_not_told(e) && (told || &e != &effects.front()) &&
+             std::ranges::find(idle, e.key) == idle.end())
+      none.push_back(e.key);
+  }
+  if (!larger.empty())
+    text += fmt::format(" Larger, but not told from zero: that of {}.", joined(larger));
+  if (!none.empty()) text += fmt::format(" Not told from zero: the effect of {}.", joined(none));
+  return text;
+}
+
+}  // namespace mahlwerk::report
