@@ -33,7 +33,7 @@ bool holds_campaign(const fs::path& place) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(place, none))
     if (const std::string name = entry.path().filename().string();
-        name.starts_with("campaign.shard-") || name == "campaign.slurm")
+        name.starts_with("campaign.shard-") || name == "campaign.slurm" || name == "campaign.lock")
       return true;
   return false;
 }
@@ -45,15 +45,6 @@ bool is_free(const fs::path& place) {
 
 void refuse_strangers(const fs::path& place, bool force) {
   if (!is_free(place) && !holds_campaign(place)) const results::Folder tried(place, force);
-}
-
-void make_folder(const fs::path& place) {
-  std::error_code failed;
-  fs::create_directories(place, failed);
-  if (failed)
-    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
-                           "check that you may write there, or give another folder with --out",
-                           "cannot-write"});
 }
 
 /// The lock's file, in a folder that is a campaign's or has been made one.
@@ -131,13 +122,6 @@ std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
   return all;
 }
 
-std::vector<std::string> CampaignFolder::said(std::size_t point) const {
-  std::vector<std::string> values = plan_->values(point);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k].empty()) values[k] = own_[k];
-  return values;
-}
-
 CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
   const cases::Case what = file_.read(catalogue_, settings(point));
   return {campaign::run_hash(what, version()), campaign::work_estimate(what),
@@ -147,11 +131,6 @@ CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
 void CampaignFolder::plan(campaign::Plan plan) {
   plan_ = std::move(plan);
   const cases::Case base = file_.read(catalogue_, set_);
-  own_.clear();
-  for (const std::string& key : plan_->keys()) {
-    const auto origin = std::ranges::find(base.origins, key, &cases::Origin::key);
-    own_.push_back(origin == base.origins.end() ? "" : origin->value);
-  }
   runs_.assign(plan_->size(), {});
   std::optional<InputError> first;  // of the first point
   std::atomic<std::size_t> faulty = 0;
@@ -179,7 +158,9 @@ void CampaignFolder::plan(campaign::Plan plan) {
   planned.keys = plan_->keys();
   planned.follow = plan_->follow();
   for (const Run& run : runs_) planned.runs.push_back(run.hash);
-  planned.values = [this](std::size_t i) { return said(i); };
+  planned.values = [&, own = campaign::own_values(*plan_, base)](std::size_t i) {
+    return campaign::said(*plan_, i, own);
+  };
   store_->plan(planned);
 }
 
@@ -191,9 +172,13 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("campaign") || entry.path().extension() != ".sqlite") continue;
     if (entry.path() == place_ / (name_of(shard_) + ".sqlite")) continue;
-    for (const auto& [hash, state] :
-         campaign::Store(entry.path(), campaign::Store::Access::read).states())
-      if (state == campaign::RunState::done) states[hash] = state;
+    try {
+      for (const auto& [hash, state] :
+           campaign::Store(entry.path(), campaign::Store::Access::read).states())
+        if (state == campaign::RunState::done) states[hash] = state;
+    } catch (const InputError&) {
+      // another shard's that is being made just now, or cannot be read: it has done nothing for us
+    }
   }
   for (const campaign::RunHash hash : store_->without_folder(place_))
     states[hash] = campaign::RunState::waiting;  // somebody took its results away

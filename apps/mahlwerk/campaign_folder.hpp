@@ -62,7 +62,6 @@ class CampaignFolder {
   void refuse_other_case() const;
   void clear_remains() const;
   std::vector<cases::Override> settings(std::size_t point) const;
-  std::vector<std::string> said(std::size_t point) const;
   Run read_run(std::size_t point) const;
   std::vector<std::size_t> to_do(Worked& worked) const;
   bool keeps_folders() const;
@@ -76,7 +75,6 @@ class CampaignFolder {
   std::optional<campaign::CampaignLock> own_lock_, lock_;
   std::optional<campaign::Store> store_;
   std::optional<campaign::Plan> plan_;
-  std::vector<std::string> own_;  // what the case itself says of the keys
   std::vector<Run> runs_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/folder.hpp"
 
@@ -19,12 +20,28 @@ namespace {
 /// Of more points a page shows the usual quantities alone, and its table has not all points.
 constexpr std::size_t many = 5000;
 
+/// Whether the points are those of this plan, by the first and the last: the case may have changed.
+bool made(const report::Campaign& campaign, const campaign::Plan& plan, const cases::Case& what) {
+  if (campaign.points.empty() || plan.size() != campaign.points.size()) return false;
+  const std::vector<std::string> own = campaign::own_values(plan, what);
+  for (const std::size_t i : {std::size_t{0}, plan.size() - 1}) {
+    const std::vector<std::string>&kept = campaign.points[i].values,
+          said = campaign::said(plan, i, own);
+    const bool same = std::ranges::equal(kept, said, [](const auto& a, const auto& b) {
+      const NumberText x = number_text(a), y = number_text(b);
+      return a == b || (x.number == y.number && x.rest == y.rest);
+    });
+    if (!same) return false;
+  }
+  return true;
+}
+
 void tell_what_matters(report::Campaign& campaign, const campaign::Store& store) {
   try {
     const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
     if (what.sweep.empty()) return;
     const campaign::Plan plan(what.sweep, what.seed);
-    if (plan.keys() == store.keys()) add_sensitivities(campaign, what.sweep, plan.places());
+    if (made(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.places());
   } catch (const InputError&) {
     // the case has gone or changed since: its numbers are told without
   }
@@ -67,7 +84,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   // Written aside, so that a reader never sees half a file.
   const auto put = [&](const std::string& name, const auto& write) {
     const fs::path file = place / name, aside = file.string() + ".part";
-    fs::create_directories(file.parent_path());
+    make_folder(file.parent_path());
     write(aside);
     std::error_code failed;
     fs::rename(aside, file, failed);

@@ -114,7 +114,7 @@ class CampaignFolder::Desk {
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));
     const fs::path place = owner_.place_ / made->name;
     const bool streams = what.observe.frames || what.observe.collisions;
-    fs::create_directories(place.parent_path());
+    make_folder(place.parent_path());
     if (owner_.keeps_folders() || streams)
       made->folder = std::make_unique<results::Folder>(place, true);
     if (made->folder) made->streams.add(what, *made->folder, "");

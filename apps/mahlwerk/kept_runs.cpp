@@ -14,16 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path made(const fs::path& place) {
-  std::error_code failed;
-  fs::create_directories(place, failed);
-  if (failed)
-    throw InputError(Fault{place.string(), "cannot be made: " + failed.message(),
-                           "check that you may write there, or give another folder with --out",
-                           "cannot-write"});
-  return place;
-}
-
 /// All that a point's outcome depends on.
 std::string what_runs(const cases::Case& point) {
   return fmt::format("version {}\n{}{}", version(), cases::write(point),
@@ -50,7 +40,8 @@ std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const 
 
 }  // namespace
 
-KeptRuns::KeptRuns(const fs::path& results) : place_(made(results.string() + ".checkpoints")) {
+KeptRuns::KeptRuns(const fs::path& results) : place_(results.string() + ".checkpoints") {
+  make_folder(place_);
   const fs::path lock = place_ / "lock";
   if (campaign::CampaignLock::held(lock))
     throw InputError(Fault{results.string(), "another process is at work on it",

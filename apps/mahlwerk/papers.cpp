@@ -92,12 +92,13 @@ std::string below(const std::string& campaign, std::size_t point) {
 report::Campaign numbers_of(const cases::Case& what,
                             const std::vector<results::Outcome>& outcomes) {
   const campaign::Plan plan(what.sweep, what.seed);
+  const std::vector<std::string> own = campaign::own_values(plan, what);
   report::Campaign made{.title = what.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
     report::add(made,
                 {.number = i + 1,
-                 .values = plan.values(i),
+                 .values = campaign::said(plan, i, own),
                  .regime = results::regime(outcome),
                  .folder = fmt::format("point-{:03}/", i + 1)},
                 results::summarise(outcome));

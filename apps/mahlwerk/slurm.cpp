@@ -81,7 +81,7 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
       "#SBATCH --job-name=mahlwerk\n"
       "#SBATCH --array=1-{0}\n"
       "#SBATCH --cpus-per-task={1}\n"
-      "#SBATCH --output={2}/slurm-%A_%a.out\n"
+      "#SBATCH --output=\"{2}/slurm-%A_%a.out\"\n"
       "{3}"
       "{4}"
       "exec {5} sweep {6} --out {7} --shard \"$SLURM_ARRAY_TASK_ID\"/{0} --jobs "

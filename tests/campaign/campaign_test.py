@@ -183,6 +183,36 @@ def shards_go_on_after_they_were_joined(program):
         assert numbers(c.out) == numbers(whole)
 
 
+def a_shard_begins_beside_one_whose_store_is_being_made(program):
+    with Campaign(program, frequencies(4)) as c:
+        c.out.mkdir()
+        (c.out / "campaign.lock").touch()  # as another shard leaves it, killed as it began
+        (c.out / "campaign.shard-2-of-2.sqlite").touch()
+        c.run("--shard", "1/2", "--quiet")
+        assert len(asked(c.out, "SELECT * FROM runs WHERE status = 'done'",
+                         "campaign.shard-1-of-2.sqlite")) == 2
+
+
+def a_campaign_killed_as_it_began_goes_on(program):
+    for words in ((), ("--force",)):
+        with Campaign(program, frequencies(2)) as c:
+            c.out.mkdir()
+            (c.out / "campaign.lock").touch()
+            c.run("--quiet", *words)
+            assert len(numbers(c.out)) == 2
+
+
+def trouble_with_a_folder_stops_and_fails_no_run(program):
+    with Campaign(program, frequencies(3)) as c:
+        c.out.mkdir()
+        (c.out / "campaign.lock").touch()
+        (c.out / "runs").write_text("in the way")
+        c.run("--quiet", code=2)
+        (c.out / "runs").unlink()
+        c.run("--quiet")
+        assert asked(c.out, "SELECT status, count(*) FROM runs GROUP BY status") == [("done", 3)]
+
+
 def a_killed_shard_goes_on(program):
     with Campaign(program, frequencies(40), time="5 s") as c:
         whole, out = c.here / "whole", c.out

@@ -126,6 +126,7 @@ bool is_result(const fs::path& folder) {
   return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
          beginning(folder / "campaign.sqlite").starts_with("SQLite format 3") ||
+         fs::exists(folder / "campaign.lock") ||  // a campaign that was killed as it began
          beginning(folder / "optimise.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "match.json").find("\"mahlwerk\"") != std::string::npos ||
          beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||

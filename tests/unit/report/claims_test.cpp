@@ -65,6 +65,17 @@ TEST(Claims, TheOrderOfATrendIsThatOfTheKeyNotOfTheRuns) {
   EXPECT_EQ(judged.holds, Holds::yes);
 }
 
+TEST(Claims, ValuesInOtherUnitsStandWhereTheyBelong) {
+  Campaign c = campaign({1, 2, 3}, {1, 2, 3}, 0.1);
+  c.swept[0].unit.clear();
+  c.points[0].values = {"100 rpm"};
+  c.points[1].values = {"3 Hz"};  // 180 rpm
+  c.points[2].values = {"240 rpm"};
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::yes);
+  std::swap(c.points[1].value, c.points[2].value);
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::partly);
+}
+
 TEST(Claims, AComparisonGivesTheRatioWithItsInterval) {
   Claim larger = claim(Kind::compare, "larger");
   larger.first = "100 rpm", larger.second = "300 rpm";

@@ -176,4 +176,21 @@ std::vector<cases::Override> Plan::overrides(std::size_t point) const {
   return list;
 }
 
+std::vector<std::string> said(const Plan& plan, std::size_t point,
+                              const std::vector<std::string>& own) {
+  std::vector<std::string> values = plan.values(point);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k].empty()) values[k] = own[k];
+  return values;
+}
+
+std::vector<std::string> own_values(const Plan& plan, const cases::Case& what) {
+  std::vector<std::string> own;
+  for (const std::string& key : plan.keys()) {
+    const auto origin = std::ranges::find(what.origins, key, &cases::Origin::key);
+    own.push_back(origin == what.origins.end() ? "" : origin->value);
+  }
+  return own;
+}
+
 }  // namespace mahlwerk::campaign

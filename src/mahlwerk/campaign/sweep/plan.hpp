@@ -48,6 +48,12 @@ class Plan {
   std::size_t size_ = 0;
 };
 
+/// The keys of a plan at a point; those that stay as the case has them, as `own` says, by key.
+std::vector<std::string> said(const Plan& plan, std::size_t point,
+                              const std::vector<std::string>& own);
+/// What the case says of the keys of a plan; empty where it says nothing.
+std::vector<std::string> own_values(const Plan& plan, const cases::Case& what);
+
 /// The text of the value at `place`, 0 to 1 from end to end of a range, to `digits` digits; of keys
 /// that count something a whole number. Throws InputError where an end is no number, their units do
 /// not fit, or a logarithmic range does not lie above 0.

@@ -156,17 +156,25 @@ std::string Sheet::others(std::size_t point, const std::vector<std::size_t>& but
   std::string text;
   for (const std::size_t key : free)
     if (std::ranges::find(but, key) == but.end())
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_name(campaign, key),
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", told_apart(campaign, key),
                           value_of(campaign.points[point], key));
   return text;
 }
 
-std::string short_name(const Campaign& campaign, std::size_t key) {
-  const auto last = [](const std::string& dotted) { return dotted.substr(dotted.rfind('.') + 1); };
-  const std::string name = last(campaign.swept[key].key);
-  const auto alike = std::ranges::count_if(
-      campaign.swept, [&](const Swept& other) { return last(other.key) == name; });
-  return alike == 1 ? name : campaign.swept[key].key;
+std::string key_words(std::string_view key) {
+  std::string words(key.substr(key.rfind('.') + 1));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string told_apart(const Campaign& c, std::size_t key) {
+  const std::string last = key_words(c.swept[key].key);
+  const auto alike = [&](const Swept& s) { return key_words(s.key) == last; };
+  if (std::ranges::count_if(c.swept, alike) == 1) return last;
+  std::string words = c.swept[key].key;
+  std::ranges::replace_if(
+      words, [](char ch) { return ch == '.' || ch == '_'; }, ' ');
+  return words;
 }
 
 double value_at(const Point& point, std::size_t column) {

@@ -48,8 +48,10 @@ double half_width_at(const Point& point, std::size_t column);
 /// Points with different words for how the charge moves.
 bool regimes_differ(const Campaign& campaign);
 
-/// "speed" for mill.speed, unless another key ends in the same word.
-std::string short_name(const Campaign& campaign, std::size_t key);
+/// What a key is called in a sentence: "rolling friction" for contact.rolling_friction.
+std::string key_words(std::string_view key);
+/// With its section where another key has the same last word: "balls filling".
+std::string told_apart(const Campaign& campaign, std::size_t key);
 
 /// "mill.speed (rpm)".
 std::string axis_label(const Swept& key);

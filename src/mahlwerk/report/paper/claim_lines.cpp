@@ -3,19 +3,21 @@
 #include "mahlwerk/report/paper/claim_lines.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <set>
 
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/report/campaign/sheet.hpp"
 
 namespace mahlwerk::report {
 namespace {
 
-double number_in(std::string_view text) {
-  double number = NAN;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+/// [unit] NaN where the text is no quantity of that kind.
+double number_in(std::string_view text, std::string_view unit) try {
+  return parse_in(text, unit);
+} catch (const UnitError&) {
+  return NAN;
 }
 
 std::size_t key_at(const Campaign& c, std::string_view key) {
@@ -59,17 +61,6 @@ std::vector<std::size_t> telling(const Campaign& c, const std::vector<const Poin
   return keys;
 }
 
-/// With its section where another key has the same last word: "balls filling".
-std::string told_apart(const Campaign& c, std::size_t key) {
-  const std::string last = key_words(c.swept[key].key);
-  const auto alike = [&](const Swept& s) { return key_words(s.key) == last; };
-  if (std::ranges::count_if(c.swept, alike) == 1) return last;
-  std::string words = c.swept[key].key;
-  std::ranges::replace_if(
-      words, [](char ch) { return ch == '.' || ch == '_'; }, ' ');
-  return words;
-}
-
 }  // namespace
 
 bool same_value(std::string_view a, std::string_view b) {
@@ -100,12 +91,6 @@ std::string unit_of(const Campaign& campaign, std::string_view quantity) {
   return column == campaign.columns.end() ? "" : column->unit;
 }
 
-std::string key_words(std::string_view key) {
-  std::string words(key.substr(key.rfind('.') + 1));
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
-
 std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
                                   std::string_view against, std::string_view quantity) {
   const auto column = static_cast<std::size_t>(
@@ -115,13 +100,16 @@ std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
     if (chosen(campaign, p, at)) points.push_back(&p);
   const std::size_t axis = key_at(campaign, against);
   const std::vector<std::size_t> others = telling(campaign, points, axis);
+  const std::string_view unit = points.empty() || axis >= points.front()->values.size()
+                                    ? ""
+                                    : number_text(points.front()->values[axis]).rest;
   std::vector<SpotLine> lines;
   for (const Point* p : points) {
     std::string label;
     for (const std::size_t k : others)
       label += (label.empty() ? "" : ", ") + told_apart(campaign, k) + " " + p->values[k];
     Spot spot{.point = p};
-    if (axis < p->values.size()) spot.text = p->values[axis], spot.x = number_in(spot.text);
+    if (axis < p->values.size()) spot.text = p->values[axis], spot.x = number_in(spot.text, unit);
     if (column < p->value.size()) spot.value = p->value[column];
     if (column < p->ci95.size()) spot.ci95 = p->ci95[column];
     auto line = std::ranges::find(lines, label, &SpotLine::others);

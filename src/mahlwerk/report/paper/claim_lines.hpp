@@ -19,7 +19,7 @@ namespace mahlwerk::report {
 struct Spot {
   const Point* point = nullptr;
   std::string text = {};                       ///< the key's value: "10 mm"
-  double x = NAN;                              ///< its number, in the unit it is said in
+  double x = NAN;                              ///< its number, in the unit of the first point
   double value = NAN, ci95 = NAN;              ///< in SI units
   double low() const { return value - ci95; }  ///< NaN without an interval
   double high() const { return value + ci95; }
@@ -46,8 +46,5 @@ bool same_value(std::string_view a, std::string_view b);
 
 /// The unit of a quantity; empty if the campaign does not have it.
 std::string unit_of(const Campaign& campaign, std::string_view quantity);
-
-/// What a key is called in a sentence: "rolling friction" for contact.rolling_friction.
-std::string key_words(std::string_view key);
 
 }  // namespace mahlwerk::report

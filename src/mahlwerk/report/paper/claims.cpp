@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/readable.hpp"
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/paper/trajectories.hpp"

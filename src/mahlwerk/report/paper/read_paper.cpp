@@ -37,6 +37,15 @@ std::string needed(Section& in, std::string_view key, std::string_view about) {
   return in.text(key).value_or("");
 }
 
+/// Its results stand in a folder of that name.
+std::string campaign_in(Section& in) {
+  const std::string name = needed(in, "campaign", "the case file beside this one, without .toml");
+  if (name.find_first_of("/\\") != std::string::npos)
+    in.fault(*in.find("campaign"), fmt::format("\"{}\" is no name of a campaign", name),
+             "name the case file beside this one, without .toml", "wrong-type");
+  return name;
+}
+
 bool is_value(const Node& node) {
   return node.kind == Node::Kind::text || node.kind == Node::Kind::number;
 }
@@ -72,7 +81,7 @@ PaperFigure read_figure(Section& in) {
   figure.number = needed(in, "number", "the paper's number of the figure");
   figure.title = needed(in, "title", "what is drawn");
   figure.about = in.text("about").value_or("");
-  figure.campaign = needed(in, "campaign", "the case file beside this one, without .toml");
+  figure.campaign = campaign_in(in);
   figure.drawn = chosen<PaperFigure::Drawn>(in, "draws", drawn_words, "quantity");
   figure.at = read_where(in);
   if (figure.drawn == PaperFigure::Drawn::quantity) {
@@ -133,7 +142,7 @@ Claim read_claim(Section& in) {
   claim.says = needed(in, "says", "what the paper says");
   claim.why = in.text("why").value_or("");
   claim.kind = chosen<Kind>(in, "kind", kind_words);
-  claim.campaign = needed(in, "campaign", "the case file beside this one, without .toml");
+  claim.campaign = campaign_in(in);
   claim.at = read_where(in);
   read_test(in, claim);
   return claim;
