@@ -127,10 +127,10 @@ int optimise(const Request& request) {
   SearchJob job = prepare(runs);
   const fs::path usual = default_place(request.target, file, false).string() + "-optimise";
   results::Folder folder(request.out.value_or(usual), request.force);
-  job.kept = folder.wanted().string() + ".trials";
   catch_ctrl_c();
+  KeptSearch kept(folder.wanted());
   try {
-    const campaign::Optimum found = look(request, job);
+    const campaign::Optimum found = look(request, job, kept);
     const report::OptimumReport report = report_of(job, found);
     write(folder, report);
     if (found.best) {
@@ -138,14 +138,12 @@ int optimise(const Request& request) {
       results::write_case(folder, runs.at(found.tried[*found.best].place, 0, count), "best.toml");
     }
     folder.commit();
-    fs::remove(job.kept);
+    kept.remove();
     if (request.json) fmt::print("{}", optimum_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
     return found.best ? fine : stopped_by_physics;
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: what was run is kept in {}; the same command goes on\n",
-               job.kept.string());
-    return interrupted;
+    return kept.tell_interrupted();
   }
 }
 

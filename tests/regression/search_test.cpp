@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Best settings, and settings that do what another mill does, as a user asks for them.
+#include <sys/file.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -110,6 +112,45 @@ TEST_F(Search, a_mill_matches_itself_at_its_own_speed) {
   EXPECT_GT(number("out/match.json", "", "overlap"), 0.8);
   for (const char* file : {"match.html", "best.toml", "a/summary.json", "b/summary.json"})
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
+}
+
+TEST_F(Search, a_match_interrupted_in_mill_a_goes_on_and_gives_the_same) {
+  const std::string longer = "match like.toml --in in.toml --jobs 2 --checkpoint 0.1 --out ";
+  write("like.toml", std::string(mill).replace(mill.find("10 s"), 4, "1000 s"));
+  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "out");
+  EXPECT_EQ(ended.code, 130) << ended.said;
+  EXPECT_NE(ended.said.find("kept in"), std::string::npos) << ended.said;
+  EXPECT_TRUE(exists("out.checkpoints")) << ended.said;
+  EXPECT_FALSE(exists("out"));
+  const Ended again = mahlwerk(longer + "out");
+  ASSERT_EQ(again.code, 0) << again.said;
+  EXPECT_NE(again.said.find("a run goes on where it was ended"), std::string::npos) << again.said;
+  EXPECT_FALSE(exists("out.checkpoints")) << "all is written";
+  ASSERT_EQ(mahlwerk(longer + "whole").code, 0);
+  EXPECT_EQ(text("out/match.json"), text("whole/match.json"));
+  EXPECT_EQ(text("out/match.html"), text("whole/match.html"));
+}
+
+TEST_F(Search, what_an_interrupted_search_says_of_what_is_kept_is_true) {
+  const Ended ended = mahlwerk_until("out.checkpoints/lock", SIGINT,
+                                     "optimise fast.toml --set run.time='1000 s' --out out");
+  EXPECT_EQ(ended.code, 130) << ended.said;
+  const bool kept = ended.said.find("kept in") != std::string::npos;
+  EXPECT_EQ(exists("out.checkpoints/trials.sqlite"), kept) << ended.said;
+  EXPECT_EQ(exists("out.checkpoints"), kept) << ended.said;
+  EXPECT_EQ(ended.said.find("begins anew") != std::string::npos, !kept) << ended.said;
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out out").code, 0);
+  EXPECT_FALSE(exists("out.checkpoints"));
+}
+
+TEST_F(Search, two_at_once_in_one_place_are_refused_at_once) {
+  std::filesystem::create_directory(here_ / "out.checkpoints");
+  const int other = ::open((here_ / "out.checkpoints/lock").c_str(), O_CREAT | O_RDWR, 0600);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  expect_refused("optimise fast.toml --out out", "another process is at work on it");
+  expect_refused("match like.toml --in in.toml --out out", "campaign-at-work");
+  ::close(other);
+  EXPECT_EQ(mahlwerk("optimise fast.toml --out out --quiet").code, 0);
 }
 
 TEST_F(Search, what_makes_no_sense_is_refused) {
