@@ -202,7 +202,7 @@ int match(const Request& request) {
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
   check_keys(what, what.match->over, "[match]");
-  const campaign::TrialRuns runs(file_b, known, set, what.match->over);
+  const campaign::TrialRuns runs(file_b, known, set, cases::Giver::match);
   MatchJob job{.like = without_streams(read_like(file_a, known)),
                .runs = &runs,
                .by_powder = false,

@@ -4,6 +4,7 @@
 // Best settings, and settings that do what another mill does, as a user asks for them.
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -45,6 +46,11 @@ class Search : public ProgramTest {
                        nullptr);
   }
 
+  static std::size_t lines(const std::string& said) {
+    return static_cast<std::size_t>(std::ranges::count(said, '\n'));
+  }
+
+  const std::string range = "\"mill.frequency\" = { from = \"8 Hz\", to = \"16 Hz\" }";
   const std::string mill = R"(title = "A ball in a vial"
 [mill]
 kind = "vibration"
@@ -166,6 +172,52 @@ TEST_F(Search, what_makes_no_sense_is_refused) {
                          "\"below 3 mm\" }\nover = { \"mill.frequency\" = { from = \"8 Hz\", to "
                          "= \"16 Hz\" } }\n");
   expect_refused("optimise unit.toml --out out", "drawn_power");
+}
+
+TEST_F(Search, a_quantity_that_needs_a_section_is_named_with_it) {
+  const auto goal = [&](const std::string& wanted) {
+    write("goal.toml", mill + "[optimise]\n" + wanted + "\nover = { " + range + " }\n");
+    return std::string("optimise goal.toml --out out");
+  };
+  const std::string line = "goal.toml:" + std::to_string(lines(mill) + 2);
+  expect_refused(goal("minimise = \"d50\""), line + ": a run of this case has no quantity \"d50\"");
+  expect_refused(goal("minimise = \"d50\""), "comes with [grinding]");
+  expect_refused(goal("maximise = \"conversion\""), "comes with [kinetics]");
+  expect_refused(goal("minimise = \"wear_rate\""),
+                 "did you mean \"wear_rate_balls\" or \"wear_rate_jar\"? It comes with [wear]");
+  const std::string best = "maximise = \"dissipated_power\"\nlimits = ";
+  expect_refused(goal(best + "{ wear_rate_jr = \"below 1 mg/h\" }"),
+                 "did you mean \"wear_rate_jar\"");
+  expect_refused(goal(best + "{ contact_time_share = \"below 3 mm\" }"), "a number without a unit");
+}
+
+TEST_F(Search, an_end_of_a_range_that_cannot_be_is_cited_as_it_is_written) {
+  const auto over = [&](const std::string& said) {
+    write("over.toml", mill + "[optimise]\nmaximise = \"dissipated_power\"\nover = { " + said +
+                           " }\n[match]\nover = { " + said + " }\n");
+  };
+  const auto place = [&](std::size_t below) {
+    return "over.toml:" + std::to_string(lines(mill) + below) + ": ";
+  };
+  over("\"mill.frequency\" = { from = 8, to = 16 }");
+  const std::string first = "\"mill.frequency\" from = 8: the unit is missing";
+  expect_refused("optimise over.toml --out out", place(3) + first);
+  expect_refused("optimise over.toml --out out", "to = 16: the unit is missing");
+  expect_refused("match like.toml --in over.toml --out out", place(5) + first);
+  over("\"mill.frequensy\" = { from = \"8 Hz\", to = \"16 Hz\" }");
+  expect_refused("optimise over.toml --out out", place(3) + "unknown key `frequensy` in [mill]");
+  over("\"contact.restitution\" = { from = 0.5, to = 1.2 }");
+  expect_refused("optimise over.toml --out out",
+                 "\"contact.restitution\" to = 1.2 is out of range");
+  over("\"mill.frequency\" = { from = \"8 Hz\", to = \"16 mm\" }");
+  expect_refused("optimise over.toml --out out", place(3) + "\"mill.frequency\" from \"8 Hz\"");
+}
+
+TEST_F(Search, what_a_search_found_is_its_own_in_the_case_it_leaves) {
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out out --quiet").code, 0);
+  const std::string best = text("out/best.toml");
+  EXPECT_EQ(best.find("--set"), std::string::npos) << best;
+  EXPECT_NE(best.find("found by optimise"), std::string::npos) << best;
 }
 
 }  // namespace
