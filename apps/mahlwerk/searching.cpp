@@ -187,7 +187,6 @@ report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& f
                              .about = best.about,
                              .maximise = job.goal.maximise,
                              .best = found.best,
-                             .best_after = found.best_after,
                              .model_value = told(found.model_value),
                              .expected_gain = found.expected_gain,
                              .expected_loss = found.expected_loss,
