@@ -131,12 +131,13 @@ std::string match_page(const MatchReport& found, std::string_view version) {
     std::string lines;
     for (const Row& r : rows(found))
       lines += fmt::format(
-          "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td "
-          "class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+          "<tr><th scope=\"row\">{}</th><td class=\"n\" data-head=\"A\">{}</td><td class=\"n\" "
+          "data-head=\"B as found\">{}</td><td class=\"n\" data-head=\"B / A\">{}</td></tr>\n",
           escaped(r[0]), escaped(r[1]), escaped(r[2]), escaped(r[3]));
     extra = fmt::format(
-        "<h2>The two mills</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>"
-        "<th class=\"n\">A</th><th class=\"n\">B as found</th><th class=\"n\">B / "
+        "<h2>The two mills</h2>\n<div class=\"wide\"><table class=\"stacked\">\n"
+        "<thead><tr><th></th><th class=\"n\">A</th><th class=\"n\">B as found</th><th "
+        "class=\"n\">B / "
         "A</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n"
         "<p><small>A: {} ({}). B: {} ({}), run anew at what was found. {}.</small></p>"
         "\n",
