@@ -62,24 +62,32 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
   std::vector<std::unique_ptr<campaign::Checkpoint>> states;
   std::vector<results::Outcome> outcomes(points.size());
   campaign::Queue queue;
-  std::size_t begun = 0;
+  std::size_t begun = 0, jobs = 0;
   for (const cases::Case& point : points) {
     const std::string what = what_runs(point);
     files_.push_back(place_ / (campaign::hash_text(fingerprint(what)) + ".checkpoint"));
     states.push_back(states_of(point, what, files_.back(), request.checkpoint.value_or(1)));
     begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
     queue.wanted += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
+    jobs += static_cast<std::size_t>(point.run.replicates);
   }
+  const bool alone = points.size() == 1;
   if (begun > 0 && !request.quiet)
-    fmt::print(stderr, "{} of {} settings go on where they were ended\n", begun, points.size());
+    fmt::print(
+        stderr, "{} where {} ended\n",
+        alone ? "a run goes on" : fmt::format("{} of {} settings go on", begun, points.size()),
+        alone ? "it was" : "they were");
   queue.size = points.size();
+  queue.threads_each =
+      std::max(1, options.threads / std::max(1, static_cast<int>(jobs)));  // those to spare help
   queue.open = [&](std::size_t i) { return points[i]; };
   queue.done = [&](std::size_t i, results::Outcome&& ended) {
     if (states[i]) states[i]->flush();
     outcomes[i] = std::move(ended);
   };
   queue.kept = [&](std::size_t i) {
-    return campaign::Kept{.in = states[i].get(), .ended = campaign::Kept::Ended::noted};
+    using Ended = campaign::Kept::Ended;
+    return campaign::Kept{.in = states[i].get(), .ended = alone ? Ended::written : Ended::noted};
   };
   campaign::work_off(queue, options);
   return outcomes;

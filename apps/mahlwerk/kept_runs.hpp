@@ -18,6 +18,7 @@ class KeptRuns {
   /// For results in `results`. Throws InputError if another process is at work on them, or the
   /// folder cannot be made.
   explicit KeptRuns(const std::filesystem::path& results);
+  const std::filesystem::path& place() const { return place_; }
 
   /// All points computed together, those that have ended before taken as they ended. Points that
   /// keep every collision, or frames, are run anew.

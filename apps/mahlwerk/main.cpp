@@ -89,8 +89,9 @@ void add_run_options(CLI::App& sub, const Command& command, Request& request) {
 }
 
 void add_checkpoint_options(CLI::App& sub, const Command& command, Request& request) {
+  const bool always = command.takes == Takes::papers || command.takes == Takes::match;
   sub.add_option("--checkpoint", request.checkpoint,
-                 command.takes == Takes::papers
+                 always
                      ? "keep the states of runs every so many seconds, for the same command to go "
                        "on from (default 1)"
                      : "keep the state of the run every so many seconds, beside the results, so "
@@ -101,7 +102,7 @@ void add_checkpoint_options(CLI::App& sub, const Command& command, Request& requ
         if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
         return "'" + text + "' is no number of seconds above 0; write for instance --checkpoint 60";
       });
-  if (command.takes == Takes::papers) return;  // it always goes on
+  if (always) return;  // it goes on unasked
   sub.add_flag("--resume", request.resume,
                "go on with a run that was ended, from its last kept state");
 }
@@ -146,7 +147,8 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
                     command.takes == Takes::papers;
   if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
   if (runs) add_run_options(sub, command, request);
-  if (command.takes == Takes::run || command.takes == Takes::papers)
+  if (command.takes == Takes::run || command.takes == Takes::papers ||
+      command.takes == Takes::match)
     add_checkpoint_options(sub, command, request);
   if (command.takes == Takes::sweep) add_sweep_options(sub, request);
   if (command.takes == Takes::campaign) add_campaign_options(sub, command, request);

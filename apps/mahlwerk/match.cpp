@@ -33,27 +33,28 @@ struct MatchJob {
   cases::Case like;                           ///< A
   const campaign::TrialRuns* runs = nullptr;  ///< of B
   bool by_powder = false;
-  campaign::MillMark mark;     ///< of A
-  std::filesystem::path kept;  ///< where what was run is kept until the search has ended
+  campaign::MillMark mark;  ///< of A
 };
 
 bool has_powder(const cases::Case& what) {
   return what.powder && what.powder->mass > 0;
 }
 
-campaign::Options options(const Request& request) {
-  campaign::Options made;
-  made.threads = request.threads;
-  made.stop = &stop_wanted();
-  return made;
+/// Every collision, and frames, are not kept of mills that are matched: without, their runs go on
+/// where they were ended.
+cases::Case without_streams(cases::Case what) {
+  what.observe.collisions = false;
+  what.observe.frames = {};
+  return what;
 }
 
 /// One case, to its end. Throws Interrupted, or RunError where it does not get there.
-results::Outcome whole(const Request& request, const cases::Case& what, const char* name) {
-  ProgressLine line(request.quiet);
-  line.show(fmt::format("running mill {}", name));
-  results::Outcome outcome = campaign::run(what, options(request));
-  if (outcome.interrupted) throw campaign::Interrupted();
+results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
+                       const results::Folder& folder, KeptRuns& kept) {
+  Streams none;
+  none.add(what, folder, "");
+  const results::Outcome outcome = kept.compute(request, {what}, none).front();
+  if (stop_wanted()) throw campaign::Interrupted();
   for (const results::Replicate& r : outcome.replicates)
     if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));
   return outcome;
@@ -63,7 +64,7 @@ cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
   cases::Case like = cases::read(file, known);
   if (!like.sweep.empty())
     throw InputError(Fault{like.file, "the case has a [sweep], match takes a single case",
-                           "take the section [sweep] away", "search-one-case"});
+                           "take the section [sweep] away", "one-case"});
   if (auto wrong = campaign::run_faults(like); !wrong.empty()) throw InputError(std::move(wrong));
   return like;
 }
@@ -156,19 +157,19 @@ void tell(const report::MatchReport& found, const fs::path& place) {
 }
 
 /// Looks for the settings of B, runs it there anew, and writes what came of it.
-report::MatchReport find(const Request& request, MatchJob& job, const results::Folder& folder) {
+report::MatchReport find(const Request& request, MatchJob& job, const results::Folder& folder,
+                         KeptSearch& kept) {
   constexpr int anew = 1'000'000;  // replicates that the search has not seen
   const cases::Case& base = job.runs->base();
-  const results::Outcome a = whole(request, job.like, "A");
+  const results::Outcome a = whole(request, job.like, "A", folder, kept.runs());
   job.mark = campaign::mill_mark(a, job.by_powder);
   if (job.mark.replicates.empty())
     throw RunError("mill A has no collisions: there is nothing that B could be like");
   SearchJob search = search_job(job);
-  search.kept = job.kept;
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
-  const campaign::Optimum found = look(request, search);
+  const campaign::Optimum found = look(request, search, kept);
   report::MatchReport made{.title_a = a.what.title,
                            .title_b = base.title,
                            .file_a = a.what.file,
@@ -178,7 +179,8 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   if (!found.best) return made;
   const campaign::Place& place = found.tried[*found.best].place;
   const int count = static_cast<int>(base.match->replicates);
-  const results::Outcome b = whole(request, job.runs->at(place, anew, count), "B");
+  const results::Outcome b =
+      whole(request, without_streams(job.runs->at(place, anew, count)), "B", folder, kept.runs());
   compare_mills(job, campaign::mill_mark(b, job.by_powder), made);
   report::write(folder, b, version(), "b/");
   results::write_case(folder, job.runs->at(place, 0, static_cast<int>(base.run.replicates)),
@@ -200,29 +202,29 @@ int match(const Request& request) {
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
   check_keys(what, what.match->over, "[match]");
-  const campaign::TrialRuns runs(file_b, known, set, what.match->over);
-  MatchJob job{
-      .like = read_like(file_a, known), .runs = &runs, .by_powder = false, .mark = {}, .kept = {}};
+  const campaign::TrialRuns runs(file_b, known, set, cases::Giver::match);
+  MatchJob job{.like = without_streams(read_like(file_a, known)),
+               .runs = &runs,
+               .by_powder = false,
+               .mark = {}};
   job.by_powder = has_powder(job.like) && has_powder(what);
   job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
   const fs::path usual = default_place(request.data, file_b, false).string() + "-match";
   results::Folder folder(request.out.value_or(usual), request.force);
-  job.kept = folder.wanted().string() + ".trials";
   catch_ctrl_c();
+  KeptSearch kept(folder.wanted());
   try {
-    const report::MatchReport found = find(request, job, folder);
+    const report::MatchReport found = find(request, job, folder, kept);
     folder.write("match.json", match_json(found));
     folder.write("settings.csv", report::optimum_csv(found.search));
     folder.write("match.html", report::match_page(found, version()));
     folder.commit();
-    fs::remove(job.kept);
+    kept.remove();
     if (request.json) fmt::print("{}", match_json(found));
     if (!request.json && !request.quiet) tell(found, folder.wanted());
     return found.search.best ? fine : stopped_by_physics;
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: what was run is kept in {}; the same command goes on\n",
-               job.kept.string());
-    return interrupted;
+    return kept.tell_interrupted();
   }
 }
 

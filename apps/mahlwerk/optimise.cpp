@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "commands.hpp"
@@ -30,6 +31,41 @@ std::vector<results::Quantity> quantities(const cases::Case& what) {
   return results::summarise(nothing, results::Replicate(what.observe.threshold));
 }
 
+std::string place_of_quantity(const cases::Case& what, const cases::Optimise& wanted,
+                              const std::string& name) {
+  const char* goal = wanted.maximise ? "optimise.maximise" : "optimise.minimise";
+  return cases::place_of(what, name == wanted.quantity ? goal : "optimise.limits." + name);
+}
+
+/// Names that mean the same with more behind: of "wear_rate" those of balls and of the jar.
+std::vector<std::string> longer(const std::string& name, const std::vector<std::string>& known) {
+  std::vector<std::string> found;
+  for (const std::string& one : known)
+    if (one.starts_with(name + "_")) found.push_back(one);
+  return found;
+}
+
+/// What to write instead of a quantity that the case does not have.
+std::string instead_of(const std::string& name, std::vector<std::string> known,
+                       const std::vector<results::Lacking>& lacking) {
+  const auto section_of = [&](const std::string& of) {
+    const auto at = std::ranges::find(lacking, of, &results::Lacking::name);
+    return at == lacking.end() ? std::string() : at->section;
+  };
+  if (const std::string section = section_of(name); !section.empty())
+    return fmt::format("it comes with {}: add that to the case", section);
+  for (const results::Lacking& one : lacking) known.push_back(one.name);
+  std::vector<std::string> meant = longer(name, known);
+  if (const std::string near = nearest_word(name, known); !near.empty()) meant = {near};
+  if (meant.empty()) return "choose one of summary.json: docs/formats.md lists them";
+  std::string words;
+  for (const std::string& one : meant)
+    words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", one);
+  const std::string section = section_of(meant.front());
+  return fmt::format("did you mean {}?{}", words,
+                     section.empty() ? "" : fmt::format(" It comes with {}", section));
+}
+
 /// Those that a search is judged by, in the order of their names here.
 std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wanted) {
   const std::vector<results::Quantity> known = quantities(what);
@@ -44,12 +80,9 @@ std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wante
       made.push_back({q->name, q->unit, q->about});
       continue;
     }
-    const std::string near = nearest_word(name, all);
-    wrong.push_back({what.file + ": [optimise]",
+    wrong.push_back({place_of_quantity(what, wanted, name),
                      fmt::format("a run of this case has no quantity \"{}\"", name),
-                     near.empty() ? "choose one of summary.json: docs/formats.md lists them"
-                                  : fmt::format("did you mean \"{}\"?", near),
-                     "no-such-quantity"});
+                     instead_of(name, all, results::lacking(what)), "no-such-quantity"});
   }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   return made;
@@ -58,8 +91,11 @@ std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wante
 double bound_of(const cases::Case& what, const cases::Limit& limit, const Judged& of) try {
   return parse_in(limit.bound, of.unit == "1" ? "" : of.unit);
 } catch (const UnitError& error) {
-  throw InputError(Fault{fmt::format("{}: limits of [optimise], {}", what.file, limit.quantity),
-                         error.what(), fmt::format("give it in {}", of.unit), "bad-limit"});
+  const std::string unit =
+      of.unit == "1" ? "give a number without a unit" : fmt::format("give it in {}", of.unit);
+  throw InputError(Fault{cases::place_of(what, "optimise.limits." + limit.quantity),
+                         fmt::format("the limit of {}: {}", limit.quantity, error.what()), unit,
+                         "bad-limit"});
 }
 
 SearchJob prepare(const campaign::TrialRuns& runs) {
@@ -88,8 +124,10 @@ SearchJob prepare(const campaign::TrialRuns& runs) {
   job.measure = [names](const results::Outcome& outcome, const results::Replicate& replicate) {
     const std::vector<results::Quantity> list = results::summarise(outcome, replicate);
     std::vector<double> values;
-    for (const std::string& name : names)
-      values.push_back(std::ranges::find(list, name, &results::Quantity::name)->value);
+    for (const std::string& name : names) {
+      const auto found = std::ranges::find(list, name, &results::Quantity::name);
+      values.push_back(found == list.end() ? NAN : found->value);  // one that not all settings have
+    }
     return values;
   };
   return job;
@@ -123,14 +161,14 @@ int optimise(const Request& request) {
                            "rpm\", to = \"600 rpm\" } }",
                            "nothing-to-optimise"});
   check_keys(what, what.optimise->over, "[optimise]");
-  const campaign::TrialRuns runs(file, known, set, what.optimise->over);
+  const campaign::TrialRuns runs(file, known, set, cases::Giver::optimise);
   SearchJob job = prepare(runs);
   const fs::path usual = default_place(request.target, file, false).string() + "-optimise";
   results::Folder folder(request.out.value_or(usual), request.force);
-  job.kept = folder.wanted().string() + ".trials";
   catch_ctrl_c();
+  KeptSearch kept(folder.wanted());
   try {
-    const campaign::Optimum found = look(request, job);
+    const campaign::Optimum found = look(request, job, kept);
     const report::OptimumReport report = report_of(job, found);
     write(folder, report);
     if (found.best) {
@@ -138,14 +176,12 @@ int optimise(const Request& request) {
       results::write_case(folder, runs.at(found.tried[*found.best].place, 0, count), "best.toml");
     }
     folder.commit();
-    fs::remove(job.kept);
+    kept.remove();
     if (request.json) fmt::print("{}", optimum_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
     return found.best ? fine : stopped_by_physics;
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: what was run is kept in {}; the same command goes on\n",
-               job.kept.string());
-    return interrupted;
+    return kept.tell_interrupted();
   }
 }
 

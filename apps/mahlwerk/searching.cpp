@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "mahlwerk/base/error.hpp"
@@ -117,17 +118,56 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
          "too-many-keys"});
   if (!what.sweep.empty())
     wrong.push_back({what.file, "the case has a [sweep] beside " + std::string(section),
-                     "take the section [sweep] away", "search-one-case"});
+                     "take the section [sweep] away", "one-case"});
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }
 
-campaign::Optimum look(const Request& request, const SearchJob& job) {
+KeptSearch::KeptSearch(const std::filesystem::path& results)
+    : runs_(results), trials_(runs_.place() / "trials.sqlite") {}
+
+KeptSearch::~KeptSearch() {
+  if (!removed_ && !has_trials() && !has_states()) remove();
+}
+
+bool KeptSearch::has_trials() const {
+  std::error_code none;
+  return std::filesystem::exists(trials_, none);
+}
+
+bool KeptSearch::has_states() const {
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(runs_.place(), none))
+    if (entry.path().extension() == ".checkpoint") return true;
+  return false;
+}
+
+int KeptSearch::tell_interrupted() const {
+  const bool trials = has_trials(), states = has_states();
+  std::string what = trials ? "the runs of the search that had ended" : "";
+  if (trials && states) what += " and ";
+  if (states) what += "the mills' own runs as far as they were";
+  if (what.empty())
+    fmt::print(stderr, "interrupted before any run had ended: the same command begins anew\n");
+  else
+    fmt::print(stderr, "interrupted: {} are kept in {}; the same command goes on\n", what,
+               runs_.place().string());
+  return interrupted;
+}
+
+void KeptSearch::remove() {
+  removed_ = true;  // from here on the place may be another process's
+  std::error_code none;
+  std::filesystem::remove(trials_, none);
+  runs_.remove();
+}
+
+campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept) {
   ProgressLine line(request.quiet);
   campaign::Options options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
   int settings = 0, runs = 0;
-  campaign::TrialStore store(job.kept, job.measure_name);
+  campaign::TrialStore store(kept.trials(), job.measure_name);
   return campaign::optimise(job.goal, [&](const std::vector<campaign::Asked>& asked) {
     line.show(fmt::format("{} settings tried, {} runs", settings, runs));
     for (const campaign::Asked& one : asked) {
@@ -147,7 +187,6 @@ report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& f
                              .about = best.about,
                              .maximise = job.goal.maximise,
                              .best = found.best,
-                             .best_after = found.best_after,
                              .model_value = told(found.model_value),
                              .expected_gain = found.expected_gain,
                              .expected_loss = found.expected_loss,

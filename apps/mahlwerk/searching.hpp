@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "kept_runs.hpp"
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 #include "mahlwerk/report/optimum.hpp"
 
@@ -24,8 +25,31 @@ struct SearchJob {
   std::vector<Judged> outcomes;      ///< what is to be best, then what is limited
   std::vector<cases::Limit> limits;  ///< of the latter
   campaign::TrialRuns::Measure measure;
-  std::string measure_name = {};    ///< tells it apart from others
-  std::filesystem::path kept = {};  ///< where what was run is kept until the search has ended
+  std::string measure_name = {};  ///< tells it apart from others
+};
+
+/// What a search keeps beside its results until these are written: what it was told, and states of
+/// runs. It is this process's alone; where nothing was kept, nothing stays.
+class KeptSearch {
+ public:
+  /// Throws InputError as KeptRuns does.
+  explicit KeptSearch(const std::filesystem::path& results);
+  ~KeptSearch();
+  KeptSearch(const KeptSearch&) = delete;
+  KeptSearch& operator=(const KeptSearch&) = delete;
+
+  KeptRuns& runs() { return runs_; }
+  const std::filesystem::path& trials() const { return trials_; }
+  int tell_interrupted() const;  ///< what is kept; the exit code
+  void remove();                 ///< the results have been written
+
+ private:
+  bool has_trials() const;
+  bool has_states() const;
+
+  KeptRuns runs_;
+  std::filesystem::path trials_;
+  bool removed_ = false;
 };
 
 /// Throws InputError if there are more keys than can be looked over, or the case has a [sweep].
@@ -33,7 +57,7 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
                 std::string_view section);
 
 /// Looks for the best settings. Throws campaign::Interrupted.
-campaign::Optimum look(const Request& request, const SearchJob& job);
+campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept);
 
 report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found);
 std::string optimum_json(const report::OptimumReport& found, std::string_view version);

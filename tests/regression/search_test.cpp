@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Best settings, and settings that do what another mill does, as a user asks for them.
+#include <sys/file.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -43,6 +46,11 @@ class Search : public ProgramTest {
                        nullptr);
   }
 
+  static std::size_t lines(const std::string& said) {
+    return static_cast<std::size_t>(std::ranges::count(said, '\n'));
+  }
+
+  const std::string range = "\"mill.frequency\" = { from = \"8 Hz\", to = \"16 Hz\" }";
   const std::string mill = R"(title = "A ball in a vial"
 [mill]
 kind = "vibration"
@@ -112,6 +120,45 @@ TEST_F(Search, a_mill_matches_itself_at_its_own_speed) {
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
 }
 
+TEST_F(Search, a_match_interrupted_in_mill_a_goes_on_and_gives_the_same) {
+  const std::string longer = "match like.toml --in in.toml --jobs 2 --checkpoint 0.1 --out ";
+  write("like.toml", std::string(mill).replace(mill.find("10 s"), 4, "1000 s"));
+  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "out");
+  EXPECT_EQ(ended.code, 130) << ended.said;
+  EXPECT_NE(ended.said.find("kept in"), std::string::npos) << ended.said;
+  EXPECT_TRUE(exists("out.checkpoints")) << ended.said;
+  EXPECT_FALSE(exists("out"));
+  const Ended again = mahlwerk(longer + "out");
+  ASSERT_EQ(again.code, 0) << again.said;
+  EXPECT_NE(again.said.find("a run goes on where it was ended"), std::string::npos) << again.said;
+  EXPECT_FALSE(exists("out.checkpoints")) << "all is written";
+  ASSERT_EQ(mahlwerk(longer + "whole").code, 0);
+  EXPECT_EQ(text("out/match.json"), text("whole/match.json"));
+  EXPECT_EQ(text("out/match.html"), text("whole/match.html"));
+}
+
+TEST_F(Search, what_an_interrupted_search_says_of_what_is_kept_is_true) {
+  const Ended ended = mahlwerk_until("out.checkpoints/lock", SIGINT,
+                                     "optimise fast.toml --set run.time='1000 s' --out out");
+  EXPECT_EQ(ended.code, 130) << ended.said;
+  const bool kept = ended.said.find("kept in") != std::string::npos;
+  EXPECT_EQ(exists("out.checkpoints/trials.sqlite"), kept) << ended.said;
+  EXPECT_EQ(exists("out.checkpoints"), kept) << ended.said;
+  EXPECT_EQ(ended.said.find("begins anew") != std::string::npos, !kept) << ended.said;
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out out").code, 0);
+  EXPECT_FALSE(exists("out.checkpoints"));
+}
+
+TEST_F(Search, two_at_once_in_one_place_are_refused_at_once) {
+  std::filesystem::create_directory(here_ / "out.checkpoints");
+  const int other = ::open((here_ / "out.checkpoints/lock").c_str(), O_CREAT | O_RDWR, 0600);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  expect_refused("optimise fast.toml --out out", "another process is at work on it");
+  expect_refused("match like.toml --in in.toml --out out", "campaign-at-work");
+  ::close(other);
+  EXPECT_EQ(mahlwerk("optimise fast.toml --out out --quiet").code, 0);
+}
+
 TEST_F(Search, what_makes_no_sense_is_refused) {
   expect_refused("optimise like.toml --out out", "has no [optimise]");
   expect_refused("match like.toml --in like.toml --out out", "has no [match]");
@@ -125,6 +172,52 @@ TEST_F(Search, what_makes_no_sense_is_refused) {
                          "\"below 3 mm\" }\nover = { \"mill.frequency\" = { from = \"8 Hz\", to "
                          "= \"16 Hz\" } }\n");
   expect_refused("optimise unit.toml --out out", "drawn_power");
+}
+
+TEST_F(Search, a_quantity_that_needs_a_section_is_named_with_it) {
+  const auto goal = [&](const std::string& wanted) {
+    write("goal.toml", mill + "[optimise]\n" + wanted + "\nover = { " + range + " }\n");
+    return std::string("optimise goal.toml --out out");
+  };
+  const std::string line = "goal.toml:" + std::to_string(lines(mill) + 2);
+  expect_refused(goal("minimise = \"d50\""), line + ": a run of this case has no quantity \"d50\"");
+  expect_refused(goal("minimise = \"d50\""), "comes with [grinding]");
+  expect_refused(goal("maximise = \"conversion\""), "comes with [kinetics]");
+  expect_refused(goal("minimise = \"wear_rate\""),
+                 "did you mean \"wear_rate_balls\" or \"wear_rate_jar\"? It comes with [wear]");
+  const std::string best = "maximise = \"dissipated_power\"\nlimits = ";
+  expect_refused(goal(best + "{ wear_rate_jr = \"below 1 mg/h\" }"),
+                 "did you mean \"wear_rate_jar\"");
+  expect_refused(goal(best + "{ contact_time_share = \"below 3 mm\" }"), "a number without a unit");
+}
+
+TEST_F(Search, an_end_of_a_range_that_cannot_be_is_cited_as_it_is_written) {
+  const auto over = [&](const std::string& said) {
+    write("over.toml", mill + "[optimise]\nmaximise = \"dissipated_power\"\nover = { " + said +
+                           " }\n[match]\nover = { " + said + " }\n");
+  };
+  const auto place = [&](std::size_t below) {
+    return "over.toml:" + std::to_string(lines(mill) + below) + ": ";
+  };
+  over("\"mill.frequency\" = { from = 8, to = 16 }");
+  const std::string first = "\"mill.frequency\" from = 8: the unit is missing";
+  expect_refused("optimise over.toml --out out", place(3) + first);
+  expect_refused("optimise over.toml --out out", "to = 16: the unit is missing");
+  expect_refused("match like.toml --in over.toml --out out", place(5) + first);
+  over("\"mill.frequensy\" = { from = \"8 Hz\", to = \"16 Hz\" }");
+  expect_refused("optimise over.toml --out out", place(3) + "unknown key `frequensy` in [mill]");
+  over("\"contact.restitution\" = { from = 0.5, to = 1.2 }");
+  expect_refused("optimise over.toml --out out",
+                 "\"contact.restitution\" to = 1.2 is out of range");
+  over("\"mill.frequency\" = { from = \"8 Hz\", to = \"16 mm\" }");
+  expect_refused("optimise over.toml --out out", place(3) + "\"mill.frequency\" from \"8 Hz\"");
+}
+
+TEST_F(Search, what_a_search_found_is_its_own_in_the_case_it_leaves) {
+  ASSERT_EQ(mahlwerk("optimise fast.toml --out out --quiet").code, 0);
+  const std::string best = text("out/best.toml");
+  EXPECT_EQ(best.find("--set"), std::string::npos) << best;
+  EXPECT_NE(best.find("found by optimise"), std::string::npos) << best;
 }
 
 }  // namespace

@@ -27,16 +27,18 @@ class CaseReader {
 
   Case read(const std::vector<Override>& overrides) {
     c_.file = file_.generic_string();
-    apply(overrides, false);
+    apply(overrides, Giver::command);
     std::map<std::string, std::string> places;
     c_.sweep = read_sweep(section("sweep", false), places, findings_);
     refuse_both(overrides);
-    apply(overrides, true);
+    apply(overrides, Giver::sweep);
     fill_from_sweep(places);
     follow(places);
     if (const Node* table = section("optimise", false))
       c_.optimise = read_optimise(table, findings_);
     if (const Node* table = section("match", false)) c_.match = read_match(table, findings_);
+    apply(overrides, Giver::optimise);
+    apply(overrides, Giver::match);
     const DottedLists fit = read_fit(section("fit", false), findings_);
     await(fit);
     read_top();
@@ -51,13 +53,26 @@ class CaseReader {
   }
 
  private:
-  void apply(const std::vector<Override>& overrides, bool of_sweep) {
-    for (const auto& [key, value, swept] : overrides) {
-      if (swept != of_sweep) continue;
-      const std::string where = fmt::format("{} {}", swept ? "[sweep]" : "--set",
-                                            swept ? fmt::format("{} = {}", key, value) : key);
-      const std::string trouble =
-          put(root_, key, loose_value(value, where, swept ? Rank::sweep : Rank::command));
+  Node given(const Override& one) const {
+    const auto& [key, value, by] = one;
+    if (by == Giver::command) return loose_value(value, "--set " + key, Rank::command);
+    if (by == Giver::sweep)
+      return loose_value(value, fmt::format("[sweep] {} = {}", key, value), Rank::sweep);
+    const std::string section = by == Giver::optimise ? "optimise" : "match";
+    const auto range =
+        std::ranges::find(findings_.origins, fmt::format("{}.over.{}", section, key), &Origin::key);
+    const std::string line = range == findings_.origins.end() ? section : range->source;
+    const std::string where = fmt::format("{}: [{}] {} = {}", line, section, key, value);
+    Node node = loose_value(value, where, Rank::command);
+    node.source = fmt::format("{}: found by {}", line, section);
+    return node;
+  }
+
+  void apply(const std::vector<Override>& overrides, Giver by) {
+    for (const Override& one : overrides) {
+      if (one.by != by) continue;
+      Node value = given(one);
+      const std::string where = value.where, trouble = put(root_, one.key, std::move(value));
       if (!trouble.empty())
         findings_.faults.push_back({where, trouble,
                                     "name a value of the case: mill.speed, "
@@ -69,12 +84,11 @@ class CaseReader {
   /// What [sweep] varies cannot be said once for all.
   void refuse_both(const std::vector<Override>& overrides) {
     for (const Override& one : overrides)
-      if (!one.swept &&
+      if (one.by == Giver::command &&
           std::ranges::find(c_.sweep.keys, one.key, &SweptKey::key) != c_.sweep.keys.end())
         findings_.faults.push_back(
             {fmt::format("--set {}", one.key), fmt::format("[sweep] varies {}", one.key),
-             fmt::format("give its values: --set 'sweep.{}=[\"...\", \"...\"]'", one.key),
-             "swept-value"});
+             "change its values in [sweep], or take it out there", "swept-value"});
   }
 
   /// The values that follow from others by a formula of [sweep].

@@ -14,11 +14,14 @@
 
 namespace mahlwerk::cases {
 
-/// One "key=value" of the command line, or of a campaign's point; the value is text as in TOML,
-/// quotes optional.
+/// Who gives a value that is not the file's: --set, or the section that varies its key.
+enum class Giver { command, sweep, optimise, match };
+
+/// One "key=value" of the command line, of a campaign's point or of a search; the value is text as
+/// in TOML, quotes optional.
 struct Override {
   std::string key, value;
-  bool swept = false;  ///< it comes from [sweep]
+  Giver by = Giver::command;
 };
 
 /// A case file read from disk once, for many runs that differ in some of its values.
@@ -59,6 +62,10 @@ std::string contents_of_files(const Case& c);
 /// Faults of a case as a whole, wherever it came from: values out of range, a ball that does not
 /// fit its jar. Empty if it makes sense. Called by read(); bindings and tests call it too.
 std::vector<Fault> faults(const Case& c);
+
+/// Where the value under `key` was said; the key itself if that is no place in a file. A key that
+/// is searched over is "optimise.over." and its name.
+std::string place_of(const Case& c, const std::string& key);
 
 /// What keeps the engines of this version from running a case that makes sense otherwise. Not
 /// called by read(), so that such a case can be checked.

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/section.hpp"
 
 // The sections of a case file, one function each. What cannot be read is left `unread`.
@@ -107,9 +108,6 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
 
 /// What the engine does not look at, or nobody asked for, is no assumption of the results.
 void keep_what_matters(Case& c);
-
-/// Where the value under `key` was said; the key itself if that is no place in a file.
-std::string place_of(const Case& c, const std::string& key);
 
 /// Given starting places outside the jar, in its wall or in each other. For parts that fit
 /// otherwise.

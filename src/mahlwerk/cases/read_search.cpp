@@ -12,6 +12,16 @@
 namespace mahlwerk::cases {
 namespace {
 
+/// Notes where each range stands, for faults with what lies in it.
+void note_ranges(Section& in, const Node& over, const std::vector<SweptKey>& keys) {
+  for (const SweptKey& key : keys) {
+    const Node* direct = over.find(key.key);
+    const Node* at = direct != nullptr ? direct : value_at(over, key.key);
+    in.note("over." + key.key, fmt::format("{} to {}", key.values.front(), key.values.back()),
+            at != nullptr ? at : &over);
+  }
+}
+
 /// A section with `over`, `settings` and `replicates`.
 template <class Looks>
 void read_search(Section& in, const Node& table, Looks& looks) {
@@ -22,6 +32,7 @@ void read_search(Section& in, const Node& table, Looks& looks) {
   const Node* over = in.find("over");
   if (over != nullptr && over->kind == Node::Kind::table) keys.read(*over);
   looks.over = keys.keys();
+  if (over != nullptr) note_ranges(in, *over, looks.over);
   if (looks.over.empty()) {
     in.fault(over != nullptr ? *over : table, fmt::format("{} has nothing to choose", in.heading()),
              "write over = { \"mill.speed\" = { from = \"200 rpm\", to = \"600 rpm\" } }",
@@ -50,17 +61,18 @@ std::vector<Limit> read_limits(Section& in) {
   const Node* table = in.find("limits");
   if (table == nullptr) return limits;
   for (const auto& [quantity, node] : table->members) {
+    in.note("limits." + quantity, node.text, &node);
     const bool below = node.text.starts_with("below "), above = node.text.starts_with("above ");
     if (node.kind != Node::Kind::text || !(below || above))
       in.fault(node,
                fmt::format("the limit of {} must be \"below ...\" or \"above ...\"", quantity),
-               fmt::format("write {} = \"below 1 mg/h\"", quantity), "bad-limit");
+               fmt::format("write for instance {} = \"below 1 mg/h\"", quantity), "bad-limit");
     else
       limits.push_back({quantity, below, node.text.substr(6)});
   }
   if (limits.empty() && table->members.empty())
     in.fault(*table, "`limits` must be a table of quantities",
-             "write limits = { wear_rate = \"below 1 mg/h\" }", "bad-limit");
+             "write limits = { wear_rate_jar = \"below 1 mg/h\" }", "bad-limit");
   return limits;
 }
 

@@ -31,7 +31,19 @@ std::vector<Row> rows(const MatchReport& found) {
            fmt::format("{:.3g}", found.energy_b.value / found.energy_a.value)},
           {"energy with half of the power below", "", "", found.half_power.text()},
           {"power at the same energies", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
-          {"distance", "", "", fmt::format("{:.3g}", found.distance)}};
+          {"distance of the means", "", "", fmt::format("{:.3g}", found.distance)}};
+}
+
+/// Two distances are told, which are not the same.
+std::string about_distances(const MatchReport& found) {
+  const OptimumSetting& best = found.search.settings[*found.search.best];
+  return fmt::format(
+      "A distance is the root of the squares of how far the two lie apart in the logarithm of {0} "
+      "and in their spectra: 0 where they do the same, 0.1 for 10 % of {0}. The distance of the "
+      "means is that of all replicates of B, run anew, from all of A. The search looks at single "
+      "replicates of B against the mean of A; their scatter adds to theirs, {1} at the best",
+      found.by_powder ? "dose" : "power",
+      readable(best.model.value, best.model.ci95, found.search.unit).text());
 }
 
 }  // namespace
@@ -77,7 +89,7 @@ std::string match_table(const MatchReport& found) {
   std::string text;
   if (found.search.best) {
     for (const OptimumKey& k : found.search.keys)
-      text += fmt::format("{} = {}   ({} to {})\n", k.key, k.best, k.low, k.high);
+      text += fmt::format("{} = {}   ({})\n", k.key, k.best, k.lies());
     text += '\n';
     std::vector<Row> lines = rows(found);
     lines.insert(lines.begin(), Row{"", "A", "B as found", "B/A"});
@@ -85,6 +97,7 @@ std::string match_table(const MatchReport& found) {
     text += '\n';
   }
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
+  if (found.search.best) text += chance_sentence(found.search) + ".\n";
   return text + fmt::format("{} settings tried, {} runs.\n", found.search.settings.size(),
                             found.search.runs());
 }
@@ -118,17 +131,18 @@ std::string match_page(const MatchReport& found, std::string_view version) {
     std::string lines;
     for (const Row& r : rows(found))
       lines += fmt::format(
-          "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td "
-          "class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+          "<tr><th scope=\"row\">{}</th><td class=\"n\" data-head=\"A\">{}</td><td class=\"n\" "
+          "data-head=\"B as found\">{}</td><td class=\"n\" data-head=\"B / A\">{}</td></tr>\n",
           escaped(r[0]), escaped(r[1]), escaped(r[2]), escaped(r[3]));
     extra = fmt::format(
-        "<h2>The two mills</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>"
-        "<th class=\"n\">A</th><th class=\"n\">B as found</th><th class=\"n\">B / "
+        "<h2>The two mills</h2>\n<div class=\"wide\"><table class=\"stacked\">\n"
+        "<thead><tr><th></th><th class=\"n\">A</th><th class=\"n\">B as found</th><th "
+        "class=\"n\">B / "
         "A</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n"
-        "<p><small>A: {} ({}). B: {} ({}), run anew at what was found.</small></p>"
+        "<p><small>A: {} ({}). B: {} ({}), run anew at what was found. {}.</small></p>"
         "\n",
         lines, escaped(found.title_a), escaped(found.file_a), escaped(found.title_b),
-        escaped(found.file_b));
+        escaped(found.file_b), escaped(about_distances(found)));
     std::string points;
     for (const std::string& sentence : sentences(found))
       points += fmt::format("<p>{}.</p>\n", escaped(sentence));

@@ -40,6 +40,21 @@ void tell_key(const OptimumKey& k, const std::string& quantity, std::vector<std:
 
 }  // namespace
 
+std::string OptimumKey::lies() const {
+  if (low != high) return fmt::format("{} to {}", low, high);
+  return at_low_end || at_high_end ? "at the end of its range" : low;
+}
+
+std::string chance_sentence(const OptimumReport& found) {
+  constexpr double certain = 0.995;
+  const double chance = found.settings[*found.best].chance;
+  if (chance > certain) return "The best tried is told from all others that were tried";
+  return fmt::format(
+      "That the best tried is the best of those tried has a chance of {}; if it is not, {} is "
+      "expected to be lost",
+      percent(chance), readable(found.expected_loss, NAN, found.unit).text());
+}
+
 int OptimumReport::runs() const {
   int sum = 0;
   for (const OptimumSetting& s : settings) sum += s.replicates;
@@ -54,14 +69,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
                       ? "No setting that was tried could be run"
                       : "No setting that was tried is likely to keep the limits");
   } else {
-    const OptimumSetting& best = found.settings[*found.best];
-    constexpr double certain = 0.995;
-    all.push_back(best.chance > certain
-                      ? std::string("The best tried is told from all others that were tried")
-                      : fmt::format("That the best tried is the best of those tried has a chance "
-                                    "of {}; if it is not, {} is expected to be lost",
-                                    percent(best.chance),
-                                    readable(found.expected_loss, NAN, found.unit).text()));
+    all.push_back(chance_sentence(found));
     if (std::ranges::any_of(found.keys, [](const OptimumKey& k) { return k.model != k.best; }))
       all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
                                 quantity, text_of(found.model_value, found.unit)));
@@ -84,8 +92,7 @@ std::string optimum_table(const OptimumReport& found) {
   std::string text;
   if (found.best) {
     Lines lines{{"key", "best tried", "the optimum lies (95 %)", "model's best"}};
-    for (const OptimumKey& k : found.keys)
-      lines.push_back({k.key, k.best, fmt::format("{} to {}", k.low, k.high), k.model});
+    for (const OptimumKey& k : found.keys) lines.push_back({k.key, k.best, k.lies(), k.model});
     text = aligned(lines) + '\n';
     const OptimumSetting& best = found.settings[*found.best];
     Lines values{{label(found.quantity), text_of(best.model, found.unit),

@@ -31,6 +31,9 @@ struct OptimumKey {
   bool flat = false, at_low_end = false, at_high_end = false;
   std::vector<double> x = {};  ///< the model through its best, this key moved alone
   std::vector<Told> model_at = {};
+
+  /// Where the optimum lies, in words: "12 Hz to 13 Hz", "at the end of its range".
+  std::string lies() const;
 };
 
 struct OptimumLimit {
@@ -56,7 +59,6 @@ struct OptimumReport {
   std::vector<OptimumLimit> limits = {};
   std::vector<OptimumSetting> settings = {};
   std::optional<std::size_t> best = std::nullopt;
-  std::vector<std::size_t> best_after = {};  ///< by round: number of the setting
   Told model_value = {};
   double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
   int failed = 0;
@@ -65,6 +67,8 @@ struct OptimumReport {
   int runs() const;  ///< replicates in all
 };
 
+/// How sure it is that the best tried is the best of those tried; there must be one.
+std::string chance_sentence(const OptimumReport& found);
 /// What is sure and what is not: sentences.
 std::vector<std::string> sentences(const OptimumReport& found);
 

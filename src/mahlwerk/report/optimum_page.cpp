@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mahlwerk/report/optimum.hpp"
@@ -38,12 +39,16 @@ Plot history(const OptimumReport& found) {
     tried.y.push_back(s.seen.value / up.factor);
     tried.error.push_back(std::isfinite(s.seen.ci95) ? s.seen.ci95 / up.factor : 0);
   }
-  for (std::size_t round = 0; round < found.best_after.size(); ++round) {
-    std::size_t until = 0;
-    for (std::size_t i = 0; i < found.settings.size(); ++i)
-      if (found.settings[i].round <= static_cast<int>(round)) until = i + 1;
-    best.x.push_back(static_cast<double>(until));
-    best.y.push_back(found.settings[found.best_after[round]].model.value / up.factor);
+  double until = NAN;
+  for (std::size_t i = 0; i < found.settings.size(); ++i) {
+    const OptimumSetting& s = found.settings[i];
+    if (s.failure.empty() && s.allowed >= 0.5) {
+      const double now = s.model.value / up.factor;
+      until = found.maximise ? std::fmax(until, now) : std::fmin(until, now);
+    }
+    if (std::isnan(until)) continue;  // none so far
+    best.x.push_back(static_cast<double>(i + 1));
+    best.y.push_back(until);
   }
   return {.title = "What was tried",
           .x = {"number of the setting"},
@@ -55,7 +60,8 @@ Plot history(const OptimumReport& found) {
 Plot slice(const OptimumReport& found, std::size_t key) {
   const Multiple up = multiple_of(found);
   const OptimumKey& k = found.keys[key];
-  Series mean{.name = "model, the other keys at its best"}, low{.name = "95 % of it", .colour = 6};
+  Series mean{.name = "model, the other keys at its best"},
+      low{.name = "95 % interval of the model", .colour = 6};
   Series high{.name = "", .colour = 6}, tried{.name = "settings tried", .mark = Mark::dots};
   tried.colour = 1;
   for (std::size_t i = 0; i < k.x.size(); ++i) {
@@ -78,16 +84,33 @@ Plot slice(const OptimumReport& found, std::size_t key) {
           .series = {low, high, mean, tried}};
 }
 
+constexpr std::array<std::string_view, 5> key_heads{
+    "best tried", "the optimum lies (95 %)", "model's best", "alone within 2 %", "looked for"};
+
+/// On a narrow page a cell stands on a line of its own, its heading before it.
+std::string key_cell(std::size_t column, const std::string& text) {
+  return fmt::format("<td class=\"n\" data-head=\"{}\">{}</td>", key_heads[column], escaped(text));
+}
+
 std::string key_rows(const OptimumReport& found) {
   std::string rows;
   for (const OptimumKey& k : found.keys)
     rows += fmt::format(
-        "<tr><th scope=\"row\"><code>{}</code></th><td class=\"n\">{}</td><td class=\"n\">{} to "
-        "{}</td><td class=\"n\">{}</td><td class=\"n\">{} to {}</td><td class=\"n\">{} to "
-        "{}</td></tr>\n",
-        escaped(k.key), escaped(k.best), escaped(k.low), escaped(k.high), escaped(k.model),
-        escaped(k.good_low), escaped(k.good_high), escaped(k.from), escaped(k.to));
+        "<tr><th scope=\"row\"><code>{}</code></th>{}{}{}{}{}</tr>\n", escaped(k.key),
+        key_cell(0, k.best), key_cell(1, k.lies()), key_cell(2, k.model),
+        key_cell(3, k.good_low == k.good_high ? k.good_low : k.good_low + " to " + k.good_high),
+        key_cell(4, k.from + " to " + k.to));
   return rows;
+}
+
+std::string key_table(const OptimumReport& found) {
+  std::string heads;
+  for (const std::string_view head : key_heads)
+    heads += fmt::format("<th class=\"n\">{}</th>", head);
+  return fmt::format(
+      "<h2>The best settings</h2>\n<div class=\"wide\"><table class=\"stacked\">\n"
+      "<thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+      heads, key_rows(found));
 }
 
 std::string cell(const Told& t, const std::string& unit) {
@@ -152,13 +175,7 @@ std::vector<Plot> optimum_plots(const OptimumReport& found) {
 std::string optimum_page(const OptimumReport& found, std::string_view version,
                          std::string_view extra) {
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(lead(found)));
-  if (found.best)
-    body += fmt::format(
-        "<h2>The best settings</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
-        "class=\"n\">best tried</th><th class=\"n\">the optimum lies (95 %)</th><th "
-        "class=\"n\">model's best</th><th class=\"n\">alone within 2 %</th><th class=\"n\">looked "
-        "for</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
-        key_rows(found));
+  if (found.best) body += key_table(found);
   std::string points;
   for (const std::string& sentence : sentences(found))
     points += fmt::format("<p>{}.</p>\n", escaped(sentence));
@@ -169,10 +186,11 @@ std::string optimum_page(const OptimumReport& found, std::string_view version,
   body += extra;
   const std::vector<Plot> plots = optimum_plots(found);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    body += figure(plots[i], i == 0 ? "Bars are 95 % over replicates. The line is what is known "
-                                      "now of the best setting until then."
-                                    : "Settings tried lie off the line where their other keys "
-                                      "differ; no band is drawn around them.");
+    body += figure(plots[i], i == 0 ? "Bars are 95 % over replicates. The line is what the "
+                                      "model says now, all settings known, of the best until then."
+                                    : "Between the grey lines the mean lies with 95 %, by the "
+                                      "model. Settings tried lie off its line where their other "
+                                      "keys differ; their own intervals are not drawn.");
   body += settings(found);
   return page(
       found.title.empty() ? "An optimum" : found.title, body,

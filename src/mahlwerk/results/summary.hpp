@@ -31,6 +31,13 @@ std::vector<Quantity> summarise(const Outcome& outcome);
 /// The same of one replicate alone, in the same order; ci95 is NaN.
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate);
 
+/// A quantity that a case does not have, and the section it comes with: "[wear]".
+struct Lacking {
+  std::string name, section;
+};
+/// Those that the case would have with another section.
+std::vector<Lacking> lacking(const cases::Case& what);
+
 /// The mean of a quantity and its half-width; a replicate in which it does not exist (no collision)
 /// is left out.
 void combine(Quantity& q, const std::vector<double>& values);

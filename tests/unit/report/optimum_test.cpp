@@ -64,7 +64,6 @@ OptimumReport some() {
                     .round = 1,
                     .failure = "the ball, it does not fit"}};
   made.best = 1;
-  made.best_after = {0, 1};
   made.model_value = {2.3, 0.2};
   made.failed = 1;
   made.ended = "It ended";
@@ -112,6 +111,15 @@ TEST(OptimumReport, TableHasTheBestAndItsMeans) {
   EXPECT_TRUE(holds(table, "3 settings tried, 6 runs"));
 }
 
+TEST(OptimumReport, AnIntervalWithoutWidthIsToldAsAnEndOfTheRangeOrAsItsValue) {
+  OptimumReport found = some();  // both intervals are points, the first key's at an end
+  EXPECT_TRUE(holds(optimum_table(found), "at the end of its range"));
+  EXPECT_TRUE(holds(optimum_page(found, "1"), "at the end of its range</td>"));
+  EXPECT_FALSE(holds(optimum_page(found, "1"), "-3 to -3"));
+  found.keys[0].high = "210 rpm";
+  EXPECT_TRUE(holds(optimum_table(found), "200 rpm to 210 rpm"));
+}
+
 TEST(OptimumReport, CsvHasARowPerSettingAndReadsBack) {
   const std::string csv = optimum_csv(some());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
@@ -138,8 +146,8 @@ TEST(OptimumReport, PageIsSafeAndShowsEverySetting) {
 TEST(OptimumReport, HistoryIsTheBestUntilThen) {
   const Plot history = optimum_plots(some()).front();
   const Series& best = history.series.back();
-  EXPECT_EQ(best.x, (std::vector<double>{1, 3}));
-  EXPECT_EQ(best.y, (std::vector<double>{1.4, 2.25}));
+  EXPECT_EQ(best.x, (std::vector<double>{1, 2, 3}));  // from the first setting on
+  EXPECT_EQ(best.y, (std::vector<double>{1.4, 2.25, 2.25}));
   EXPECT_EQ(history.series.front().x.size(), 2U);  // without the one that failed
 }
 
@@ -179,7 +187,10 @@ TEST(MatchReport, ShowsBothMills) {
   EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;
   EXPECT_TRUE(holds(table, "1.1 (1.02 to 1.19)")) << table;
   EXPECT_TRUE(holds(table, "87 %"));
+  EXPECT_TRUE(holds(table, "chance of 98 %")) << table;
   const std::string page = match_page(matched(), "1");
+  EXPECT_TRUE(holds(page, "distance of the means"));
+  EXPECT_TRUE(holds(page, "their scatter adds to theirs, 2.25"));
   EXPECT_TRUE(holds(page, "Do they do the same?"));
   EXPECT_FALSE(holds(page, "nan"));
   const Plot plot = match_plot(matched());

@@ -82,10 +82,9 @@ struct Optimum {
   Place model_place;                ///< where the model is best
   Guess model_value;                ///< a prediction: it was not run
   std::vector<KeyOptimum> keys;
-  std::vector<bool> binds;  ///< by bound: without it the model's best would lie elsewhere
-  std::vector<std::size_t> best_after;  ///< by round: the best setting then, as best known now
-  double expected_gain = 0;             ///< of one more setting, when it ended (opt.5)
-  double expected_loss = 0;             ///< that another setting tried is better than `best`
+  std::vector<bool> binds;   ///< by bound: without it the model's best would lie elsewhere
+  double expected_gain = 0;  ///< of one more setting, when it ended (opt.5)
+  double expected_loss = 0;  ///< that another setting tried is better than `best`
   int failed = 0, rounds = 0;
   Ended ended = Ended::settings;
 };

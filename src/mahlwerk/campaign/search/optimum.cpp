@@ -88,22 +88,6 @@ void slice(const Goal& goal, const Surrogate& model, const Optimum& found, std::
     made.slice.push_back(guess(goal, model, at(static_cast<double>(i) / slice_steps)));
 }
 
-/// By round: the best of the settings tried until then.
-std::vector<std::size_t> best_by_round(const Optimum& found, bool maximise) {
-  std::vector<std::size_t> made;
-  for (int round = 0; round <= found.rounds; ++round) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < found.tried.size(); ++i) {
-      const Tried& t = found.tried[i];
-      if (t.round > round || !t.failure.empty() || t.allowed < 0.5) continue;
-      const double more = best ? t.model.mean - found.tried[*best].model.mean : 0;
-      if (!best || (maximise ? more > 0 : more < 0)) best = i;
-    }
-    if (best) made.push_back(*best);
-  }
-  return made;
-}
-
 }  // namespace
 
 void conclude(const Goal& goal, Optimum& found) {
@@ -119,7 +103,6 @@ void conclude(const Goal& goal, Optimum& found) {
   const Surrogate model(goal, found.tried);
   found.best = model.best();
   describe_tried(goal, model, found);
-  found.best_after = best_by_round(found, goal.maximise);
   found.model_place = model.highest_mean();
   found.model_value = guess(goal, model, found.model_place);
   const Place free = model.highest_mean(false);

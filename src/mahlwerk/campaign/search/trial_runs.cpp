@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,6 +36,15 @@ std::string short_reason(const std::exception& why) {
   return why.what();
 }
 
+/// What is wrong with an end of a range, in its own words: `speed = 300: the unit is missing` is
+/// `from = 300`.
+std::string as_said(const std::string& what, const cases::SweptKey& range, std::size_t end) {
+  const std::string name = range.key.substr(range.key.rfind('.') + 1) + " = ";
+  if (!what.starts_with(name)) return what;
+  return fmt::format("\"{}\" {} = {}", range.key, end == 0 ? "from" : "to",
+                     what.substr(name.size()));
+}
+
 Told told_by(const results::Outcome& outcome, const TrialRuns::Measure& measure) {
   Told told;
   for (const results::Replicate& r : outcome.replicates) {
@@ -46,22 +57,56 @@ Told told_by(const results::Outcome& outcome, const TrialRuns::Measure& measure)
 }  // namespace
 
 TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
-                     std::vector<cases::Override> set, std::vector<cases::SweptKey> over)
+                     std::vector<cases::Override> set, cases::Giver by)
     : file_(file),
       catalogue_(catalogue),
       set_(std::move(set)),
-      over_(std::move(over)),
-      base_(file_.read(catalogue, set_)) {
-  for (const cases::SweptKey& range : over_) value_in_range(range, 0.5);
-  // A key or a unit that is wrong is wrong everywhere; what does not fit may fit elsewhere.
-  constexpr std::array sure{"unknown-key", "bad-quantity", "wrong-type", "unknown-word"};
+      by_(by),
+      base_(file_.read(catalogue, set_)),
+      over_(by == cases::Giver::match ? base_.match->over : base_.optimise->over) {
+  std::vector<Fault> wrong;
+  for (const cases::SweptKey& range : over_) check(range, wrong);
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+}
+
+std::string TrialRuns::place_of(const cases::SweptKey& range) const {
+  const char* section = by_ == cases::Giver::match ? "match" : "optimise";
+  return cases::place_of(base_, fmt::format("{}.over.{}", section, range.key));
+}
+
+void TrialRuns::check(const cases::SweptKey& range, std::vector<Fault>& wrong) const {
   try {
-    at(Place(over_.size(), 0.5), 0, 1);
+    value_in_range(range, 0.5);
   } catch (const InputError& error) {
-    if (std::ranges::any_of(error.faults(), [&](const Fault& fault) {
-          return std::ranges::find(sure, fault.code) != sure.end();
-        }))
-      throw;
+    for (Fault fault : error.faults()) {
+      fault.where = fmt::format("{}: {}", place_of(range), fault.where);
+      wrong.push_back(std::move(fault));
+    }
+    return;
+  }
+  for (const std::size_t end : {0, 1}) check_end(range, end, wrong);
+}
+
+/// A key, a unit or a number that no setting could have; what does not fit may fit elsewhere.
+void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
+                          std::vector<Fault>& wrong) const {
+  constexpr std::array sure{"unknown-key", "bad-quantity", "wrong-type", "unknown-word",
+                            "out-of-range"};
+  const std::string label = fmt::format("{} = {}", range.key, range.values[end]);
+  std::vector<cases::Override> set = set_;
+  set.push_back({range.key, range.values[end], by_});
+  try {
+    file_.read(catalogue_, set);
+  } catch (const InputError& error) {
+    for (const Fault& fault : error.faults()) {
+      if (!fault.where.ends_with(label) || std::ranges::find(sure, fault.code) == sure.end())
+        continue;
+      Fault said{place_of(range), as_said(fault.what, range, end), fault.remedy, fault.code};
+      const auto same = [&](const Fault& f) {
+        return f.where == said.where && f.what == said.what;
+      };
+      if (std::ranges::none_of(wrong, same)) wrong.push_back(std::move(said));
+    }
   }
 }
 
@@ -81,7 +126,7 @@ Place TrialRuns::snap(const Place& place) const {
 cases::Case TrialRuns::at(const Place& place, int first, int count) const {
   std::vector<cases::Override> set = set_;
   const std::vector<std::string> texts = values(place);
-  for (std::size_t i = 0; i < over_.size(); ++i) set.push_back({over_[i].key, texts[i]});
+  for (std::size_t i = 0; i < over_.size(); ++i) set.push_back({over_[i].key, texts[i], by_});
   cases::Case made = file_.read(catalogue_, set);
   made.run.replicates = count;
   made.seed = base_.seed + static_cast<std::uint64_t>(first);

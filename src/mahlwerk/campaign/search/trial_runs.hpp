@@ -17,10 +17,11 @@ namespace mahlwerk::campaign {
 /// A case whose keys are changed within ranges.
 class TrialRuns {
  public:
-  /// `set` is applied to the case before the keys of `over`. Throws InputError where the case
-  /// cannot be read, or a range is none.
+  /// Over the ranges of [optimise] or [match], which the case must have; `set` is applied to it
+  /// before. Throws InputError where the case cannot be read, or an end of a range cannot be one,
+  /// whatever the other keys are.
   TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
-            std::vector<cases::Override> set, std::vector<cases::SweptKey> over);
+            std::vector<cases::Override> set, cases::Giver by);
 
   const cases::Case& base() const { return base_; }
   const std::vector<cases::SweptKey>& over() const { return over_; }
@@ -42,11 +43,16 @@ class TrialRuns {
                         const Options& options, TrialStore& store, std::string_view version) const;
 
  private:
+  std::string place_of(const cases::SweptKey& range) const;
+  void check(const cases::SweptKey& range, std::vector<Fault>& wrong) const;
+  void check_end(const cases::SweptKey& range, std::size_t end, std::vector<Fault>& wrong) const;
+
   cases::CaseFile file_;
   const cases::Catalogue& catalogue_;
   std::vector<cases::Override> set_;
-  std::vector<cases::SweptKey> over_;
+  cases::Giver by_;
   cases::Case base_;
+  std::vector<cases::SweptKey> over_;
 };
 
 }  // namespace mahlwerk::campaign

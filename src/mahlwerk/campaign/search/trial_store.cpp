@@ -9,8 +9,13 @@
 namespace mahlwerk::campaign {
 
 TrialStore::TrialStore(const std::filesystem::path& file, std::string measure)
-    : database_(file, Database::Access::write), measure_(std::move(measure)) {
-  database_.run(
+    : file_(file), measure_(std::move(measure)) {
+  if (std::filesystem::exists(file_)) open();
+}
+
+void TrialStore::open() {
+  database_.emplace(file_, Database::Access::write);
+  database_->run(
       "PRAGMA journal_mode=DELETE; PRAGMA synchronous=NORMAL;"
       "CREATE TABLE IF NOT EXISTS trials(run TEXT PRIMARY KEY, failure TEXT) WITHOUT ROWID;"
       "CREATE TABLE IF NOT EXISTS told(run TEXT, replicate INTEGER, outcome INTEGER, value REAL,"
@@ -23,12 +28,13 @@ std::string TrialStore::name_of(RunHash run) const {
 
 std::optional<Told> TrialStore::find(RunHash run) {
   const std::lock_guard lock(mutex_);
+  if (!database_) return std::nullopt;
   const std::string name = name_of(run);
-  Statement trial = database_.prepare("SELECT failure FROM trials WHERE run = ?");
+  Statement trial = database_->prepare("SELECT failure FROM trials WHERE run = ?");
   if (!trial.bind(1, name).step()) return std::nullopt;
   Told told;
   told.failure = trial.text(0);
-  Statement values = database_.prepare(
+  Statement values = database_->prepare(
       "SELECT replicate, value FROM told WHERE run = ? ORDER BY replicate, outcome");
   values.bind(1, name);
   while (values.step()) {
@@ -41,13 +47,14 @@ std::optional<Told> TrialStore::find(RunHash run) {
 
 void TrialStore::keep(RunHash run, const Told& told) {
   const std::lock_guard lock(mutex_);
+  if (!database_) open();
   const std::string name = name_of(run);
-  Transaction all(database_);
-  database_.prepare("INSERT OR REPLACE INTO trials VALUES(?, ?)")
+  Transaction all(*database_);
+  database_->prepare("INSERT OR REPLACE INTO trials VALUES(?, ?)")
       .bind(1, name)
       .bind(2, told.failure)
       .run();
-  Statement value = database_.prepare("INSERT OR REPLACE INTO told VALUES(?, ?, ?, ?)");
+  Statement value = database_->prepare("INSERT OR REPLACE INTO told VALUES(?, ?, ?, ?)");
   for (std::size_t r = 0; r < told.replicates.size(); ++r)
     for (std::size_t k = 0; k < told.replicates[r].size(); ++k)
       value.bind(1, name)

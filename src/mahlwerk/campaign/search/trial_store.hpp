@@ -17,8 +17,8 @@ namespace mahlwerk::campaign {
 /// where it was. Threads may call at the same time.
 class TrialStore {
  public:
-  /// `measure` names what was told of each replicate: other measures are strangers. Throws
-  /// InputError where the file cannot be used.
+  /// `measure` names what was told of each replicate: other measures are strangers. The file is
+  /// made once there is something to keep. Throws InputError where it cannot be used.
   TrialStore(const std::filesystem::path& file, std::string measure);
 
   std::optional<Told> find(RunHash run);
@@ -26,9 +26,11 @@ class TrialStore {
 
  private:
   std::string name_of(RunHash run) const;
+  void open();
 
   std::mutex mutex_;
-  Database database_;
+  std::filesystem::path file_;
+  std::optional<Database> database_;
   std::string measure_;
 };
 

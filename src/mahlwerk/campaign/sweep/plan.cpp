@@ -172,7 +172,7 @@ std::vector<cases::Override> Plan::overrides(std::size_t point) const {
   std::vector<cases::Override> list;
   const std::vector<std::string> said = values(point);
   for (std::size_t k = 0; k < said.size(); ++k)
-    if (!said[k].empty()) list.push_back({keys_[k], said[k], true});
+    if (!said[k].empty()) list.push_back({keys_[k], said[k], cases::Giver::sweep});
   return list;
 }
 
