@@ -156,34 +156,39 @@ std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGr
   return std::move(sharing.areas);
 }
 
-/// A jar whose areas are reckoned when they are first asked for.
+/// A jar and its grid, the areas of which are reckoned when they are first asked for.
 struct KnownAreas {
-  explicit KnownAreas(const geometry::AnyShape& of) : shape(of) {}
-  const std::vector<double>& on(const WallGrid& grid) {
+  KnownAreas(geometry::AnyShape of, const WallGrid& in) : shape(std::move(of)), grid(in) {}
+  bool are_of(const geometry::AnyShape& other, const WallGrid& in) const {
+    return grid.radius == in.radius && grid.bottom == in.bottom && grid.top == in.top &&
+           shape == other;
+  }
+  const std::vector<double>& reckoned() {
     std::call_once(once, [&] { areas = reckoned_areas(shape, grid); });
     return areas;
   }
   const geometry::AnyShape shape;
+  const WallGrid grid;
   std::once_flag once;
   std::vector<double> areas;
 };
 
 /// A result asks several times, the points of a campaign mostly for a few jars.
-std::shared_ptr<KnownAreas> known_areas(const geometry::AnyShape& shape) {
+std::shared_ptr<KnownAreas> known_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   constexpr std::size_t most = 64;
   static std::mutex mutex;
   static std::deque<std::shared_ptr<KnownAreas>> known;
   const std::lock_guard lock(mutex);
   for (const auto& one : known)
-    if (one->shape == shape) return one;
+    if (one->are_of(shape, grid)) return one;
   if (known.size() == most) known.pop_front();
-  return known.emplace_back(std::make_shared<KnownAreas>(shape));
+  return known.emplace_back(std::make_shared<KnownAreas>(shape, grid));
 }
 
 }  // namespace
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  return known_areas(shape)->on(grid);
+  return known_areas(shape, grid)->reckoned();
 }
 
 double wall_area(const geometry::AnyShape& shape) {

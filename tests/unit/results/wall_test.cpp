@@ -167,6 +167,16 @@ TEST(WallMap, areas_of_cells_sum_to_the_area_of_the_wall) {
   below("capsule", wall_area(geometry::Capsule{d, 0.02}), pi * d * d + pi * d * 0.02);
 }
 
+TEST(WallMap, areas_are_those_of_the_grid_that_is_asked_for) {
+  const geometry::Cylinder drum{0.042, 0.0325};
+  const WallGrid own = empty_replicate(case_of(drum)).tally.wall_map.grid();
+  const std::vector<double> first = wall_areas(drum, own);
+  WallGrid taller = own;
+  taller.top *= 2;
+  EXPECT_NE(wall_areas(drum, taller), first);
+  EXPECT_EQ(wall_areas(drum, own), first);
+}
+
 TEST(WallMap, cells_of_a_drum_have_the_areas_of_their_bounds) {
   for (const double height : {0.008, 0.0325, 0.1}) {
     const geometry::Cylinder drum{0.042, height};
