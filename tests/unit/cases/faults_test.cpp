@@ -12,20 +12,6 @@ namespace mahlwerk::cases {
 namespace {
 
 using namespace sample;
-using ::testing::AssertionFailure;
-using ::testing::AssertionResult;
-using ::testing::AssertionSuccess;
-
-/// One fault and no more, at `where`, with `what` in its cause or remedy, under `code`.
-AssertionResult only(const std::string& text, const std::string& where, const std::string& what,
-                     const std::string& code, const std::vector<Override>& overrides = {}) {
-  const auto found = faults_of(text, overrides);
-  if (found.size() == 1 && found[0].where == where && found[0].code == code &&
-      (found[0].what + "\n" + found[0].remedy).find(what) != std::string::npos)
-    return AssertionSuccess();
-  return AssertionFailure() << "got: " << fault_of(text, overrides);
-}
-
 TEST(CaseFaults, unknown_keys_name_the_nearest_known_one) {
   EXPECT_TRUE(only(with(vial, "frequency", "frequency = \"10 Hz\"\nfrequancy = \"10 Hz\""),
                    "case.toml:6", "did you mean `frequency`?", "unknown-key"));
@@ -122,32 +108,6 @@ TEST(CaseFaults, wrong_types) {
                    "wrong-type"));
   EXPECT_TRUE(only(vial + "[sweep]\n\"mill.frequency\" = [[1]]\n", "case.toml:25", "list of values",
                    "wrong-type"));
-}
-
-TEST(CaseFaults, of_a_sweep_come_together_and_have_no_others_in_their_wake) {
-  const std::string swept = with(vial, "frequency", "") +
-                            "[sweep]\ndesign = \"grit\"\nsamples = 0\n"
-                            "\"mill.frequency\" = { from = \"3 Hz\", steps = 4 }\n"
-                            "\"mill.amplitude\" = [\"1 mm\", \"\"]\n"
-                            "together = [[\"mill.frequency\", \"mill.nothing\"]]\n";
-  std::vector<std::string> places;
-  for (const Fault& fault : faults_of(swept)) places.push_back(fault.where + " " + fault.code);
-  EXPECT_EQ(places,
-            (std::vector<std::string>{"case.toml:25 unknown-word", "case.toml:26 out-of-range",
-                                      "case.toml:27 bad-range", "case.toml:28 wrong-type",
-                                      "case.toml:29 bad-together"}));
-}
-
-TEST(CaseFaults, of_a_design_that_cannot_use_a_value) {
-  const auto swept = [](const std::string& lines) { return vial + "[sweep]\n" + lines; };
-  EXPECT_TRUE(only(swept("desing = \"sobol\"\n\"mill.frequency\" = [\"3 Hz\"]\n"), "case.toml:25",
-                   "did you mean `design`?", "unknown-key"));
-  EXPECT_TRUE(only(swept("design = \"sobol\"\nsamples = 4\n\"mill.frequency\" = { from = \"3 Hz\", "
-                         "to = \"5 Hz\", steps = 5 }\n"),
-                   "case.toml:27", "steps has no meaning", "too-much"));
-  EXPECT_TRUE(only(swept("design = \"sobol\"\nsamples = 2.5\n\"mill.frequency\" = { from = \"3 "
-                         "Hz\", to = \"5 Hz\" }\n"),
-                   "case.toml:26", "whole number", "out-of-range"));
 }
 
 TEST(CaseFaults, unknown_words) {

@@ -100,6 +100,17 @@ inline std::string fault_of(const std::string& text, const std::vector<Override>
   return all;
 }
 
+/// One fault and no more, at `where`, with `what` in its cause or remedy, under `code`.
+inline ::testing::AssertionResult only(const std::string& text, const std::string& where,
+                                       const std::string& what, const std::string& code,
+                                       const std::vector<Override>& overrides = {}) {
+  const auto found = faults_of(text, overrides);
+  if (found.size() == 1 && found[0].where == where && found[0].code == code &&
+      (found[0].what + "\n" + found[0].remedy).find(what) != std::string::npos)
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "got: " << fault_of(text, overrides);
+}
+
 /// The one fault as "what|remedy|code"; all of them if there are several.
 inline std::string one_fault(const std::string& text, const std::vector<Override>& overrides = {}) {
   const std::vector<Fault> found = faults_of(text, overrides);
