@@ -33,6 +33,12 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Work was ended because the user asked for it.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 /// The faults as the lines a user reads.
 std::string describe(const std::vector<Fault>& faults);
 

@@ -14,9 +14,10 @@ scene::Chamber chamber(const Case& c) {
           .gravity = {0, 0, -c.gravity}};
 }
 
-std::vector<scene::Ball> starting_balls(const Case& c, int replicate) {
+std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
+                                        const std::atomic<bool>* stop) {
   Random random(c.seed, static_cast<std::uint32_t>(replicate));
-  std::vector<scene::Ball> balls = fill(c.jar.shape, c.balls, random);
+  std::vector<scene::Ball> balls = fill(c.jar.shape, c.balls, random, stop);
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
   std::visit(
       [&](const auto& motion) {

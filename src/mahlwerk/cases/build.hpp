@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ scene::Chamber chamber(const Case& c);
 
 /// Balls at random places where they touch nothing, with random velocities and spins as the case's
 /// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Places that the case gives
-/// are kept. Depends on the seed and the replicate alone.
-std::vector<scene::Ball> starting_balls(const Case& c, int replicate);
+/// are kept. Depends on the seed and the replicate alone. Throws Interrupted once `*stop` is set.
+std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
+                                        const std::atomic<bool>* stop = nullptr);
 
 /// The set each ball belongs to, in the order of starting_balls().
 std::vector<std::int32_t> kinds_of_balls(const Case& c);

@@ -40,8 +40,9 @@ std::vector<Portion> portions(const std::vector<BallSet>& sets) {
 /// A charge being placed, the largest balls first.
 class Charge {
  public:
-  Charge(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random)
-      : shape_(shape), sets_(sets), random_(random), portions_(portions(sets)) {
+  Charge(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
+         const std::atomic<bool>* stop)
+      : shape_(shape), sets_(sets), random_(random), stop_(stop), portions_(portions(sets)) {
     order_.resize(portions_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::ranges::stable_sort(order_, std::greater(), [&](auto i) { return portions_[i].diameter; });
@@ -111,6 +112,7 @@ class Charge {
                     std::size_t crowded) {
     const double radius = 0.5 * portion.diameter;
     for (std::size_t next = portion.from; next < portion.from + portion.count; ++next) {
+      if (stop_ != nullptr && *stop_) throw Interrupted();
       Vec3 p = places.draw(random_);
       bool found = free(p, radius, grids);
       for (int tries = tries_left(crowded); !found && tries > 0; --tries) {
@@ -177,7 +179,7 @@ class Charge {
 
   bool pushed(double smaller) {
     if (left_ <= 0) return false;
-    const Pushed end = push_apart(placed_, shape_, room_, smaller, left_);
+    const Pushed end = push_apart(placed_, shape_, room_, smaller, left_, stop_);
     left_ -= end.moves;
     largest_ = std::max(largest_, end.largest);
     typical_ = std::max(typical_, end.typical);
@@ -220,12 +222,13 @@ class Charge {
   bool fits(double size) {
     std::vector<Placed> smaller = placed_;
     for (Placed& b : smaller) b.radius *= size;
-    return push_apart(smaller, shape_, room_, 1e-6, sweeps(300, 5e7)).free;
+    return push_apart(smaller, shape_, room_, 1e-6, sweeps(300, 5e7), stop_).free;
   }
 
   const geometry::AnyShape& shape_;
   const std::vector<BallSet>& sets_;
   Random& random_;
+  const std::atomic<bool>* stop_;
   std::vector<Portion> portions_;   // in the order of the case
   std::vector<std::size_t> order_;  // of portions, largest balls first
   std::size_t count_ = 0;
@@ -239,8 +242,8 @@ class Charge {
 }  // namespace
 
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
-                              Random& random) {
-  Charge charge(shape, sets, random);
+                              Random& random, const std::atomic<bool>* stop) {
+  Charge charge(shape, sets, random, stop);
   charge.place();
   return charge.balls();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
@@ -14,8 +15,8 @@ namespace mahlwerk::cases {
 /// stand there; the others are put around them at random places where they touch nothing: one after
 /// the other where that works, the largest first; a denser charge is pushed apart from a random
 /// start. Throws InputError "too-many-balls" where neither
-/// does.
+/// does, Interrupted once `*stop` is set.
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
-                              Random& random);
+                              Random& random, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::cases

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/places.hpp"
 
 namespace mahlwerk::cases {
@@ -37,10 +38,11 @@ class Soft {
     find_neighbours();
   }
 
-  Pushed run(std::int64_t most) {
+  Pushed run(std::int64_t most, const std::atomic<bool>* stop) {
     constexpr double at_rest = 1e-3;  // force left over, of that in the contacts
     Pushed end;
     for (;;) {
+      if (stop != nullptr && *stop) throw Interrupted();
       feel();
       end.moves += static_cast<std::int64_t>(balls_.size());
       end.free = pair_overlap_ <= 0.5 * gap_ && wall_overlap_ <= 0.5;
@@ -181,8 +183,8 @@ class Soft {
 }  // namespace
 
 Pushed push_apart(std::vector<Placed>& balls, const geometry::AnyShape& shape, const Room& room,
-                  double gap, std::int64_t most) {
-  return Soft(balls, shape, room, gap).run(most);
+                  double gap, std::int64_t most, const std::atomic<bool>* stop) {
+  return Soft(balls, shape, room, gap).run(most, stop);
 }
 
 }  // namespace mahlwerk::cases

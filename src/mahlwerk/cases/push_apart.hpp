@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "mahlwerk/cases/grid.hpp"
@@ -27,8 +28,8 @@ struct Pushed {
 /// Moves balls that overlap apart and back into the jar, like soft spheres coming to rest, until
 /// between any two there are at least gap/2 of their radii's sum, and as much of a radius between
 /// ball and wall as `gap` and the jar allow. Gives up where they rest against each other, or after
-/// `most` moves.
+/// `most` moves. Throws Interrupted once `*stop` is set.
 Pushed push_apart(std::vector<Placed>& balls, const geometry::AnyShape& shape, const Room& room,
-                  double gap, std::int64_t most);
+                  double gap, std::int64_t most, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::cases

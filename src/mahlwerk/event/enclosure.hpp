@@ -21,8 +21,8 @@ class Enclosure {
   virtual ~Enclosure() = default;
 
   virtual kinematics::Ride ride(double t) const = 0;
-  /// Follows a ball that is `ball` at `t` and flies freely, until it touches or `until` is passed;
-  /// looks at least once.
+  /// Follows a ball that is `ball` at `t` and flies freely, until it touches, `until` is passed, or
+  /// after most_search_steps; looks at least once.
   virtual Sighting look(const Passing& ball, double t, double until,
                         const Feeler& feeler) const = 0;
   virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;

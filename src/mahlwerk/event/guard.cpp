@@ -3,36 +3,45 @@
 #include "mahlwerk/event/guard.hpp"
 
 #include <sstream>
-#include <string>
 
 namespace mahlwerk::event {
-
 namespace {
 
-std::string piled(double time, double within, const std::string& events) {
-  std::ostringstream text;
-  text << "at " << time << " s " << events << " events took place within " << within
-       << " s: bounces have collapsed (inelastic collapse) and time would stand still. ";
-  return text.str();
+const char* remedy(Lasting lasting) {
+  switch (lasting) {
+    case Lasting::none:
+      return "Nothing ends them, since [contact] lasting = \"none\". Leave it out: one ball then "
+             "rolls and slides, several are carried by the TC rule";
+    case Lasting::roll:
+      return "The ball neither rests nor leaves. Try [contact] lasting = \"tc\", or follow the "
+             "contact itself by run.engine = \"soft\"";
+    case Lasting::tc: break;
+  }
+  return "Balls are wedged: they have no room for the small bounces of the TC rule. run.engine = "
+         "\"soft\" follows such contacts";
 }
-
-constexpr const char* more = "; see docs/errors.md#inelastic-collapse";
 
 }  // namespace
 
-RunError pile_up(double time, double within) {
-  return RunError(
-      piled(time, within, "a hundred thousand") +
-      "Let such contacts last ([contact] lasting = \"roll\", the default for one ball) or "
-      "end them by the TC rule (lasting = \"tc\")" +
-      more);
+RunError pile_up(double time, double within, std::int64_t events, Lasting lasting) {
+  std::ostringstream text;
+  text << "at " << time << " s " << events << " events took place within " << within
+       << " s: bounces have collapsed (inelastic collapse) and time would stand still. "
+       << remedy(lasting) << "; see docs/errors.md#inelastic-collapse";
+  return RunError(text.str());
 }
 
-RunError pile_up_of_many(double time, double within, std::int64_t events) {
-  return RunError(piled(time, within, std::to_string(events)) +
-                  "End them by the TC rule ([contact] lasting = \"tc\", the default for several "
-                  "balls), or with a longer contact_time" +
-                  more);
+void refuse_gain(const contact::Loss& loss, double mass, double approach, double slip,
+                 double time) {
+  constexpr double rounding = 1e-9;
+  const double energy = 0.5 * mass * (approach * approach + slip * slip);
+  const double lost = loss.normal + loss.tangential;
+  if (lost >= -rounding * energy) return;
+  std::ostringstream text;
+  text << "at " << time << " s a collision gained " << -lost << " J of the " << energy
+       << " J that it had. This is an error of Mahlwerk, not of the case: please report it with the "
+          "case file; see docs/errors.md#energy-gained";
+  throw RunError(text.str());
 }
 
 }  // namespace mahlwerk::event

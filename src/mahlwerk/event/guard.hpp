@@ -5,12 +5,17 @@
 #include <cstdint>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/event/rules.hpp"
 
 namespace mahlwerk::event {
 
-/// The Zeno guard's message: at `time` [s] since the start events piled up within `within` [s].
-RunError pile_up(double time, double within);
-/// The same for many balls, `events` of which took place.
-RunError pile_up_of_many(double time, double within, std::int64_t events);
+/// The Zeno guard's message: at `time` [s] since the start `events` took place within `within` [s].
+/// Its remedy is one that `lasting`, the treatment in force, does not contain.
+RunError pile_up(double time, double within, std::int64_t events, Lasting lasting);
+
+/// Throws RunError if a collision gained energy, which no rule of the engine does: an error of the
+/// program. `mass` [kg], `approach` and `slip` [m/s] of the collision, `time` [s] since the start.
+void refuse_gain(const contact::Loss& loss, double mass, double approach, double slip, double time);
 
 }  // namespace mahlwerk::event

@@ -25,6 +25,10 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
       horizon_ = until - before_;
       const Due due = calendar_.next();
       if (!(due.time < horizon_)) break;
+      if (events_ % 64 == 0 && stopped()) {
+        reached_ = std::max(reached_, mill_time() - start_);
+        return hand_over(observer);
+      }
       now_ = due.time;
       fetch_ahead();
       happen(due.ball);
@@ -92,6 +96,7 @@ void ManyBalls::look(std::int32_t ball) {
     const Sighting seen =
         jar_->look(where, motion_time(now_), motion_time(alone), feelers_[line(ball).species]);
     ++account_.search_steps;
+    if (seen.face < 0 && seen.time < motion_time(alone)) events_ += most_search_steps / 16;
     const double then = std::max(now_, seen.time - motion_time(0));
     if (seen.face >= 0 && then < alone && then < horizon_) {
       now_ = then;
@@ -133,7 +138,7 @@ void ManyBalls::guard() {
   const std::int64_t events = events_ - guarded_;
   if (events < many + each * std::ssize(lines_)) return;
   const double within = mill_time() - guarded_since_;
-  if (within < soon) throw pile_up_of_many(mill_time() - start_, within, events);
+  if (within < soon) throw pile_up(mill_time() - start_, within, events, rules_.lasting);
   guarded_ = events_;
   guarded_since_ = mill_time();
 }

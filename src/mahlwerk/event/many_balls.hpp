@@ -13,6 +13,7 @@
 #include "mahlwerk/event/meetings.hpp"
 #include "mahlwerk/event/neighbours.hpp"
 #include "mahlwerk/event/rules.hpp"
+#include "mahlwerk/event/sustained_contact.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
 namespace mahlwerk::event {
@@ -91,11 +92,15 @@ class ManyBalls final : public scene::Engine {
   // many_collisions.cpp: impulses, records, the account
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
-  contact::Impulse bounce(const contact::BounceRule& rule, const Touching& touch, double since);
+  using Bounce = SustainedContact::Result;
+  Bounce bounce(const contact::BounceRule& rule, const Touching& touch, double since);
   void kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
-  bool chatters(double since) const;
-  void count_contact(Turning& ball);
-  void settle_account(const contact::Loss& loss, double gained, double work, double scale);
+  bool slow(const Touching& touch) const {
+    return touch.approach < SustainedContact{rules_.contact_time}.slowest_rebound(0, touch.press);
+  }
+  void count_contact(Turning& ball, bool slow);
+  void settle_account(const Touching& touch, const contact::Loss& loss, double gained, double work,
+                      double scale);
   void record(std::int32_t ball, std::int32_t other, const Touching& touch, const Vec3& point,
               double impulse, const contact::Loss& loss);
   double kinetic(std::int32_t ball, double t) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/many_balls.hpp"
 
 namespace mahlwerk::event {
@@ -20,16 +21,16 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double round = squared(across(where.velocity, n)) * std::max(wall.bend, 0.0);
   const Touching touch(n, s.mass, glide, s.radius * turn.spin, press_ + round);
 
-  const contact::Impulse j = bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
-  const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
+  const auto [j, loss, withheld, sustained] =
+      bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_);
   kick(ball, impulse, s.radius * n);
   const double work =
       dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
   account_.wall_work += work;
-  settle_account(loss, kinetic(ball, now_) - before, work, before);
-  count_contact(turn);
+  settle_account(touch, loss, kinetic(ball, now_) - before, work, before);
+  count_contact(turn, slow(touch));
   record(ball, ~face, touch, wall.point, j.normal, loss);
   plan(ball);
 }
@@ -50,51 +51,50 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
                        sa.radius * ta.spin + sb.radius * tb.spin, press_);
 
   const double since = now_ - std::max(ta.last, tb.last);
-  const contact::Impulse j = bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
-  const contact::Loss loss = contact::loss(j, touch.mass, touch.approach, touch.slip);
+  const auto [j, loss, withheld, sustained] =
+      bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   kick(ball, impulse, sa.radius * n);
   kick(other, -impulse, -sb.radius * n);
-  settle_account(loss, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
-  count_contact(ta);
-  count_contact(tb);
+  settle_account(touch, loss, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
+  count_contact(ta, slow(touch));
+  count_contact(tb, slow(touch));
   record(ball, tb.name, touch, passing(ball).position + sa.radius * n, j.normal, loss);
   plan(ball);
   plan(other);
 }
 
-/// The TC rule: balls that have just collided are in lasting contact.
-bool ManyBalls::chatters(double since) const {
-  return rules_.lasting == Lasting::tc && since < rules_.contact_time;
-}
-
-/// The time since a ball's last collision was time in contact if it was short (man.5).
-void ManyBalls::count_contact(Turning& ball) {
+/// The time since a ball's last collision was time in contact if it was short, and the bounce as
+/// slow as those of a lasting contact are (man.5).
+void ManyBalls::count_contact(Turning& ball, bool slow) {
   const double flight = now_ - ball.last;
-  if (rules_.lasting == Lasting::tc && flight < 5 * rules_.contact_time)
+  if (rules_.lasting == Lasting::tc && slow && flight < 5 * rules_.contact_time)
     account_.contact_time += flight;
   ball.last = now_;
 }
 
-/// `since` [s] is the time since one of the two last collided. Under the TC rule nothing is lost
-/// but by sliding: perfectly rough as far as friction reaches, and elastic along the normal; more
-/// than elastic where bounces follow each other faster than contacts can, so that the clock goes on
-/// (man.4).
-contact::Impulse ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
+/// `since` [s] is the time since one of the two last collided. By the pair's rule, or by that of
+/// lasting contacts (man.4).
+ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
                                    double since) {
   ++account_.collisions;
   // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
   const double approach = std::max(touch.approach, 1e-200);
-  if (!chatters(since)) return contact::bounce(rule, touch.mass, approach, touch.slip);
-  ++account_.tc_collisions;
-  const double mu = std::isfinite(rule.friction) ? rule.friction : rules_.lasting_friction;
-  const double hurry = std::max(0.0, 1 - 2 * since / rules_.contact_time);
-  const double tremble = 5 * touch.press * rules_.contact_time;
-  const double slowness = std::max(0.0, 1 - approach / tremble);
-  const double e = 1 + 0.2 * hurry * slowness;
-  const contact::BounceRule chatter{1, -1, mu};
-  return contact::bounce(chatter, touch.mass, approach, touch.slip, e);
+  if (rules_.lasting != Lasting::tc) {
+    const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
+    return {j, contact::loss(j, touch.mass, approach, touch.slip)};
+  }
+  const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
+  const Bounce b =
+      sustained.collide(rule, {touch.mass, approach, touch.slip, since, touch.press});
+  if (b.sustained) ++account_.tc_collisions;
+  account_.withheld += b.withheld;
+  if (since < rules_.contact_time) {
+    account_.lost_within += b.loss.normal + b.loss.tangential;
+    if (approach >= rules_.threshold) ++account_.hits_within;
+  }
+  return b;
 }
 
 /// `arm` [m] from the centre to the contact.
@@ -106,8 +106,9 @@ void ManyBalls::kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
   turning(ball).spin += cross(arm, impulse) / s.inertia;
 }
 
-void ManyBalls::settle_account(const contact::Loss& loss, double gained, double work,
-                               double scale) {
+void ManyBalls::settle_account(const Touching& touch, const contact::Loss& loss, double gained,
+                               double work, double scale) {
+  refuse_gain(loss, touch.mass, touch.approach, touch.slip, mill_time() - start_);
   account_.lost_normal += loss.normal;
   account_.lost_tangential += loss.tangential;
   const double lost = loss.normal + loss.tangential;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/event/field.hpp"
 #include "mahlwerk/event/many_balls.hpp"
 
 namespace mahlwerk::event {
@@ -22,16 +23,6 @@ Feeler feeler(const Enclosure& jar, double radius) {
       jar.reach() + jar.offset() +
       (limits.jerk > 0 ? limits.speed * limits.speed / (norm(limits.acceleration) + 1e-300) : 0.0);
   return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
-}
-
-/// The most that |g - c''| gets to in a period, or its bound where there is none.
-double strongest_field(const Enclosure& jar) {
-  constexpr int looks = 256;
-  if (!std::isfinite(jar.period())) return norm(jar.limits().acceleration) + norm(jar.gravity());
-  double most = 0;
-  for (int i = 0; i < looks; ++i)
-    most = std::max(most, norm(jar.gravity() - jar.ride(jar.period() * i / looks).acceleration));
-  return most;
 }
 
 /// Grids over the box in which centres of balls can be.
@@ -64,7 +55,8 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < at_no_time),
       pull_(jar_->limits().acceleration + magnitude(gravity_)),
-      press_(strongest_field(*jar_) + 1e-9),  // more than none, so that it may divide
+      press_(strongest_field(gravity_, jar_->limits().acceleration, jar_->period(),
+                             [&](double t) { return jar_->ride(t); })),
       start_(start) {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   before_ = std::isfinite(period) ? std::floor(start / period) * period : start;

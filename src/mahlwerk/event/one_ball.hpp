@@ -7,9 +7,11 @@
 #include <cmath>
 #include <vector>
 
+#include "mahlwerk/event/field.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/stay.hpp"
+#include "mahlwerk/event/sustained_contact.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
 namespace mahlwerk::event {
@@ -27,6 +29,8 @@ class OneBall final : public scene::Engine {
         feeler_(feeler(jar_, ball.radius)),
         stay_(jar_, body_, rules, feeler_),
         spin_(ball.spin),
+        field_(strongest_field(jar_.gravity(), jar_.limits().acceleration, jar_.motion().period(),
+                               [&](double t) { return jar_.motion().ride(t); })),
         start_(start) {
     const double period = jar_.looks_still() ? jar_.motion().period() : kinematics::no_period;
     round_ = period;
@@ -44,6 +48,10 @@ class OneBall final : public scene::Engine {
     const double until = time + start_;
     try {
       while (mill_time() < until) {
+        if (stopped()) {
+          reached_ = std::max(reached_, mill_time() - start_);
+          return hand_over(observer);
+        }
         if (staying_) {
           linger();
           continue;
@@ -51,7 +59,12 @@ class OneBall final : public scene::Engine {
         const Touch touch = next_touch(jar_, flight_, now_, until - before_, feeler_);  // (evt.3)
         account_.search_steps += touch.steps;
         now_ = touch.when;
-        if (touch.face < 0) break;
+        if (touch.face < 0) {
+          if (!(now_.time < until - before_)) break;
+          guarded_ += static_cast<int>(touch.steps / 16);
+          guard();
+          continue;
+        }
         collide(touch.face);  // (evt.6) to (evt.8)
         if (collapses(touch.face)) settle(touch.face);
         guard();
@@ -139,14 +152,8 @@ class OneBall final : public scene::Engine {
     const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
     const double slip = norm(slipping);
 
-    double e = rules_.wall(face).restitution.at(approach);
-    if (rules_.lasting == Lasting::tc && mill_time() - last_ < rules_.contact_time) {
-      e = 1;
-      ++account_.tc_collisions;
-    }
-    const contact::Impulse j =
-        contact::bounce(rules_.wall(face), m, approach, slip, e);    // (evt.6), (evt.7)
-    const contact::Loss loss = contact::loss(j, m, approach, slip);  // (evt.8)
+    const auto [j, loss] = bounce(face, wall, approach, slip);
+    refuse_gain(loss, m, approach, slip, mill_time() - start_);
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
 
     Passing after = now_.ball;
@@ -160,9 +167,34 @@ class OneBall final : public scene::Engine {
     account_.lost_tangential += loss.tangential;
     ++account_.collisions;
     record(face, wall, n, approach, slip, norm(gliding), j.normal, loss);
-    rebound_ = e * approach;
+    rebound_ = j.normal / m - approach;
     last_ = mill_time();
     fly(after);
+  }
+
+  struct Bounce {
+    contact::Impulse impulse;
+    contact::Loss loss;
+  };
+  /// By the wall's rule (evt.6 to evt.8), or that of sustained contacts under the TC rule (man.4).
+  Bounce bounce(int face, const Wall& wall, double approach, double slip) {
+    const contact::BounceRule& rule = rules_.wall(face);
+    if (rules_.lasting != Lasting::tc) {
+      const contact::Impulse j = contact::bounce(rule, body_.mass, approach, slip);
+      return {j, contact::loss(j, body_.mass, approach, slip)};
+    }
+    const double since = mill_time() - last_;
+    const double round =
+        squared(across(now_.ball.velocity, wall.inward)) * std::max(wall.bend, 0.0);
+    const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
+    const auto b = sustained.collide(rule, {body_.mass, approach, slip, since, field_ + round});
+    if (b.sustained) ++account_.tc_collisions;
+    account_.withheld += b.withheld;
+    if (since < rules_.contact_time) {
+      account_.lost_within += b.loss.normal + b.loss.tangential;
+      if (approach >= rules_.threshold) ++account_.hits_within;
+    }
+    return {b.impulse, b.loss};
   }
 
   void check_balance(double gained, double work, double lost, double scale) {
@@ -267,7 +299,7 @@ class OneBall final : public scene::Engine {
     constexpr double soon = 0.01;  // [s]
     if (++guarded_ < many) return;
     if (mill_time() - guarded_since_ < soon)
-      throw pile_up(mill_time() - start_, mill_time() - guarded_since_);
+      throw pile_up(mill_time() - start_, mill_time() - guarded_since_, many, rules_.lasting);
     guarded_ = 0;
     guarded_since_ = mill_time();
   }
@@ -285,6 +317,7 @@ class OneBall final : public scene::Engine {
   Flight flight_;
   Vec3 spin_;
   bool staying_ = false;
+  double field_;                          // [m/s2] the strongest of the mill (man.4)
   double start_;                          // [s] of the mill's own time
   Instant now_;                           // its time is the clock's
   double before_ = 0;                     // [s] mill time = before_ + clock

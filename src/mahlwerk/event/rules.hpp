@@ -20,6 +20,7 @@ struct Rules {
   Lasting lasting = Lasting::roll;
   double lasting_speed = 1e-4;  ///< [m/s] a slower rebound, pressed to the wall, has come to stay
   double contact_time = 1e-4;   ///< [s] t_c of the TC rule
+  double threshold = 0;         ///< [m/s] hits slower than this are not counted in hits_within
 
   const contact::BounceRule& wall(int face) const {
     return faces.empty() ? bounce : faces[static_cast<std::size_t>(face)];

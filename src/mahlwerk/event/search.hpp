@@ -100,9 +100,14 @@ Glance glance(const Jar<S, M>& jar, const Instant& now, const Feeler& ball) {
   return seen;
 }
 
+/// Steps of one search; a flight usually takes fewer than ten. A ball that skims a wall may take so
+/// many that whoever asks must be able to look after other things in between.
+constexpr std::int64_t most_search_steps = 4096;
+
 /// The first touch of a flight from `start` on, no later than about `until`: the first time at
 /// which a gap is (nearly) closed and shrinking. Steps by times that are certainly free, so no
-/// touch is passed (evt.3 to evt.5).
+/// touch is passed (evt.3 to evt.5). After most_search_steps it returns where it is: no face, and a
+/// time before `until`, from where to go on.
 template <class S, class M>
 [[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start,
                                   double until, const Feeler& ball) {
@@ -119,7 +124,7 @@ template <class S, class M>
     }
     now.ride = jar.motion().ride(now.time);
     now.ball = flight.passing(now.time, jar.gravity(), now.ride);
-    if (!(now.time < until)) return {now, -1, steps};
+    if (!(now.time < until) || steps >= most_search_steps) return {now, -1, steps};
   }
 }
 

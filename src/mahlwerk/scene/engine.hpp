@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
@@ -21,6 +22,10 @@ class Engine {
   /// collisions up to then handed over.
   virtual void advance(double time, Observer& observer) = 0;
 
+  /// Once `*stop` is set `advance` ends early, between two events or steps; account().time says
+  /// how far it came. Null: it never does.
+  void stop_on(const std::atomic<bool>* stop) { stop_ = stop; }
+
   /// The energy account at the time reached.
   virtual Account account() const = 0;
 
@@ -34,6 +39,12 @@ class Engine {
   /// Writes the state reached to `archive`, or takes it from there; an engine made from the same
   /// case then goes on as if nothing had happened, to the bit.
   virtual void carry(Archive& archive) = 0;
+
+ protected:
+  bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
+ private:
+  const std::atomic<bool>* stop_ = nullptr;
 };
 
 }  // namespace mahlwerk::scene

@@ -150,6 +150,7 @@ void Crowd::advance(double time, scene::Observer& observer) {
       const std::int64_t end = std::min(until, (step_ / block + 1) * block);
       const std::vector<Beat> all = beats(step_ + 1, end + 1);
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+        if (stopped()) return hand_over();
         step(all[k], all[k + 1]);
         if (records() > most_records) hand_over();
       }

@@ -98,6 +98,7 @@ void SoftBalls::advance(double time, scene::Observer& observer) {
   };
   try {
     while (now_ < until) {
+      if (stopped()) break;
       if (landing_ >= 0) {
         now_ = std::min(landing_, until);
         if (now_ == landing_) land();

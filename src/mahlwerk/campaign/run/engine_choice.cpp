@@ -34,7 +34,7 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop) {
   constexpr int parts = 100;
   constexpr std::int64_t enough = 400'000;  // collisions: half a second or so of work
   const double whole = std::min(1.0, what.run.settle + what.run.time);
-  const auto trial = engine(what, 0);
+  const auto trial = engine(what, 0, 1, stop);
   Nobody nobody;
   std::vector<scene::Account> seen{trial->account()};
   try {

@@ -184,6 +184,8 @@ class Crew {
     std::exception_ptr trouble;
     try {
       point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
+    } catch (const Interrupted&) {  // before it began
+      point.outcome.replicates[task.replicate].complete = false;
     } catch (...) {
       trouble = std::current_exception();
     }
@@ -221,7 +223,7 @@ class Crew {
     const int r = static_cast<int>(replicate);
     Replica replica(point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
                     options_.frames ? options_.frames(point.index, r) : nullptr,
-                    queue_.threads_each);
+                    queue_.threads_each, options_.stop);
     const Kept kept = queue_.kept ? queue_.kept(point.index) : Kept{};
     const std::size_t job = kept.from + replicate;
     if (kept.in != nullptr) kept.in->restore(job, replica);

@@ -70,9 +70,11 @@ class Replica::Ears final : public scene::Observer {
   Replica& replica_;
 };
 
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads) {
+namespace {
+
+std::unique_ptr<scene::Engine> make_engine(const cases::Case& what,
+                                           const std::vector<scene::Ball>& balls, int threads) {
   const scene::Chamber mill = cases::chamber(what);
-  const std::vector<scene::Ball> balls = cases::starting_balls(what, index);
   if (what.run.engine == "soft") {
     soft::Rules rules = soft_settings(what).rules;
     rules.threads = threads;
@@ -80,10 +82,20 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int th
   }
   const contact::BounceTable bounces = cases::bounce_table(what);
   event::Rules treatment = rules(what.contact);
+  treatment.threshold = what.observe.threshold;
   if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);
   for (int face = 0; face < bounces.faces(); ++face)
     treatment.faces.push_back(bounces.wall(0, face));
   return event::one_ball(mill, balls.front(), treatment);
+}
+
+}  // namespace
+
+std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads,
+                                      const std::atomic<bool>* stop) {
+  auto made = make_engine(what, cases::starting_balls(what, index, stop), threads);
+  made->stop_on(stop);
+  return made;
 }
 
 namespace {
@@ -98,7 +110,8 @@ double first_window(const cases::Case& what) {
 }  // namespace
 
 Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper,
-                 std::unique_ptr<results::FrameFiles> frames, int threads)
+                 std::unique_ptr<results::FrameFiles> frames, int threads,
+                 const std::atomic<bool>* stop)
     : what_(&what),
       index_(index),
       keeper_(std::move(keeper)),
@@ -107,7 +120,7 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
       result_(results::empty_replicate(what)),
       window_(first_window(what)),
       streams_(what.grinding && what.grinding->method != cases::Grinding::Method::balance),
-      engine_(engine(what, index, threads)),
+      engine_(engine(what, index, threads, stop)),
       stretch_(what.run.settle > 0 ? 0 : 1) {
   for (const cases::BallSet& set : what.balls) balls_ += set.count;
   const scene::Chamber mill = cases::chamber(what);

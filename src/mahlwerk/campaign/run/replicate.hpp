@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <memory>
 
 #include "mahlwerk/cases/read.hpp"
@@ -14,9 +15,11 @@ namespace mahlwerk::campaign {
 /// One replicate of a case in the making: settles, then counts, stretch by stretch.
 class Replica {
  public:
-  /// `keeper` gets every counted record, `frames` the frames that the case asks for.
+  /// `keeper` gets every counted record, `frames` the frames that the case asks for. Once `*stop` is
+  /// set go_on() returns early; throws Interrupted if that is so while balls are placed.
   Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
-          std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1);
+          std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
+          const std::atomic<bool>* stop = nullptr);
 
   bool done() const;
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
@@ -64,7 +67,9 @@ class Replica {
 };
 
 /// The engine of one replicate at its start: run.engine, where "auto" counts as "event".
-/// `threads` may share its work; the result does not depend on them.
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads = 1);
+/// `threads` may share its work; the result does not depend on them. Heeds `stop`
+/// (scene::Engine::stop_on) from the placing of the balls on, where it throws Interrupted.
+std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads = 1,
+                                      const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::campaign
