@@ -48,6 +48,10 @@ struct Checked {
 
 constexpr std::size_t looked_at = 1000;  // points of a campaign, however many it has
 
+void add(const Notices& notices, std::vector<std::string>& lines) {
+  for (const Notice& one : notices) lines.push_back((one.warns() ? "Warning: " : "") + one.text);
+}
+
 Checked look_at(const Request& request, const std::filesystem::path& file,
                 const cases::Catalogue& known) {
   const std::vector<cases::Override> set = overrides(request);
@@ -69,8 +73,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   if (std::string grains = cases::grains_note(first); !grains.empty())
     c.notes.push_back(std::move(grains));
   c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());
-  for (std::string& warning : cases::jar_warnings(first))
-    c.notes.push_back("Warning: " + std::move(warning));
+  add(cases::jar_warnings(first), c.notes);
   if (choice.engine == "soft") {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
@@ -80,7 +83,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
         {"contact_time", s.steps.contact, "s", "of the shortest collision (dem.29)"});
     c.follows.push_back(
         {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
-    for (std::string& note : campaign::soft_notes(decided)) c.notes.push_back(std::move(note));
+    add(campaign::soft_notes(decided), c.notes);
   }
   const double seconds =
       static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *

@@ -21,7 +21,6 @@
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
-#include "mahlwerk/results/warnings.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -72,8 +71,8 @@ void tell(const Job& job, const results::Outcome& outcome) {
   if (const std::string regime = results::regime(outcome); !regime.empty())
     fmt::print("{}: {}\n\n", regime, results::regime_reason(outcome));
   fmt::print("{}", uncalibrated(job.what));
-  for (const std::string& words : results::warnings(outcome)) fmt::print("Warning: {}\n\n", words);
-  for (const std::string& note : outcome.notes) fmt::print("{}\n\n", note);
+  for (const Notice& one : outcome.notices)
+    fmt::print("{}{}\n\n", one.warns() ? "Warning: " : "", one.text);
   fmt::print("results:  {}\n", job.place.string());
   fmt::print("report:   {}\n", (job.place / "report.html").string());
   fmt::print("numbers:  {}\n\n", (job.place / "summary.json").string());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
@@ -46,7 +47,7 @@ double frame_bytes(const Case& c);
 contact::PairTable pair_table(const Case& c);
 
 /// What a user should know of the jar before trusting a run in it; empty if all is well.
-std::vector<std::string> jar_warnings(const Case& c);
+Notices jar_warnings(const Case& c);
 
 /// One thing that follows from a case before it is run.
 struct Consequence {

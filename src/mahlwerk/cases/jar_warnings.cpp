@@ -38,10 +38,11 @@ std::string heaped_powder(const Case& c) {
 
 }  // namespace
 
-std::vector<std::string> jar_warnings(const Case& c) {
-  std::vector<std::string> all;
-  for (std::string& warning : std::array{tight_hollows(c), heaped_powder(c)})
-    if (!warning.empty()) all.push_back(std::move(warning));
+Notices jar_warnings(const Case& c) {
+  Notices all;
+  for (Notice& one : std::array{warning("tight-hollow", tight_hollows(c)),
+                                warning("too-much-powder", heaped_powder(c))})
+    if (!one.text.empty()) all.push_back(std::move(one));
   return all;
 }
 

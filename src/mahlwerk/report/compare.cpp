@@ -14,7 +14,6 @@
 #include "mahlwerk/results/csv.hpp"
 #include "mahlwerk/results/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -125,7 +124,7 @@ std::string caution(const cases::Contact& contact) {
 }
 
 Side side(const Outcome& outcome) {
-  return {outcome.cpu_seconds, outcome.notes, warnings(outcome)};
+  return {outcome.cpu_seconds, outcome.notices};
 }
 
 double share_in_contact(const Comparison& c, observe::Estimate Beside::*engine) {

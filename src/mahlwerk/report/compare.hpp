@@ -35,7 +35,7 @@ struct ComparedBin {
 /// What one engine has to say besides its numbers.
 struct Side {
   double cpu_seconds = 0;
-  std::vector<std::string> notes, warnings;
+  Notices notices;
 };
 
 /// One case as both engines ran it.

@@ -133,8 +133,7 @@ std::string boxes(const char* engine, const Side& side) {
     text += fmt::format("<section class=\"box{}\"><p><b>{} engine.</b> {}</p></section>\n", kind,
                         engine, escaped(words));
   };
-  for (const std::string& w : side.warnings) box(w, " warn");
-  for (const std::string& n : side.notes) box(n, "");
+  for (const Notice& one : side.notices) box(one.text, one.warns() ? " warn" : "");
   return text;
 }
 
@@ -151,8 +150,8 @@ std::string compare_table(const Comparison& c) {
   text += aligned(lines_of(c.speeds, "m/s"), "collisions by normal speed");
   text += aligned(lines_of(c.energies, "J"), "collisions by normal energy");
   for (const auto& [name, side] : {std::pair{"event", &c.event}, std::pair{"soft", &c.soft}})
-    for (const auto* list : {&side->warnings, &side->notes})
-      for (const std::string& words : *list) text += fmt::format("{} engine: {}\n\n", name, words);
+    for (const Notice& one : side->notices)
+      text += fmt::format("{} engine: {}\n\n", name, one.text);
   if (!c.caution.empty()) text += c.caution + "\n\n";
   return text + fmt::format("The threshold is a normal speed of {}.\n\n{}\n",
                             threshold_text(c.threshold), how_to_read(c));

@@ -19,7 +19,6 @@
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/warnings.hpp"
 #include "mahlwerk/results/wear.hpp"
 #include "mahlwerk/results/writer.hpp"
 
@@ -175,7 +174,8 @@ std::string wear_and_heat(const Outcome& outcome) {
 
 std::string warning_box(const Outcome& outcome) {
   std::string lines;
-  for (const std::string& w : warnings(outcome)) lines += fmt::format("<p>{}</p>\n", escaped(w));
+  for (const Notice& one : outcome.notices)
+    if (one.warns()) lines += fmt::format("<p>{}</p>\n", escaped(one.text));
   return lines.empty() ? "" : "<section class=\"box warn\">" + lines + "</section>\n";
 }
 
@@ -204,8 +204,9 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   const std::string& given = outcome.what.title;
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
   body += warning_box(outcome);
-  for (const std::string& note : outcome.notes)
-    body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(note));
+  for (const Notice& one : outcome.notices)
+    if (!one.warns())
+      body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(one.text));
   if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
   body += quantity_table(outcome, list);

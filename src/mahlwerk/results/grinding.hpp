@@ -60,6 +60,6 @@ Table size_distribution(const Outcome& outcome);
 Table conversion(const Outcome& outcome);  ///< conversion.csv: over time and dose
 
 /// Where the models are asked beyond their range; empty if all is well.
-std::vector<std::string> grinding_warnings(const Outcome& outcome);
+Notices grinding_warnings(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

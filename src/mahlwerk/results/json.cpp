@@ -6,7 +6,6 @@
 
 #include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/regime.hpp"
-#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -19,6 +18,20 @@ Json origins(const cases::Case& what, bool cases::Origin::*chosen) {
   for (const cases::Origin& o : what.origins) {
     if (o.*chosen) list.push_back({{"key", o.key}, {"value", o.value}, {"source", o.source}});
   }
+  return list;
+}
+
+Json texts(const Notices& notices, bool warnings) {
+  Json list = Json::array();
+  for (const Notice& one : notices)
+    if (one.warns() == warnings) list.push_back(one.text);
+  return list;
+}
+
+Json listed(const Notices& notices) {
+  Json list = Json::array();
+  for (const Notice& one : notices)
+    list.push_back({{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}});
   return list;
 }
 
@@ -37,8 +50,9 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"engine", outcome.what.run.engine},
           {"regime", regime(outcome)},
           {"regime_reason", regime_reason(outcome)},
-          {"notes", outcome.notes},
-          {"warnings", warnings(outcome)},
+          {"notes", texts(outcome.notices, false)},
+          {"warnings", texts(outcome.notices, true)},
+          {"notices", listed(outcome.notices)},
           {"threshold", outcome.what.observe.threshold},
           {"complete", whole},
           {"interrupted", outcome.interrupted && !whole},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/charge.hpp"
 #include "mahlwerk/observe/replay.hpp"
@@ -70,8 +71,8 @@ struct Outcome {
   cases::Case what;
   std::vector<Replicate> replicates;
   std::string engine = "event";  ///< that ran it: "event" or "soft"
-  /// How it was computed, where a user ought to know: the engine chosen and why, advice.
-  std::vector<std::string> notes;
+  /// What a reader should know besides the numbers: made once, when the run ends.
+  Notices notices;
   double wall_seconds = 0, cpu_seconds = 0;
   bool interrupted = false;
 };

@@ -9,8 +9,8 @@
 
 namespace mahlwerk::results {
 
-/// What a reader must know before using the numbers: a run cut short or stopped, an energy balance
-/// that does not close. Empty if all is well.
-std::vector<std::string> warnings(const Outcome& outcome);
+/// What the numbers of a run say of themselves: a run cut short or stopped, an energy balance that
+/// does not close. Made once, when the run ends, and kept in `Outcome::notices`.
+Notices warnings(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -20,6 +20,12 @@ std::string joined(const std::vector<std::string>& notes) {
   return all;
 }
 
+std::string texts(const Notices& notices) {
+  std::string all;
+  for (const Notice& one : notices) all += one.text + "\n";
+  return all;
+}
+
 constexpr const char* sticky = "law = \"jkr\"\nsurface_energy = \"1 J/m2\"\nrestitution = 0.5";
 constexpr const char* dry = "law = \"jkr\"\nsurface_energy = \"0 J/m2\"\nrestitution = 0.5";
 
@@ -32,9 +38,9 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
 
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
   const auto notes = [](const cases::Case& what) {
-    results::Outcome outcome{.what = what, .replicates = {}, .notes = {}};
+    results::Outcome outcome{.what = what, .replicates = {}, .notices = {}};
     outcome.engine = "event";
-    return joined(notes_on(outcome, {"event", {}}));
+    return texts(notes_on(outcome, {"event", {}}));
   };
   EXPECT_NE(notes(with_engine("event", sticky)).find("part without a pull"), std::string::npos);
   EXPECT_EQ(notes(with_engine("event", dry)).find("part without a pull"), std::string::npos);

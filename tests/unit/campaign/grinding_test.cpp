@@ -120,8 +120,8 @@ TEST_F(Ground, SampleOfTheStreamAgreesWithTheBalanceOfItsSpectrum) {
 
 TEST_F(Ground, MorePowerThanTheMillDissipatesIsWarnedOf) {
   const auto warned = [](const Outcome& of) {
-    for (const std::string& words : results::grinding_warnings(of))
-      if (words.find("times the power that the mill dissipates") != std::string::npos) return true;
+    for (const Notice& one : results::grinding_warnings(of))
+      if (one.code == "more-than-dissipated") return true;
     return false;
   };
   EXPECT_TRUE(warned(outcome()));  // a restitution of 0.7 loses half of what presses the powder

@@ -27,8 +27,8 @@ std::string faults_with_step(const char* step) {
   return codes(soft_case("restitution = 0.5", {{"run.time_step", step}}));
 }
 bool says(const cases::Case& what, const std::string& words) {
-  for (const std::string& note : soft_notes(what))
-    if (note.find(words) != std::string::npos) return true;
+  for (const Notice& one : soft_notes(what))
+    if (one.text.find(words) != std::string::npos) return true;
   return false;
 }
 
@@ -61,7 +61,7 @@ TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
 
 TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {
   EXPECT_EQ(codes(soft_case("restitution = 0.5\nsoftening = 0.001")), "");
-  EXPECT_TRUE(says(soft_case("restitution = 0.5\nsoftening = 0.001"), "Warning: contacts"));
+  EXPECT_TRUE(says(soft_case("restitution = 0.5\nsoftening = 0.001"), "Contacts are so soft"));
   EXPECT_EQ(codes(soft_case("restitution = 0.5\nsoftening = 1e-9")), "contacts-too-soft");
   EXPECT_EQ(codes(soft_case("law = \"sjkr\"\ncohesion = \"1e5 J/m3\"\nrestitution = 0.5")), "");
   EXPECT_EQ(codes(soft_case("law = \"sjkr\"\ncohesion = \"1e12 J/m3\"\nrestitution = 0.5")),

@@ -37,8 +37,9 @@ bool warned(const cases::Case& what, const results::Replicate& r) {
   results::Outcome outcome;
   outcome.what = what;
   outcome.replicates = {r};
-  return std::ranges::any_of(results::warnings(outcome), [](const std::string& w) {
-    return w.find("dissipated_power is not known within") != std::string::npos;
+  return std::ranges::any_of(results::warnings(outcome), [](const Notice& one) {
+    return one.code == "not-certain" &&
+           one.text.find("dissipated_power is not known within") != std::string::npos;
   });
 }
 

@@ -95,7 +95,7 @@ TEST(PowderWarnings, loose_powder_that_has_no_room) {
   };
   EXPECT_TRUE(warnings("3.63 g").empty());
   ASSERT_EQ(warnings("3.64 g").size(), 1U);
-  EXPECT_NE(warnings("3.64 g")[0].find("packed to 60 % of solid"), std::string::npos);
+  EXPECT_NE(warnings("3.64 g")[0].text.find("packed to 60 % of solid"), std::string::npos);
 }
 
 }  // namespace

@@ -261,7 +261,7 @@ TEST(MeshFile, a_ball_larger_than_a_hollow_is_warned_of) {
       0.04));
   EXPECT_EQ(jar_warnings(read_with(round)).size(), 1U);
   EXPECT_EQ(
-      jar_warnings(read_with(round))[0].substr(0, 86),
+      jar_warnings(read_with(round))[0].text.substr(0, 86),
       "A ball of radius 4 mm is larger than the tightest hollow of a smooth face of the jar, ");
   EXPECT_TRUE(
       jar_warnings(read_with(round, with(meshed, "diameter", "diameter = \"5 mm\""))).empty());

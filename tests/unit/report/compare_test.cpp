@@ -22,7 +22,7 @@ bool has(const std::string& text, std::string_view part) {
 Comparison doubled() {
   auto soft = fake_outcome({200, 240, 280});
   soft.cpu_seconds = 3;
-  soft.notes = {"Steps are <short>."};
+  soft.notices = {note("time-step", "Steps are <short>.")};
   return compare(fake_outcome({100, 120, 140}), soft);
 }
 

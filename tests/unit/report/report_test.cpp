@@ -87,12 +87,14 @@ TEST(Report, WarnsOfWhatMakesItDoubtful) {
   EXPECT_EQ(warnings(steps).size(), 1U);
   steps.engine = "soft";  // follows contacts in steps
   EXPECT_TRUE(warnings(steps).empty());
+  o.notices = warnings(o);
   EXPECT_TRUE(has(report_page(o, "1"), "too many bounces"));
 }
 
 TEST(Report, OfNothingIsStillAPage) {
   auto o = fake_outcome();
   o.replicates.assign(2, results::Replicate(0.1));
+  o.notices = warnings(o);
   const std::string html = report_page(o, "1.2.3");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "there is no result"));

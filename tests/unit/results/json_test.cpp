@@ -48,6 +48,20 @@ TEST(SummaryJson, TellsWhatMadeIt) {
   EXPECT_EQ(about.at("unverified")[0].at("source"), "catalogue jars/some");
 }
 
+TEST(SummaryJson, HoldsEveryNoticeWithItsCode) {
+  Outcome o = fake_outcome();
+  EXPECT_TRUE(parsed(o).at("_about").at("notices").empty());
+  o.notices = {invalid("long-contacts", "In contact."), warning("stopped", "It was stopped."),
+               note("engine-chosen", "Engine: event.")};
+  const nlohmann::json about = parsed(o).at("_about");
+  EXPECT_EQ(about.at("notices")[0],
+            nlohmann::json(
+                {{"code", "long-contacts"}, {"severity", "invalid"}, {"text", "In contact."}}));
+  EXPECT_EQ(about.at("notices")[2].at("severity"), "note");
+  EXPECT_EQ(about.at("warnings"), nlohmann::json({"In contact.", "It was stopped."}));
+  EXPECT_EQ(about.at("notes"), nlohmann::json({"Engine: event."}));
+}
+
 TEST(SummaryJson, TellsWhatIsMissing) {
   Outcome o = fake_outcome({100});
   o.interrupted = true;

@@ -129,26 +129,31 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
                        seen, percent(most_contact))}};
 }
 
-std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice& choice) {
-  std::vector<std::string> notes = choice.reason;
+Notices notes_on(const results::Outcome& outcome, const Choice& choice) {
+  Notices notes;
+  for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
-    notes.push_back(std::move(grains));
+    notes.push_back(note("powder-as-grains", std::move(grains)));
   if (choice.engine == "soft") {
-    for (std::string& note : soft_notes(outcome.what)) notes.push_back(std::move(note));
+    append(notes, soft_notes(outcome.what));
     return notes;
   }
   if (const char* law = sticking(outcome.what))
-    notes.push_back(fmt::format(
-        "Warning: law = \"{}\" holds balls together. The event engine does not know that: its "
-        "balls part without a pull (engine = \"soft\" follows it).",
-        law));
+    notes.push_back(invalid(
+        "sticking-law-ignored",
+        fmt::format("law = \"{}\" holds balls together. The event engine does not know that: its "
+                    "balls part without a pull (engine = \"soft\" follows it).",
+                    law)));
   const double share = contact_share(outcome);
   if (balls(outcome.what) > 1 && share > most_contact)
-    notes.push_back(fmt::format(
-        "The balls were in contact {} of the time. For such a charge the soft engine is advised "
-        "(engine = \"soft\"). Power and dose are sound; the number of hits, and forces inside the "
-        "bed, depend on contact.contact_time.",
-        percent(share)));
+    notes.push_back(invalid(
+        "long-contacts",
+        fmt::format(
+            "The balls were in contact {} of the time. For such a charge the soft engine is "
+            "advised "
+            "(engine = \"soft\"). Power and dose are sound; the number of hits, and forces inside "
+            "the bed, depend on contact.contact_time.",
+            percent(share))));
   return notes;
 }
 

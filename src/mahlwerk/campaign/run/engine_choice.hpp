@@ -28,6 +28,6 @@ struct Choice {
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop = nullptr);
 
 /// Which engine ran, why, and what to make of it.
-std::vector<std::string> notes_on(const results::Outcome& outcome, const Choice& choice);
+Notices notes_on(const results::Outcome& outcome, const Choice& choice);
 
 }  // namespace mahlwerk::campaign

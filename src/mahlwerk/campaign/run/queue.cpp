@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <ctime>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
+#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -200,8 +202,16 @@ class Crew {
     point.outcome.wall_seconds = seconds_since(point.began);
     for (const results::Replicate& r : point.outcome.replicates)
       point.outcome.cpu_seconds += r.cpu_seconds;
-    point.outcome.notes = notes_on(point.outcome, point.choice);
+    point.outcome.notices = notices(point);
     queue_.done(point.index, std::move(point.outcome));
+  }
+
+  /// The gravest first.
+  static Notices notices(const Open& point) {
+    Notices list = results::warnings(point.outcome);
+    append(list, notes_on(point.outcome, point.choice));
+    std::ranges::stable_sort(list, std::ranges::greater(), &Notice::severity);
+    return list;
   }
 
   /// No further replicate of it is begun, those at work end soon.

@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
+#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -39,8 +40,9 @@ Load load_of(const std::vector<cases::Case>& points) {
 results::Outcome nothing_yet(const cases::Case& what) {
   const auto count = static_cast<std::size_t>(what.run.replicates);
   results::Outcome outcome{
-      .what = what, .replicates = {count, results::empty_replicate(what)}, .notes = {}};
+      .what = what, .replicates = {count, results::empty_replicate(what)}, .notices = {}};
   outcome.interrupted = true;
+  outcome.notices = results::warnings(outcome);
   return outcome;
 }
 

@@ -78,21 +78,26 @@ SoftSettings soft_settings(const cases::Case& what) {
   return s;
 }
 
-std::vector<std::string> soft_notes(const cases::Case& what) {
+Notices soft_notes(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   const double step = s.rules.time_step;
-  std::vector<std::string> notes{fmt::format(
-      "Time step {}, {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest collision ({}) "
-      "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
-      show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
-      100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
-      100 * s.steps.overlap)};
+  Notices notes{
+      note("time-step",
+           fmt::format(
+               "Time step {}, {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest "
+               "collision ({}) "
+               "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
+               show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
+               100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
+               100 * s.steps.overlap))};
   if (s.steps.overlap > deep)
-    notes.push_back(fmt::format(
-        "Warning: contacts are so soft that balls may overlap by {:.2g} % of their radius, more "
-        "than {:.0f} %. Forces and contact times are then those of softer bodies; a larger "
-        "contact.softening or stiffness makes them harder.",
-        100 * s.steps.overlap, 100 * deep));
+    notes.push_back(warning(
+        "soft-contacts",
+        fmt::format(
+            "Contacts are so soft that balls may overlap by {:.2g} % of their radius, more "
+            "than {:.0f} %. Forces and contact times are then those of softer bodies; a larger "
+            "contact.softening or stiffness makes them harder.",
+            100 * s.steps.overlap, 100 * deep)));
   return notes;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/soft/engine.hpp"
 
@@ -20,7 +21,7 @@ struct SoftSettings {
 SoftSettings soft_settings(const cases::Case& what);
 
 /// In words: the time step, the overlap, and a warning where contacts are too soft.
-std::vector<std::string> soft_notes(const cases::Case& what);
+Notices soft_notes(const cases::Case& what);
 
 /// What keeps the engine a case asks for from running it; empty if nothing does.
 std::vector<Fault> run_faults(const cases::Case& what);

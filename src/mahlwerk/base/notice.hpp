@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mahlwerk {
+
+/// How much a notice matters to a reader of the numbers.
+enum class Severity {
+  note,     ///< how the run was computed
+  warning,  ///< the numbers are to be used with care
+  invalid   ///< the numbers are outside the validity of the engine that ran
+};
+
+constexpr std::array<std::string_view, 3> severity_names{"note", "warning", "invalid"};
+constexpr std::string_view name_of(Severity severity) {
+  return severity_names[static_cast<std::size_t>(severity)];
+}
+
+/// What a reader should know of a run besides its numbers.
+struct Notice {
+  std::string code;  ///< heading in docs/warnings.md, for instance "not-settled"
+  Severity severity = Severity::note;
+  std::string text;  ///< one or more sentences
+
+  bool warns() const { return severity != Severity::note; }
+  bool operator==(const Notice&) const = default;
+};
+using Notices = std::vector<Notice>;
+
+inline Notice note(std::string code, std::string text) {
+  return {std::move(code), Severity::note, std::move(text)};
+}
+inline Notice warning(std::string code, std::string text) {
+  return {std::move(code), Severity::warning, std::move(text)};
+}
+inline Notice invalid(std::string code, std::string text) {
+  return {std::move(code), Severity::invalid, std::move(text)};
+}
+
+inline void append(Notices& all, Notices more) {
+  for (Notice& one : more) all.push_back(std::move(one));
+}
+
+}  // namespace mahlwerk
