@@ -74,6 +74,8 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
     c.notes.push_back(std::move(grains));
   c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());
   add(cases::jar_warnings(first), c.notes);
+  add(cases::unusual_values(first), c.notes);
+  add(cases::ignored_keys(first, choice.engine), c.notes);
   if (choice.engine == "soft") {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
@@ -37,6 +39,13 @@ std::vector<Fault> event_faults(const Case& c) {
                          "times of touch from a formula",
                          geometry::name_of(c.jar.shape)),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
+  if (c.run.engine == "event" && fits_exactly(c))
+    return {
+        {place_of(c, "run.engine"),
+         "two balls fit exactly across the jar: hard spheres would be wedged there without any "
+         "room to bounce",
+         "write engine = \"soft\" or \"auto\", or change the diameter of a ball by a thousandth",
+         "exact-fit"}};
   if (c.contact.lasting != Lasting::roll) return {};
   const std::int64_t count = balls_count(c.balls);
   if (count > 1)
@@ -52,6 +61,19 @@ std::vector<Fault> event_faults(const Case& c) {
 }
 
 }  // namespace
+
+bool fits_exactly(const Case& c) {
+  constexpr double tight = 1e-6;
+  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  std::vector<double> diameters;  // those there are two of, twice
+  for (const BallSet& set : c.balls)
+    for (const SizeClass& size : set.sizes())
+      diameters.insert(diameters.end(), size.count > 1 ? 2 : 1, size.diameter);
+  for (std::size_t i = 0; i < diameters.size(); ++i)
+    for (std::size_t j = i + 1; j < diameters.size(); ++j)
+      if (std::abs(diameters[i] + diameters[j] - jar) < tight * jar) return true;
+  return false;
+}
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = geometry::exact_touches(c.jar.shape);  // others "auto" takes to soft

@@ -113,6 +113,20 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
 }
 
+/// A wall faster than any material bears: a slip of a unit.
+void absurd_speed(const Case& c, std::vector<Fault>& found) {
+  constexpr double most = 1000;  // [m/s]
+  const kinematics::Bounds bounds =
+      std::visit([](const auto& motion) { return motion.bounds(); }, c.mill.motion);
+  const double reach = std::visit([](const auto& s) { return s.reach(); }, c.jar.shape);
+  const double speed = bounds.speed + bounds.spin * reach;
+  if (!(speed > most)) return;
+  found.push_back({place_of(c, "mill.kind"),
+                   fmt::format("the jar's wall would move at up to {}, more than {} m/s",
+                               show_rounded(speed, "m/s"), most),
+                   "check the units of the mill's numbers", "absurd-speed"});
+}
+
 /// Each two have rules and statistics of their own.
 void too_many_sets(const Case& c, std::vector<Fault>& found) {
   if (c.balls.size() <= most_sets) return;
@@ -186,6 +200,7 @@ std::vector<Fault> misfits(const Case& c) {
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_powder(c, found);
   if (found.size() == so_far) bad_places(c, found);
+  if (found.size() == so_far) absurd_speed(c, found);
   too_many_sets(c, found);
   too_many_frames(c, found);
   bad_grinding(c, found);

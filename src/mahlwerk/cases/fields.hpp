@@ -88,7 +88,7 @@ constexpr auto contact_fields() {
                      "far below the speeds that count"},
       Field<Contact>{"contact_time", "s", &Contact::contact_time, contact_times,
                      "bounces that follow sooner are elastic under lasting = \"tc\"", 1e-4,
-                     "a few times a steel ball's contact time"},
+                     "a few times a steel ball's contact time, at 1 g or less"},
       Field<Contact>{"softening", "", &Contact::softening, softenings,
                      "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
                      1.0, "moduli as they are"}};
@@ -125,14 +125,21 @@ bool has_meaning(std::string_view key, const contact::LawChoice& choice);
 std::string_view unit_of(std::string_view key, std::string_view unit,
                          const contact::LawChoice& choice);
 
+/// Three years; what a mill does, it does in minutes.
+constexpr Range run_times{.least = 0, .most = 1e8, .without_least = true};
+constexpr Range settle_times{.least = 0, .most = 1e8};
+/// No mill throws its balls faster than sound travels in air three times over.
+constexpr Range start_speeds{.least = 0, .most = 1000};
+constexpr Range start_spins{.least = 0, .most = 1e6};
+
 constexpr auto run_fields() {
   return std::array{
-      Field<Run>{"time", "s", &Run::time, positive, "simulated time that counts"},
-      Field<Run>{"settle", "s", &Run::settle, not_negative,
+      Field<Run>{"time", "s", &Run::time, run_times, "simulated time that counts"},
+      Field<Run>{"settle", "s", &Run::settle, settle_times,
                  "time before that, left out of the statistics", 0.0, "statistics from the start"},
-      Field<Run>{"start_speed", "m/s", &Run::start_speed, not_negative,
+      Field<Run>{"start_speed", "m/s", &Run::start_speed, start_speeds,
                  "starting speeds are uniform between 0 and this", 0.1, "paper A"},
-      Field<Run>{"start_spin", "rad/s", &Run::start_spin, not_negative,
+      Field<Run>{"start_spin", "rad/s", &Run::start_spin, start_spins,
                  "starting spins are uniform between 0 and this", 0.1, "paper A"}};
 }
 
@@ -141,7 +148,7 @@ constexpr Range until_range{.least = 0, .most = 1, .without_least = true};
 constexpr Field<Run> longest{"longest",
                              "s",
                              &Run::time,
-                             positive,
+                             run_times,
                              "the counted time at which a run ends that is not sure by then",
                              100.0,
                              "a limit that few runs need"};

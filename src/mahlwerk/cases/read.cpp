@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/formula.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -203,6 +204,17 @@ class CaseReader {
     return seed;
   }
 
+  /// [m/s2] the strongest of the mill.
+  double field() const {
+    return std::visit(
+        [&](const auto& motion) {
+          return kinematics::strongest_field({0, 0, -c_.gravity}, motion.bounds().acceleration,
+                                             motion.period(),
+                                             [&](double t) { return motion.ride(t); });
+        },
+        c_.mill.motion);
+  }
+
   void read_sections() {
     if (const Node* jar = section("jar", true)) {
       c_.jar = read_jar(jar, file_.parent_path().generic_string(), catalogue_, findings_);
@@ -217,7 +229,7 @@ class CaseReader {
       c_.mill = read_mill(mill, c_, file_.parent_path().generic_string(), catalogue_, findings_);
     if (const Node* powder = section("powder", false))
       read_powder(powder, c_, catalogue_, findings_);
-    c_.contact = read_contact(section("contact", false), c_.balls, findings_);
+    c_.contact = read_contact(section("contact", false), c_.balls, field(), findings_);
     if (const Node* run = section("run", true)) c_.run = read_run(run, findings_);
     c_.observe = read_observe(section("observe", false), findings_);
     if (const Node* wear = section("wear", false)) c_.wear = read_wear(wear, findings_);

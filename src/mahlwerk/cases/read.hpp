@@ -71,4 +71,8 @@ std::string place_of(const Case& c, const std::string& key);
 /// called by read(), so that such a case can be checked.
 std::vector<Fault> engine_faults(const Case& c);
 
+/// Whether two balls of the case are together as wide as the jar, to a millionth: hard spheres that
+/// lie across it have no room to bounce.
+bool fits_exactly(const Case& c);
+
 }  // namespace mahlwerk::cases

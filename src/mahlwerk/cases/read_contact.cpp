@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,17 +40,27 @@ void read_step(Section& in, Run& run) {
 
 }  // namespace
 
-Contact read_contact(const Node* table, const std::vector<BallSet>& balls, Findings& findings) {
+Contact read_contact(const Node* table, const std::vector<BallSet>& balls, double field,
+                     Findings& findings) {
   Contact contact;
   Section in(table, "contact", findings);
   const auto law = read_law_choice(in);
   contact.law_choice = law.value_or(contact::LawChoice());
   contact.rule = read_rule(in, nullptr);
-  for (const auto& field : contact_fields()) {
-    Wanted wanted(field);
-    if (field.value == &Contact::lasting_friction && std::isfinite(contact.rule.friction))
+  // Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
+  constexpr double one_g = 9.80665;  // [m/s2]
+  const double strength = field / one_g;
+  const std::string source = fmt::format(
+      "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
+      "its motion shorter by the root of that",
+      strength);
+  for (const auto& one : contact_fields()) {
+    Wanted wanted(one);
+    if (one.value == &Contact::lasting_friction && std::isfinite(contact.rule.friction))
       wanted = with_default(wanted, contact.rule.friction, "the friction of bounces");
-    contact.*field.value = in.value(wanted);
+    if (one.value == &Contact::contact_time && strength > 1)
+      wanted = with_default(wanted, *wanted.standard / std::sqrt(strength), source);
+    contact.*one.value = in.value(wanted);
   }
   read_touch(in, contact, law, nullptr);
   contact.lasting = read_lasting(in, balls_count(balls) > 1);

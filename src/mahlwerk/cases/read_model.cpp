@@ -16,6 +16,24 @@ std::optional<CatalogueEntry> look_up(const Catalogue& catalogue, std::string_vi
   }
 }
 
+namespace {
+
+/// A `model` beside `kind` is held to the catalogue, too.
+void beside(Model& model, Section& in, std::string_view room, const Node& name,
+            const Catalogue& catalogue) {
+  model.name = in.text("model").value_or("");
+  if (model.name.empty() || model.kind.empty()) return;
+  model.entry = look_up(catalogue, room, name, in.findings());
+  if (!model.entry || model.entry->kind == model.kind) return;
+  in.fault(name,
+           fmt::format("model = \"{}\" is of kind \"{}\", not \"{}\"", model.name,
+                       model.entry->kind, model.kind),
+           "leave out one of `model` and `kind`", "model-and-kind");
+  model.entry.reset();
+}
+
+}  // namespace
+
 Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
                  const Catalogue& catalogue) {
   const Node *kind = in.find("kind"), *name = in.find("model");
@@ -38,8 +56,8 @@ Model read_model(Section& in, std::string_view room, const std::vector<std::stri
             fmt::format("catalogue {}/{}", room, model.name));
     return model;
   }
-  if (name != nullptr && name->rank == kind->rank) model.name = in.text("model").value_or("");
   model.kind = in.choice({"kind", kinds, ""});
+  if (name != nullptr && name->rank == kind->rank) beside(model, in, room, *name, catalogue);
   return model;
 }
 

@@ -2,24 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Which of the values a case was given without a word its results rest on.
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-/// Whether the engine looks at a value: what it does not is no assumption of its results. "auto"
+/// Whether an engine looks at a value: what it does not is no assumption of its results. "auto"
 /// may look at all.
-bool matters(std::string_view dotted, const Case& c) {
-  static const std::vector<std::string_view> of_soft{
-      "law",       "rolling",        "rolling_damping",    "stiffness_speed",    "damping",
-      "softening", "curved_walls",   "rescaled_unloading", "time_step_fraction", "damping_depth",
-      "hop",       "youngs_modulus", "poisson_ratio"};
+bool matters(std::string_view dotted, const Case& c, std::string_view engine) {
+  static const std::vector<std::string_view> of_soft{"law",
+                                                     "rolling",
+                                                     "rolling_damping",
+                                                     "stiffness_speed",
+                                                     "damping",
+                                                     "softening",
+                                                     "curved_walls",
+                                                     "rescaled_unloading",
+                                                     "time_step",
+                                                     "time_step_fraction",
+                                                     "damping_depth",
+                                                     "hop",
+                                                     "youngs_modulus",
+                                                     "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  if (c.run.engine != "event" && c.run.engine != "soft") return true;
-  const auto& of_other = c.run.engine == "event" ? of_soft : of_event;
+  if (engine != "event" && engine != "soft") return true;
+  const auto& of_other = engine == "event" ? of_soft : of_event;
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
   if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
@@ -39,9 +52,22 @@ bool asked_for(std::string_view dotted, const Case& c) {
 void keep_what_matters(Case& c) {
   for (Origin& origin : c.origins) {
     const bool asked = asked_for(origin.key, c);
-    origin.assumed = origin.assumed && asked && matters(origin.key, c);
+    origin.assumed = origin.assumed && asked && matters(origin.key, c, c.run.engine);
     origin.unverified = origin.unverified && asked;
   }
+}
+
+Notices ignored_keys(const Case& c, std::string_view engine) {
+  std::string keys;
+  for (const Origin& origin : c.origins) {
+    const bool given =
+        !origin.source.starts_with("default: ") && !origin.source.starts_with("catalogue");
+    if (given && !matters(origin.key, c, engine)) keys += (keys.empty() ? "" : ", ") + origin.key;
+  }
+  if (keys.empty()) return {};
+  return {note("ignored-keys",
+               fmt::format("The {} engine, which ran, does not look at what the case says of {}.",
+                           engine, keys))};
 }
 
 }  // namespace mahlwerk::cases

@@ -15,7 +15,8 @@ const char* remedy(Lasting lasting) {
     case Lasting::roll:
       return "The ball neither rests nor leaves. Try [contact] lasting = \"tc\", or follow the "
              "contact itself by run.engine = \"soft\"";
-    case Lasting::tc: break;
+    case Lasting::tc:
+      break;
   }
   return "Balls are wedged: they have no room for the small bounces of the TC rule. run.engine = "
          "\"soft\" follows such contacts";
@@ -38,9 +39,10 @@ void refuse_gain(const contact::Loss& loss, double mass, double approach, double
   const double lost = loss.normal + loss.tangential;
   if (lost >= -rounding * energy) return;
   std::ostringstream text;
-  text << "at " << time << " s a collision gained " << -lost << " J of the " << energy
-       << " J that it had. This is an error of Mahlwerk, not of the case: please report it with the "
-          "case file; see docs/errors.md#energy-gained";
+  text
+      << "at " << time << " s a collision gained " << -lost << " J of the " << energy
+      << " J that it had. This is an error of Mahlwerk, not of the case: please report it with the "
+         "case file; see docs/errors.md#energy-gained";
   throw RunError(text.str());
 }
 

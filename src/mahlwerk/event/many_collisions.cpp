@@ -66,7 +66,7 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
 }
 
 /// The time since a ball's last collision was time in contact if it was short, and the bounce as
-/// slow as those of a lasting contact are (man.5).
+/// slow as those of a sustained contact are (man.6).
 void ManyBalls::count_contact(Turning& ball, bool slow) {
   const double flight = now_ - ball.last;
   if (rules_.lasting == Lasting::tc && slow && flight < 5 * rules_.contact_time)
@@ -77,7 +77,7 @@ void ManyBalls::count_contact(Turning& ball, bool slow) {
 /// `since` [s] is the time since one of the two last collided. By the pair's rule, or by that of
 /// lasting contacts (man.4).
 ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
-                                   double since) {
+                                    double since) {
   ++account_.collisions;
   // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
   const double approach = std::max(touch.approach, 1e-200);
@@ -86,8 +86,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touch
     return {j, contact::loss(j, touch.mass, approach, touch.slip)};
   }
   const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
-  const Bounce b =
-      sustained.collide(rule, {touch.mass, approach, touch.slip, since, touch.press});
+  const Bounce b = sustained.collide(rule, {touch.mass, approach, touch.slip, since, touch.press});
   if (b.sustained) ++account_.tc_collisions;
   account_.withheld += b.withheld;
   if (since < rules_.contact_time) {

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/event/field.hpp"
 #include "mahlwerk/event/many_balls.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
 
 namespace mahlwerk::event {
 namespace {
@@ -55,8 +55,8 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < at_no_time),
       pull_(jar_->limits().acceleration + magnitude(gravity_)),
-      press_(strongest_field(gravity_, jar_->limits().acceleration, jar_->period(),
-                             [&](double t) { return jar_->ride(t); })),
+      press_(kinematics::strongest_field(gravity_, jar_->limits().acceleration, jar_->period(),
+                                         [&](double t) { return jar_->ride(t); })),
       start_(start) {
   const double period = jar_->looks_still() ? jar_->period() : at_no_time;
   before_ = std::isfinite(period) ? std::floor(start / period) * period : start;

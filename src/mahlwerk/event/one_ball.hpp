@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "mahlwerk/event/field.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/stay.hpp"
 #include "mahlwerk/event/sustained_contact.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
 namespace mahlwerk::event {
@@ -29,8 +29,9 @@ class OneBall final : public scene::Engine {
         feeler_(feeler(jar_, ball.radius)),
         stay_(jar_, body_, rules, feeler_),
         spin_(ball.spin),
-        field_(strongest_field(jar_.gravity(), jar_.limits().acceleration, jar_.motion().period(),
-                               [&](double t) { return jar_.motion().ride(t); })),
+        field_(kinematics::strongest_field(jar_.gravity(), jar_.limits().acceleration,
+                                           jar_.motion().period(),
+                                           [&](double t) { return jar_.motion().ride(t); })),
         start_(start) {
     const double period = jar_.looks_still() ? jar_.motion().period() : kinematics::no_period;
     round_ = period;

@@ -46,9 +46,9 @@ struct SustainedContact {
       result.withheld = withheld - result.loss.normal;
       return result;
     }
-    const double mu = rule.tangential_restitution == 1  ? 0  // smooth (evt.15)
-                      : std::isfinite(rule.friction) ? rule.friction
-                                                     : friction;
+    const double mu = rule.tangential_restitution == 1 ? 0  // smooth (evt.15)
+                      : std::isfinite(rule.friction)   ? rule.friction
+                                                       : friction;
     const double raised = std::min(slowest / u, affordable(mu, u, in.slip));
     Result result = bounce({1, -1, mu}, in, std::max(1.0, raised));
     result.withheld = withheld;
@@ -58,7 +58,7 @@ struct SustainedContact {
 
  private:
   /// The restitution with which sliding at the Coulomb limit dissipates just what the rebound gains
-  /// (man.4); below 1 where the contact sticks.
+  /// (man.5); below 1 where the contact sticks.
   static double affordable(double mu, double u, double slip) {
     const double inertia = 1.75 * mu * mu * u;
     return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);

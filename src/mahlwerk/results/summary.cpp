@@ -144,14 +144,36 @@ const std::vector<Measure>& losses() {
   return list;
 }
 
-const Measure& tc_share() {
-  static const Measure measure{
-      "tc_collision_share", "1", "share of the collisions that the TC rule made elastic",
-      [](const cases::Case&, const Replicate& r) {
-        return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
-                     static_cast<double>(r.account.collisions - r.at_settled.collisions));
-      }};
-  return measure;
+/// How far an event run rests on the TC rule (man.6).
+const std::vector<Measure>& contact_time_shares() {
+  static const std::vector<Measure> list{
+      {"tc_collision_share", "1", "share of the collisions that the TC rule made elastic",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
+                      static_cast<double>(r.account.collisions - r.at_settled.collisions));
+       }},
+      {"power_share_within_contact_time", "1",
+       "share of the dissipated power in collisions within contact_time of another of the same "
+       "body",
+       [](const cases::Case&, const Replicate& r) {
+         return share(r.account.lost_within - r.at_settled.lost_within,
+                      r.account.lost() - r.at_settled.lost());
+       }},
+      {"hit_share_within_contact_time", "1",
+       "share of the collisions above the threshold within contact_time of another of the same "
+       "body",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.account.hits_within - r.at_settled.hits_within),
+                      static_cast<double>(r.tally.above.count));
+       }},
+      {"withheld_power_share", "1",
+       "power that restitution would have dissipated but for the TC rule, over the dissipated "
+       "power",
+       [](const cases::Case&, const Replicate& r) {
+         return share(r.account.withheld - r.at_settled.withheld,
+                      r.account.lost() - r.at_settled.lost());
+       }}};
+  return list;
 }
 
 double ratio(const cases::Case& c) {
@@ -275,7 +297,7 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   for (const CollisionMean& m : collision_means()) gathering.add(m);
   gathering.add(powers());
   if (outcome.what.run.engine == "soft") gathering.add(losses());
-  if (has_tc(outcome)) gathering.add(tc_share());
+  if (has_tc(outcome)) gathering.add(contact_time_shares());
   gathering.add(mill_measures(outcome.what));
   gathering.add(ledger_measures());
   gathering.add(dose_measures(outcome.what));

@@ -66,6 +66,30 @@ void not_certain(const Outcome& outcome, Notices& list) {
           outcome.what.run.until->quantity, 100 * outcome.what.run.until->within)));
 }
 
+/// Whether the largest residual is of energy that came from nowhere.
+bool appeared(const Outcome& outcome) {
+  double worst = 0;
+  for (const Replicate& r : outcome.replicates)
+    if (std::abs(r.account.residual()) > std::abs(worst)) worst = r.account.residual();
+  return worst > 0;
+}
+
+/// Collisions that gain energy stop a run; this finds what a sum of them would hide.
+void energy_gained(const Outcome& outcome, Notices& list) {
+  constexpr double rounding = 1e-9;
+  for (const Replicate& r : outcome.replicates) {
+    const scene::Account& a = r.account;
+    const double turned_over = a.started_with + std::abs(a.wall_work) + std::abs(a.lost());
+    if (!(a.lost() < -rounding * turned_over)) continue;
+    list.push_back(invalid(
+        "energy-gained",
+        fmt::format("Collisions dissipated {:.3g} J, less than nothing. This is an error of "
+                    "Mahlwerk, not of the case: please report it with the case file.",
+                    a.lost())));
+    return;
+  }
+}
+
 void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quantities,
                      Notices& list) {
   const double collision = named(quantities, "energy_residual");
@@ -81,9 +105,9 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
   if (!(run <= closed))
     list.push_back(warning(
         "energy-balance",
-        fmt::format("The energy balance of a run does not close: residual {:.1e}, at most {:.0e} "
-                    "is expected.{}",
-                    run, closed,
+        fmt::format("The energy balance of a run does not close: energy {}, a residual of {:.1e}; "
+                    "at most {:.0e} is expected.{}",
+                    appeared(outcome) ? "appeared" : "was lost", run, closed,
                     soft ? " A shorter run.time_step or stiffer contacts may close it." : "")));
 }
 
@@ -106,6 +130,9 @@ Notices warnings(const Outcome& outcome) {
   const std::vector<Quantity> quantities = summarise(outcome);
   cut_short(outcome, list);
   append(list, cases::jar_warnings(outcome.what));
+  append(list, cases::unusual_values(outcome.what));
+  append(list, cases::ignored_keys(outcome.what, outcome.engine));
+  energy_gained(outcome, list);
   energy_balances(outcome, quantities, list);
   deep_overlap(outcome, quantities, list);
   not_steady(quantities, list);

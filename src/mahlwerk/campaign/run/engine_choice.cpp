@@ -5,18 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
-
-struct Nobody final : scene::Observer {
-  void collisions(std::span<const scene::Collision>) override {}
-};
 
 std::int64_t balls(const cases::Case& what) {
   std::int64_t count = 0;
@@ -24,44 +22,42 @@ std::int64_t balls(const cases::Case& what) {
   return count;
 }
 
-/// What the share of time in contact of a short run by the event engine says.
-struct Pilot {
-  double time = 0;   ///< [s] simulated
-  double share = 0;  ///< of the balls' time in contact, in the second half
-};
-
-Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop) {
-  constexpr int parts = 100;
-  constexpr std::int64_t enough = 400'000;  // collisions: half a second or so of work
-  const double whole = std::min(1.0, what.run.settle + what.run.time);
-  const auto trial = engine(what, 0, 1, stop);
-  Nobody nobody;
-  std::vector<scene::Account> seen{trial->account()};
-  try {
-    for (int i = 1; i <= parts && seen.back().collisions < enough; ++i) {
-      if (stop != nullptr && *stop) break;
-      trial->advance(whole * i / parts, nobody);
-      seen.push_back(trial->account());
-    }
-  } catch (const RunError&) {  // what it saw until then has to do
-  }
-  const scene::Account &middle = seen[seen.size() / 2], &end = seen.back();
-  const double time = (end.time - middle.time) * static_cast<double>(balls(what));
-  return {end.time, time > 0 ? (end.contact_time - middle.contact_time) / time : 0};
-}
-
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
-/// Of the balls' time, over all replicates.
-double contact_share(const results::Outcome& outcome) {
-  double time = 0, contact = 0;
+/// What the shares of a run, over all its replicates, say about its contacts.
+struct Contacts {
+  double share = 0;     ///< [1] of the balls' time in contact
+  double withheld = 0;  ///< [1] power that the TC rule withheld, over the dissipated power
+  std::int64_t collisions = 0;
+};
+
+Contacts contacts_of(const results::Outcome& outcome) {
+  double time = 0, contact = 0, lost = 0, withheld = 0;
+  std::int64_t collisions = 0;
   for (const results::Replicate& r : outcome.replicates) {
     time += r.time() * static_cast<double>(balls(outcome.what));
     contact += r.account.contact_time - r.at_settled.contact_time;
+    lost += r.account.lost() - r.at_settled.lost();
+    withheld += r.account.withheld - r.at_settled.withheld;
+    collisions += r.account.collisions;
   }
-  return time > 0 ? contact / time : 0;
+  return {time > 0 ? contact / time : 0, lost > 0 ? withheld / lost : 0, collisions};
+}
+
+std::string percent(const ContactTimeEffect::Change& change) {
+  if (!std::isfinite(change.share) || !std::isfinite(change.ci95)) return "an unknown amount";
+  return fmt::format("{:+.2g} % (+- {:.2g} %)", 100 * change.share, 100 * change.ci95);
+}
+
+/// "With a contact_time of 25 us instead of 0.1 ms the power of a pilot run changes by ...".
+std::string in_words(const ContactTimeEffect& effect, const cases::Case& what) {
+  return fmt::format(
+      "With a contact.contact_time of {:.3g} us instead of {:.3g} us the power of a pilot run "
+      "changes by {}, its hits above the threshold by {}.",
+      1e6 * what.contact.contact_time * ContactTimeEffect::shorter, 1e6 * what.contact.contact_time,
+      percent(effect.power), percent(effect.hits));
 }
 
 /// The name of the contact law, if bodies stick together by it.
@@ -91,6 +87,21 @@ std::string against_soft(const cases::Case& what) {
       std::max(2.0, work / most_soft_work));
 }
 
+std::string pilot_in_words(const Pilot& p) {
+  return fmt::format(
+      "In a pilot run of {:.3g} s by the event engine the balls were in contact {} of the time.",
+      p.time, percent(p.contact_share));
+}
+
+/// Why the event engine is not advised, as a pilot run shows; empty if it is.
+std::string against_event(const Pilot& p) {
+  if (p.stopped) return "Physics stopped that run: balls are wedged.";
+  if (p.contact_share > most_contact)
+    return fmt::format("Above {} contacts are better followed than counted as bounces.",
+                       percent(most_contact));
+  return "";
+}
+
 }  // namespace
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
@@ -100,6 +111,10 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
             {fmt::format("Engine: soft, chosen by auto. The event engine does not take a jar of "
                          "kind \"{}\".",
                          geometry::name_of(what.jar.shape))}};
+  if (cases::fits_exactly(what))
+    return {"soft",
+            {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
+             "spheres have no room to bounce."}};
   if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
     return {"soft",
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "
@@ -111,25 +126,64 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   cases::Case event = what;
   event.run.engine = "event";
   const Pilot p = pilot(event, stop);
-  const std::string seen = fmt::format(
-      "In a pilot run of {:.3g} s by the event engine the balls were in contact {} of the time.",
-      p.time, percent(p.share));
-  if (p.share <= most_contact)
+  const std::string seen = pilot_in_words(p);
+  std::string against = against_event(p);
+  if (against.empty() && p.withheld_share > doubtful)
+    if (const ContactTimeEffect effect = contact_time_effect(event, stop); effect.matters())
+      against = in_words(effect, event);
+  if (against.empty())
     return {"event",
             {fmt::format("Engine: event, chosen by auto. {} Up to {} it is advised.", seen,
                          percent(most_contact))}};
   if (const std::string why = against_soft(what); !why.empty())
-    return {
-        "event",
-        {fmt::format("Engine: event, chosen by auto. {} The soft engine would be advised, but {}.",
-                     seen, why)}};
-  return {"soft",
-          {fmt::format("Engine: soft, chosen by auto. {} Above {} contacts are better "
-                       "followed than counted as bounces.",
-                       seen, percent(most_contact))}};
+    return {"event",
+            {fmt::format(
+                "Engine: event, chosen by auto. {} {} The soft engine would be advised, but {}.",
+                seen, against, why)}};
+  return {"soft", {fmt::format("Engine: soft, chosen by auto. {} {}", seen, against)}};
 }
 
-Notices notes_on(const results::Outcome& outcome, const Choice& choice) {
+namespace {
+
+/// What sustained contacts do to a run of the event engine, by its shares and by two pilot runs.
+Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* stop) {
+  const Contacts contacts = contacts_of(outcome);
+  Notices notes;
+  if (contacts.share > most_contact)
+    notes.push_back(warning(
+        "long-contacts",
+        fmt::format("The balls were in contact {} of the time. The event engine makes small "
+                    "bounces of such contacts: the number of all collisions and forces inside the "
+                    "bed are not those of lasting contacts. engine = \"soft\" follows them.",
+                    percent(contacts.share))));
+  if (contacts.share <= most_contact && contacts.withheld <= doubtful) return notes;
+  if (stop != nullptr && *stop) return notes;
+  // A tenth of the run's own work, but enough to tell something.
+  const std::int64_t work =
+      std::clamp<std::int64_t>(contacts.collisions / 10, 20'000, pilot_collisions);
+  const ContactTimeEffect effect = contact_time_effect(outcome.what, stop, work);
+  const std::string words = in_words(effect, outcome.what);
+  if (effect.matters())
+    notes.push_back(invalid(
+        "contact-time",
+        fmt::format("The result depends on contact.contact_time, which no measurement gives. {} "
+                    "Use a shorter contact_time until this goes away, or engine = \"soft\".",
+                    words)));
+  else if (effect.known())
+    notes.push_back(note("contact-time", words));
+  else
+    notes.push_back(
+        warning("contact-time",
+                fmt::format("Whether the result depends on contact.contact_time is not known "
+                            "well. {}",
+                            words)));
+  return notes;
+}
+
+}  // namespace
+
+Notices notes_on(const results::Outcome& outcome, const Choice& choice,
+                 const std::atomic<bool>* stop) {
   Notices notes;
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
@@ -144,16 +198,7 @@ Notices notes_on(const results::Outcome& outcome, const Choice& choice) {
         fmt::format("law = \"{}\" holds balls together. The event engine does not know that: its "
                     "balls part without a pull (engine = \"soft\" follows it).",
                     law)));
-  const double share = contact_share(outcome);
-  if (balls(outcome.what) > 1 && share > most_contact)
-    notes.push_back(invalid(
-        "long-contacts",
-        fmt::format(
-            "The balls were in contact {} of the time. For such a charge the soft engine is "
-            "advised "
-            "(engine = \"soft\"). Power and dose are sound; the number of hits, and forces inside "
-            "the bed, depend on contact.contact_time.",
-            percent(share))));
+  if (balls(outcome.what) > 1) append(notes, contact_notes(outcome, stop));
   return notes;
 }
 

@@ -13,6 +13,8 @@ namespace mahlwerk::campaign {
 /// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
 /// bounces, and the soft engine is advised (docs/theory/many-balls.md).
 constexpr double most_contact = 0.25;
+/// Above this share of power withheld by the TC rule two pilot runs measure what it does (man.7).
+constexpr double doubtful = 0.02;
 /// Balls times steps that the soft engine does in about an hour on one core: "auto" does not ask
 /// for more.
 constexpr double most_soft_work = 6e10;
@@ -28,6 +30,8 @@ struct Choice {
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop = nullptr);
 
 /// Which engine ran, why, and what to make of it.
-Notices notes_on(const results::Outcome& outcome, const Choice& choice);
+/// Where sustained contacts may matter two pilot runs say how much; `stop` set ends them.
+Notices notes_on(const results::Outcome& outcome, const Choice& choice,
+                 const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::campaign

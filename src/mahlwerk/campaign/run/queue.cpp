@@ -207,9 +207,9 @@ class Crew {
   }
 
   /// The gravest first.
-  static Notices notices(const Open& point) {
+  Notices notices(const Open& point) const {
     Notices list = results::warnings(point.outcome);
-    append(list, notes_on(point.outcome, point.choice));
+    append(list, notes_on(point.outcome, point.choice, options_.stop));
     std::ranges::stable_sort(list, std::ranges::greater(), &Notice::severity);
     return list;
   }

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/kinematics/motion.hpp"
 
-namespace mahlwerk::event {
+namespace mahlwerk::kinematics {
 
 /// The most that |g - c''| gets to in a period of the mill [m/s2], or its bound where there is no
 /// period; never so little that bounces could collapse where nothing presses bodies together
@@ -23,4 +23,4 @@ double strongest_field(const Vec3& gravity, const Vec3& bound, double period, co
   return most;
 }
 
-}  // namespace mahlwerk::event
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/scene/observer.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+struct HitCounter final : scene::Observer {
+  explicit HitCounter(double least) : threshold(least) {}
+  void collisions(std::span<const scene::Collision> finished) override {
+    hits += std::ranges::count_if(finished, [&](const auto& c) { return c.approach >= threshold; });
+  }
+  double threshold;
+  std::int64_t hits = 0;
+};
+
+/// The run at the end of one of its parts.
+struct Sample {
+  scene::Account account;
+  std::int64_t hits = 0;
+};
+
+template <class Value>
+observe::Estimate estimate(const std::vector<Sample>& samples, const Value& value) {
+  std::vector<double> rates;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    rates.push_back((value(samples[i]) - value(samples[i - 1])) /
+                    (samples[i].account.time - samples[i - 1].account.time));
+  if (rates.empty()) return {0, std::numeric_limits<double>::quiet_NaN()};
+  return observe::over_time(rates);
+}
+
+ContactTimeEffect::Change change(const observe::Estimate& with, const observe::Estimate& shorter) {
+  const double ratio = shorter.mean / with.mean;
+  return {ratio - 1, ratio * std::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
+}
+
+}  // namespace
+
+Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most) {
+  constexpr int parts = 100;
+  const double whole = std::min(1.0, what.run.settle + what.run.time);
+  const auto trial = engine(what, 0, 1, stop);
+  HitCounter counter(what.observe.threshold);
+  std::vector<Sample> samples{{trial->account(), 0}};
+  Pilot seen;
+  try {
+    for (int i = 1; i <= parts && samples.back().account.collisions < most; ++i) {
+      if (stop != nullptr && *stop) break;
+      trial->advance(whole * i / parts, counter);
+      samples.push_back({trial->account(), counter.hits});
+    }
+  } catch (const RunError&) {  // what it showed until then has to do
+    seen.stopped = true;
+  }
+  samples.erase(samples.begin(), samples.begin() + std::ssize(samples) / 2);
+  const scene::Account &middle = samples.front().account, &end = samples.back().account;
+  const double time = (end.time - middle.time) * static_cast<double>(trial->balls().size());
+  const double lost = end.lost() - middle.lost();
+  seen.time = end.time;
+  if (time > 0) seen.contact_share = (end.contact_time - middle.contact_time) / time;
+  if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
+  seen.power = estimate(samples, [](const Sample& s) { return s.account.lost(); });
+  seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
+  return seen;
+}
+
+ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
+                                      std::int64_t most) {
+  cases::Case shorter = what;
+  shorter.contact.contact_time *= ContactTimeEffect::shorter;
+  const Pilot with = pilot(what, stop, most), without = pilot(shorter, stop, most);
+  return {change(with.power, without.power), change(with.hits, without.hits)};
+}
+
+}  // namespace mahlwerk::campaign

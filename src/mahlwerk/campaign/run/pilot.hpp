@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::campaign {
+
+/// What a short run by the event engine shows, over its second half.
+struct Pilot {
+  double time = 0;            ///< [s] simulated
+  double contact_share = 0;   ///< [1] of the balls' time in contact
+  double withheld_share = 0;  ///< [1] power that the TC rule withheld, over the dissipated power
+  observe::Estimate power;    ///< [W] dissipated
+  observe::Estimate hits;     ///< [1/s] collisions above the threshold
+  bool stopped = false;       ///< physics stopped it
+};
+
+/// Collisions of a pilot run at most: half a second or so of work.
+constexpr std::int64_t pilot_collisions = 400'000;
+
+/// At most a second of simulated time or `most` collisions, the same on any machine. `stop` set
+/// ends it.
+Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop,
+            std::int64_t most = pilot_collisions);
+
+/// What a shorter t_c changes in a pilot run (man.7). The engine's answer should not depend on it.
+struct ContactTimeEffect {
+  /// A relative change with its 95 % half-width; NaN where it could not be measured.
+  struct Change {
+    double share = 0, ci95 = 0;
+    bool found(double limit) const {  ///< above the limit and above what chance makes
+      return (share < 0 ? -share : share) > limit && (share < 0 ? -share : share) > ci95;
+    }
+    bool known(double limit) const { return ci95 <= limit; }
+  };
+  Change power, hits;
+
+  static constexpr double shorter = 0.25;  ///< the second t_c, over the case's
+  static constexpr double most = 0.05;     ///< [1] a change that no result should depend on
+  bool matters() const { return power.found(most) || hits.found(2 * most); }
+  bool known() const { return power.known(2 * most); }
+};
+
+/// Two pilot runs, with t_c and a quarter of it, of at most `most` collisions each.
+ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
+                                      std::int64_t most = pilot_collisions);
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace mahlwerk::fuzz {
+
+/// What the first byte of an input chooses.
+enum class Reader : std::uint8_t { case_file, mesh, motion, measurements, checkpoint, state };
+constexpr std::uint8_t readers = 6;
+
+/// A state that the reader of states takes, to begin from.
+std::string state_of_a_run();
+
+}  // namespace mahlwerk::fuzz
