@@ -79,7 +79,7 @@ void energy_gained(const Outcome& outcome, Notices& list) {
   constexpr double rounding = 1e-9;
   for (const Replicate& r : outcome.replicates) {
     const scene::Account& a = r.account;
-    const double turned_over = a.started_with + std::abs(a.wall_work) + std::abs(a.lost());
+    const double turned_over = a.kinetic + std::abs(a.started_with) + std::abs(a.wall_work);
     if (!(a.lost() < -rounding * turned_over)) continue;
     list.push_back(invalid(
         "energy-gained",
