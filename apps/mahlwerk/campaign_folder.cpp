@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <iterator>
 #include <unordered_set>
 
@@ -14,6 +15,8 @@
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/campaign/sweep/work.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/manifest.hpp"
+#include "mahlwerk/results/ownership.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -86,10 +89,13 @@ void CampaignFolder::open() {
   const fs::path own = opened(request_, place_, shard_);
   own_lock_.emplace(own);
   if (!shard_.whole()) lock_.emplace(place_ / "campaign.lock", CampaignLock::Holds::with_others);
-  store_.emplace(place_ / (name_of(shard_) + ".sqlite"),
+  const std::string name = name_of(shard_);
+  results::list_campaign_files(place_);
+  results::list_files(place_, {"campaign.lock", name + ".lock", name + ".sqlite"});
+  store_.emplace(place_ / (name + ".sqlite"),
                  shard_.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard);
   refuse_other_case();
-  if (shard_.whole()) clear_remains();
+  clear_remains();
 }
 
 /// Two cases of one name would take turns in one folder. A case that was moved is the same.
@@ -104,15 +110,21 @@ void CampaignFolder::refuse_other_case() const {
                          "other-campaign"});
 }
 
-/// What runs that were killed had begun to write.
+/// What runs of this part of the campaign that were killed had begun to write, and pages.
 void CampaignFolder::clear_remains() const {
   std::error_code none;
   std::vector<fs::path> remains;
+  const auto listed = results::listed_files(place_);
   for (const auto& entry : fs::directory_iterator(place_ / results::campaign_runs, none)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with('.') && name.find(".partial-") != std::string::npos)
-      remains.push_back(entry.path());
+    std::size_t point = 0;
+    const bool hidden = name.starts_with('.');
+    std::from_chars(name.data() + (hidden ? 1 : 0), name.data() + name.size(), point);
+    const bool mine = point > 0 && (point - 1) % shard_.of == shard_.number - 1;
+    if (mine && (hidden || entry.path().extension() == ".part")) remains.push_back(entry.path());
   }
+  if (shard_.whole() && listed)
+    for (const std::string& name : *listed) remains.push_back(place_ / (name + ".part"));
   for (const fs::path& one : remains) fs::remove_all(one, none);
 }
 

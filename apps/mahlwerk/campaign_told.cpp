@@ -4,12 +4,14 @@
 // A campaign's store as pages, pictures and tables.
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/manifest.hpp"
 
 namespace mahlwerk::app {
 
@@ -81,6 +83,10 @@ report::Campaign told(const campaign::Store& store) {
 
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,
                  const fs::path& place) {
+  const std::map<std::string, std::string> figures = report::campaign_figures(campaign);
+  std::vector<std::string> names{"campaign.csv", "campaign.html"};
+  for (const auto& [name, picture] : figures) names.push_back(name);
+  results::list_files(place, names);
   // Written aside, so that a reader never sees half a file.
   const auto put = [&](const std::string& name, const auto& write) {
     const fs::path file = place / name, aside = file.string() + ".part";
@@ -104,7 +110,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   put("campaign.html", [&](const fs::path& aside) {
     results::write_text(aside, report::campaign_page(campaign, version()));
   });
-  for (const auto& [name, picture] : report::campaign_figures(campaign))
+  for (const auto& [name, picture] : figures)
     put(name, [&](const fs::path& aside) { results::write_text(aside, picture); });
 }
 

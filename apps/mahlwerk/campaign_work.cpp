@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -15,6 +16,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -78,6 +80,7 @@ class CampaignFolder::Desk {
       return run.work / run.seconds;
     };
     campaign::work_off(queue, options);
+    no_checkpoint_.tell_again();
     worked_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     worked_.interrupted = stop_wanted();
@@ -121,7 +124,7 @@ class CampaignFolder::Desk {
     const fs::path kept = place.string() + ".checkpoint";
     const auto no_state = [&] {
       made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
-                               checkpoint_every);
+                               checkpoint_every, std::ref(no_checkpoint_));
     };
     no_state();
     if (!streams && fs::exists(kept)) try {
@@ -183,6 +186,7 @@ class CampaignFolder::Desk {
   std::vector<std::size_t> todo_;
   ProgressLine line_;
   double wanted_ = 0;  // [s] of work, estimated
+  TroubleTeller no_checkpoint_;
   std::mutex mutex_;
   std::map<std::size_t, std::unique_ptr<Paper>> papers_;  // by place in todo_
   Worked worked_;

@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -67,7 +68,8 @@ int list(const Request& request) {
         json.push_back(
             {{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}});
       else
-        fmt::print("  {:<26} {}{}\n", name, entry.title, weak ? "  (holds unverified values)" : "");
+        to_stdout(fmt::format("  {:<26} {}{}\n", name, entry.title,
+                              weak ? "  (holds unverified values)" : ""));
     }
   }
   if (request.json)
@@ -83,17 +85,17 @@ int describe(const Request& request) {
     fmt::print("{}\n", as_json(entry).dump(2));
     return fine;
   }
-  fmt::print("{}  ({}/{})\n", entry.title, entry.room, entry.name);
-  if (!entry.kind.empty()) fmt::print("kind: {}\n", entry.kind);
-  fmt::print("{}\n\n", entry.about);
+  to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.room, entry.name));
+  if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
+  to_stdout(fmt::format("{}\n\n", entry.about));
   for (const auto& [key, value] : entry.values)
-    fmt::print("  {:<20} {:<14} {}{}\n", key, value.text, value.unverified ? "UNVERIFIED: " : "",
-               value.source);
-  if (!entry.jars.empty()) fmt::print("\njars: {}\n", fmt::join(entry.jars, ", "));
+    to_stdout(fmt::format("  {:<20} {:<14} {}{}\n", key, value.text,
+                          value.unverified ? "UNVERIFIED: " : "", value.source));
+  if (!entry.jars.empty()) to_stdout(fmt::format("\njars: {}\n", fmt::join(entry.jars, ", ")));
   for (const auto& check : entry.checks)
-    fmt::print("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n", check.quantity,
-               cases::derived(entry, check.quantity), check.expected, 100 * check.tolerance,
-               check.source);
+    to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n",
+                          check.quantity, cases::derived(entry, check.quantity), check.expected,
+                          100 * check.tolerance, check.source));
   return fine;
 }
 

@@ -21,6 +21,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -120,7 +121,7 @@ void print_pairs(const cases::Case& what) {
   const std::vector<std::string> faces = cases::face_names(what.jar.shape);
   const auto line = [](const std::string& one, const std::string& other,
                        const contact::BounceRule& rule) {
-    fmt::print("  {:<38} {}\n", one + " on " + other, in_words(rule));
+    to_stdout(fmt::format("  {:<38} {}\n", one + " on " + other, in_words(rule)));
   };
   fmt::print("\nbounces:\n");
   for (int i = 0; i < table.kinds(); ++i) {
@@ -133,7 +134,7 @@ void print_pairs(const cases::Case& what) {
 }
 
 void print(const Checked& c, const std::filesystem::path& file) {
-  fmt::print("{}: fine\n\n", file.string());
+  to_stdout(fmt::format("{}: fine\n\n", file.string()));
   for (const cases::Consequence& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
   print_pairs(c.what);
@@ -141,8 +142,9 @@ void print(const Checked& c, const std::filesystem::path& file) {
   for (const cases::Origin& origin : c.what.origins)
     if (origin.assumed)
       assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
-  if (!assumed.empty()) fmt::print("\nassumed, because the case does not say it:\n{}", assumed);
-  for (const std::string& note : c.notes) fmt::print("\n{}\n", note);
+  if (!assumed.empty())
+    to_stdout(fmt::format("\nassumed, because the case does not say it:\n{}", assumed));
+  for (const std::string& note : c.notes) to_stdout(fmt::format("\n{}\n", note));
   if (!c.engine.empty())
     fmt::print("\nThis version cannot run it:\n{}\n", mahlwerk::describe(c.engine));
 }

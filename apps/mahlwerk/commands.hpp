@@ -39,6 +39,7 @@ enum Exit : int {
   internal_error = 1,
   bad_input = 2,
   stopped_by_physics = 3,
+  output_lost = 4,
   interrupted = 130
 };
 

@@ -14,6 +14,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -80,7 +81,7 @@ void print_json(const report::Comparison& comparison, const fs::path& place) {
 }
 
 void tell(const report::Comparison& comparison, const fs::path& place, double seconds) {
-  fmt::print("{}\n\n{}\n", comparison.title, report::compare_table(comparison));
+  to_stdout(fmt::format("{}\n\n{}\n", comparison.title, report::compare_table(comparison)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "compare.html").string());
   fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());

@@ -4,9 +4,8 @@
 // How runs ended, in words and as an exit code.
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "commands.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -23,15 +22,14 @@ std::string trouble(const std::vector<results::Outcome>& outcomes) {
 }  // namespace
 
 int how_it_ended(const std::vector<results::Outcome>& outcomes) {
-  if (const std::string why = trouble(outcomes); !why.empty()) {
-    fmt::print(stderr, "stopped: {}\nWhat was computed until then is kept.\n", why);
-    return stopped_by_physics;
-  }
-  if (stop_wanted()) {
-    fmt::print(stderr,
-               "interrupted: what was computed until then is kept, and marked incomplete.\n");
-    return interrupted;
-  }
+  constexpr const char* kept = "what was computed until then is kept, and marked incomplete";
+  if (const std::string why = trouble(outcomes); !why.empty())
+    return tell_end(stopped_by_physics,
+                    fmt::format("stopped: {}\nWhat was computed until then is kept.", why),
+                    {Fault{"", why, kept, "stopped"}});
+  if (stop_wanted())
+    return tell_end(interrupted, fmt::format("interrupted: {}.", kept),
+                    {Fault{"", "interrupted", kept, "interrupted"}});
   return fine;
 }
 

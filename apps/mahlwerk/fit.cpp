@@ -15,6 +15,8 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/writer.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -138,11 +140,16 @@ void write(results::Folder& folder, const FitJob& job, const report::FitReport& 
 }
 
 void tell(const report::FitReport& found, const fs::path& place) {
-  fmt::print("{}\n\n{}\n", found.title, report::fit_table(found));
+  to_stdout(fmt::format("{}\n\n{}\n", found.title, report::fit_table(found)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "fit.html").string());
   fmt::print("numbers:  {}\n", (place / "fit.json").string());
   fmt::print("case:     {}\n", (place / "fitted.toml").string());
+}
+
+int tell_interrupted() {
+  return tell_end(interrupted, "interrupted: nothing was fitted.",
+                  {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
 }
 
 /// A fit needs all of its mills, to their ends.
@@ -150,12 +157,11 @@ int cut_short(const std::vector<results::Outcome>& mills) {
   if (std::ranges::all_of(mills, results::complete)) return fine;
   for (const results::Outcome& mill : mills)
     for (const results::Replicate& r : mill.replicates)
-      if (!r.stopped.empty()) {
-        fmt::print(stderr, "stopped: {}\nNothing was fitted.\n", r.stopped);
-        return stopped_by_physics;
-      }
-  fmt::print(stderr, "interrupted: nothing was fitted.\n");
-  return interrupted;
+      if (!r.stopped.empty())
+        return tell_end(stopped_by_physics,
+                        fmt::format("stopped: {}\nNothing was fitted.", r.stopped),
+                        {Fault{"", r.stopped, "nothing was fitted", "stopped"}});
+  return tell_interrupted();
 }
 
 }  // namespace
@@ -176,8 +182,7 @@ int fit(const Request& request) {
     if (request.json) fmt::print("{}", fit_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
   } catch (const campaign::Interrupted&) {
-    fmt::print(stderr, "interrupted: nothing was fitted.\n");
-    return interrupted;
+    return tell_interrupted();
   }
   return fine;
 }

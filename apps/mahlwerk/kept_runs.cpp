@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -23,11 +26,12 @@ std::string what_runs(const cases::Case& point) {
 /// The states of a point's replicates, as far as they are known, in `file`. Replicates that take
 /// less than `every` [s] are run again after a process was killed.
 std::unique_ptr<campaign::Checkpoint> states_of(const cases::Case& point, const std::string& what,
-                                                const fs::path& file, double every) {
+                                                const fs::path& file, double every,
+                                                TroubleTeller& trouble) {
   if (point.observe.collisions || point.observe.frames) return nullptr;
   const auto fresh = [&] {
     return std::make_unique<campaign::Checkpoint>(
-        file, what, static_cast<std::size_t>(point.run.replicates), every);
+        file, what, static_cast<std::size_t>(point.run.replicates), every, std::ref(trouble));
   };
   auto states = fresh();
   if (fs::exists(file)) try {
@@ -59,6 +63,7 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
   options.stop = &stop_wanted();
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
   streams.join(options);
+  TroubleTeller no_checkpoint;
   std::vector<std::unique_ptr<campaign::Checkpoint>> states;
   std::vector<results::Outcome> outcomes(points.size());
   campaign::Queue queue;
@@ -66,17 +71,18 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
   for (const cases::Case& point : points) {
     const std::string what = what_runs(point);
     files_.push_back(place_ / (campaign::hash_text(fingerprint(what)) + ".checkpoint"));
-    states.push_back(states_of(point, what, files_.back(), request.checkpoint.value_or(1)));
+    states.push_back(
+        states_of(point, what, files_.back(), request.checkpoint.value_or(1), no_checkpoint));
     begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
     queue.wanted += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
     jobs += static_cast<std::size_t>(point.run.replicates);
   }
   const bool alone = points.size() == 1;
-  if (begun > 0 && !request.quiet)
-    fmt::print(
-        stderr, "{} where {} ended\n",
+  if (begun > 0 && !request.quiet && !request.json)
+    to_stderr(fmt::format(
+        "{} where {} ended\n",
         alone ? "a run goes on" : fmt::format("{} of {} settings go on", begun, points.size()),
-        alone ? "it was" : "they were");
+        alone ? "it was" : "they were"));
   queue.size = points.size();
   queue.threads_each =
       std::max(1, options.threads / std::max(1, static_cast<int>(jobs)));  // those to spare help
@@ -90,6 +96,7 @@ std::vector<results::Outcome> KeptRuns::compute(const Request& request,
     return campaign::Kept{.in = states[i].get(), .ended = alone ? Ended::written : Ended::noted};
   };
   campaign::work_off(queue, options);
+  no_checkpoint.tell_again();
   return outcomes;
 }
 

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
 #include <exception>
+#include <span>
+#include <system_error>
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -172,8 +176,8 @@ int perform(int argc, char** argv) {
   app.set_version_flag("--version", "mahlwerk " + std::string(version()));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 130 "
-      "interrupted.");
+      "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 output "
+      "lost, 130 interrupted.");
   Request request;
   std::vector<std::string> set;
   const Command* chosen = nullptr;
@@ -188,7 +192,9 @@ int perform(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? fine : bad_input;
+    if (e.get_exit_code() == 0 || !json_messages()) return app.exit(e) == 0 ? fine : bad_input;
+    return tell_end(bad_input,
+                    {Fault{"mahlwerk", e.what(), "see mahlwerk --help", "bad-command-line"}});
   }
   if (chosen->takes == Takes::sweep && request.target.empty())
     throw InputError(Fault{"mahlwerk sweep", "no case is named",
@@ -198,26 +204,38 @@ int perform(int argc, char** argv) {
   return chosen->perform(request);
 }
 
+/// The command, and how it ended: whatever goes wrong is said.
+int perform_and_tell(int argc, char** argv) try {
+  return perform(argc, argv);
+} catch (const InputError& e) {
+  return tell_end(bad_input, e.faults());
+} catch (const RunError& e) {
+  return tell_end(stopped_by_physics, e.what(), {Fault{"", e.what(), "", "stopped"}});
+} catch (const std::bad_alloc&) {
+  return tell_end(
+      bad_input,
+      "there is not enough memory for this case: give fewer balls, or fewer "
+      "replicates at a time (--threads)",
+      {Fault{"", "there is not enough memory for this case",
+             "give fewer balls, or fewer replicates at a time (--threads)", "not-enough-memory"}});
+} catch (const std::exception& e) {
+  const auto* system = dynamic_cast<const std::system_error*>(&e);
+  if (output_failed(system != nullptr ? system->code().value() : 0))
+    return fine;  // told at the end
+  return tell_end(
+      internal_error,
+      fmt::format("internal error: {}\nPlease report this, with the case file.", e.what()),
+      {Fault{"", e.what(), "report this, with the case file", "internal-error"}});
+}
+
 }  // namespace
 }  // namespace mahlwerk::app
 
 int main(int argc, char** argv) {
-  using namespace mahlwerk;
-  try {
-    return app::perform(argc, argv);
-  } catch (const InputError& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return app::bad_input;
-  } catch (const RunError& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return app::stopped_by_physics;
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr,
-                 "there is not enough memory for this case: give fewer balls, or fewer "
-                 "replicates at a time (--threads)\n");
-    return app::bad_input;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "internal error: %s\nPlease report this, with the case file.\n", e.what());
-    return app::internal_error;
-  }
+  using namespace mahlwerk::app;
+  const std::span words(argv, static_cast<std::size_t>(argc));
+  if (std::ranges::any_of(words, [](std::string_view word) { return word == "--json"; }))
+    set_json_messages();
+  guard_output();
+  return finish_output(perform_and_tell(argc, argv));
 }

@@ -20,6 +20,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/writer.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "searching.hpp"
 
@@ -149,7 +150,8 @@ std::string match_json(const report::MatchReport& found) {
 }
 
 void tell(const report::MatchReport& found, const fs::path& place) {
-  fmt::print("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b, report::match_table(found));
+  to_stdout(fmt::format("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b,
+                        report::match_table(found)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "match.html").string());
   fmt::print("settings: {}\n", (place / "settings.csv").string());

@@ -16,6 +16,7 @@
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/results/writer.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "searching.hpp"
 
@@ -140,7 +141,7 @@ void write(const results::Folder& folder, const report::OptimumReport& found) {
 }
 
 void tell(const report::OptimumReport& found, const fs::path& place) {
-  fmt::print("{}\n\n{}\n", found.title, report::optimum_table(found));
+  to_stdout(fmt::format("{}\n\n{}\n", found.title, report::optimum_table(found)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "optimise.html").string());
   fmt::print("settings: {}\n", (place / "settings.csv").string());

@@ -19,6 +19,8 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -177,7 +179,8 @@ void write(const Job& job, const std::map<std::string, report::RunCampaign>& run
 
 void tell(const Job& job, const report::PaperResult& result, double seconds) {
   const fs::path place = job.folder->wanted();
-  fmt::print("{}\n{}\n\n{}\n", job.paper.title, job.paper.source, report::claims_text(result));
+  to_stdout(fmt::format("{}\n{}\n\n{}\n", job.paper.title, job.paper.source,
+                        report::claims_text(result)));
   fmt::print("page:     {}\n", (place / "paper.html").string());
   fmt::print("figures:  {}\n", (place / "figures").string());
   fmt::print("claims:   {}\n\n", (place / "claims.csv").string());
@@ -211,9 +214,11 @@ int papers(const Request& request) {
     KeptRuns kept(job.folder->wanted());
     const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);
     if (stop_wanted()) {
-      if (!request.quiet)
-        fmt::print(stderr, "interrupted: what was run is kept; the same command goes on\n");
       ended = interrupted;
+      if (!request.quiet || request.json)
+        tell_end(interrupted, "interrupted: what was run is kept; the same command goes on",
+                 {Fault{"", "interrupted", "what was run is kept; the same command goes on",
+                        "interrupted"}});
       break;
     }
     report::PaperResult result = report::paper_result(job.paper, run);

@@ -6,11 +6,15 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
+
+#include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/base/printable.hpp"
+#include "messages.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -20,12 +24,26 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_interrupt(int signal) {
   stop_asked.store(true);
-  std::signal(signal, SIG_DFL);  // the next one ends the program
+  // The next one ends the program; but a terminal that goes says so more than once.
+  std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
 }
 
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+bool is_terminal() {
+  const char* term = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+}
+
+/// [s] between two lines where there is no terminal.
+std::chrono::duration<double> between_lines() {
+  constexpr double usual = 30;
+  const char* said = std::getenv("MAHLWERK_PROGRESS_EVERY");
+  const NumberText wanted = number_text(said != nullptr ? said : "");
+  return std::chrono::duration<double>(wanted.number >= 0 ? wanted.number : usual);
 }
 
 }  // namespace
@@ -37,15 +55,16 @@ const std::atomic<bool>& stop_wanted() {
 void catch_ctrl_c() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
 }
 
-ProgressLine::ProgressLine(bool quiet) {
-  const char* term = std::getenv("TERM");
-  on_ = !quiet && isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+ProgressLine::ProgressLine(bool quiet)
+    : on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
+  if (!terminal_ && json_messages()) on_ = false;  // whoever reads JSON waits for its end
 }
 
 ProgressLine::~ProgressLine() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) to_stderr("\r\033[K");
 }
 
 void ProgressLine::show(const campaign::Progress& p) {
@@ -62,10 +81,16 @@ void ProgressLine::show(const campaign::Progress& p) {
 
 void ProgressLine::show(std::string line) {
   if (!on_) return;
+  line = printable(line);
+  if (!terminal_) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < every_) return;
+    last_ = now;
+    return to_stderr(line + '\n');
+  }
   shown_ = true;
   line.resize(std::min(line.size(), terminal_width() - 1));
-  fmt::print(stderr, "\r\033[K{}", line);
-  std::fflush(stderr);
+  to_stderr("\r\033[K" + line);
 }
 
 }  // namespace mahlwerk::app

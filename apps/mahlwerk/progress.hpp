@@ -10,11 +10,13 @@
 
 namespace mahlwerk::app {
 
-/// Set by Ctrl-C while it is caught; a second Ctrl-C ends the program at once.
+/// Set by Ctrl-C, SIGTERM or SIGHUP while these are caught; a second one, but for
+/// SIGHUP, ends the program at once.
 const std::atomic<bool>& stop_wanted();
 void catch_ctrl_c();
 
-/// One line that tells where a run stands; only on a terminal.
+/// One line that tells where a run stands: on a terminal always the same, else a new one every 30 s
+/// (or MAHLWERK_PROGRESS_EVERY seconds).
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -25,8 +27,10 @@ class ProgressLine {
   void show(std::string line);
 
  private:
-  bool on_, shown_ = false;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  bool on_, terminal_, shown_ = false;
+  std::chrono::duration<double> every_{0};  // between two lines where there is no terminal
+  Clock::time_point started_ = Clock::now(), last_ = started_;
 };
 
 }  // namespace mahlwerk::app

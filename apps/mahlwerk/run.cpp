@@ -21,6 +21,8 @@
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -63,16 +65,16 @@ std::string uncalibrated(const cases::Case& what) {
 }
 
 void tell(const Job& job, const results::Outcome& outcome) {
-  fmt::print("{}\n\n{}\n", job.what.title,
-             report::table(results::summarise(outcome), job.what.observe.threshold));
+  to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
+                        report::table(results::summarise(outcome), job.what.observe.threshold)));
   const std::string pairs =
       report::pair_table(results::by_pair(outcome), job.what.observe.threshold);
-  if (!pairs.empty()) fmt::print("{}\n", pairs);
+  if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));
   if (const std::string regime = results::regime(outcome); !regime.empty())
-    fmt::print("{}: {}\n\n", regime, results::regime_reason(outcome));
-  fmt::print("{}", uncalibrated(job.what));
+    to_stdout(fmt::format("{}: {}\n\n", regime, results::regime_reason(outcome)));
+  to_stdout(fmt::format("{}", uncalibrated(job.what)));
   for (const Notice& one : outcome.notices)
-    fmt::print("{}{}\n\n", one.warns() ? "Warning: " : "", one.text);
+    to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
   fmt::print("results:  {}\n", job.place.string());
   fmt::print("report:   {}\n", (job.place / "report.html").string());
   fmt::print("numbers:  {}\n\n", (job.place / "summary.json").string());
@@ -121,8 +123,9 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   fs::path place = jobs.front().place;
   if (jobs.size() > 1) place = place.parent_path();
   constexpr double usual = 60;  // [s]
-  auto made = std::make_unique<campaign::Checkpoint>(
-      place.string() + ".checkpoint", what, replicates, request.checkpoint.value_or(usual));
+  auto made =
+      std::make_unique<campaign::Checkpoint>(place.string() + ".checkpoint", what, replicates,
+                                             request.checkpoint.value_or(usual), tell_warning);
   if (request.resume) made->load();
   return made;
 }
@@ -140,18 +143,17 @@ int run_cases(const Request& request, const std::vector<Job>& jobs) {
   const std::vector<results::Outcome> outcomes = compute(request, points, streams, kept.get());
   streams.close();
   const bool talks = !request.quiet && !request.json;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
+  for (std::size_t i = 0; i < jobs.size(); ++i) {  // all, before anything can go wrong with stdout
     report::write(*jobs[i].folder, outcomes[i], version());
     jobs[i].folder->commit();
-    if (talks) tell(jobs[i], outcomes[i]);
   }
+  if (kept && std::ranges::all_of(outcomes, results::complete)) kept->remove();
+  for (std::size_t i = 0; talks && i < jobs.size(); ++i) tell(jobs[i], outcomes[i]);
   if (request.json) print_json(jobs);
   if (talks) fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
   const int ended = how_it_ended(outcomes);
-  if (kept && !kept->written())
-    fmt::print(stderr, "the checkpoint could not be written: check space and rights\n");
+  if (kept && kept->trouble()) tell_warning(*kept->trouble());
   if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");
-  if (kept && ended == fine) kept->remove();
   return ended;
 }
 

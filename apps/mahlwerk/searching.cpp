@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "mahlwerk/base/error.hpp"
@@ -13,6 +13,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -146,12 +147,13 @@ int KeptSearch::tell_interrupted() const {
   std::string what = trials ? "the runs of the search that had ended" : "";
   if (trials && states) what += " and ";
   if (states) what += "the mills' own runs as far as they were";
-  if (what.empty())
-    fmt::print(stderr, "interrupted before any run had ended: the same command begins anew\n");
-  else
-    fmt::print(stderr, "interrupted: {} are kept in {}; the same command goes on\n", what,
-               runs_.place().string());
-  return interrupted;
+  const std::string remedy = what.empty()
+                                 ? "the same command begins anew"
+                                 : fmt::format("{} are kept in {}; the same command goes on", what,
+                                               runs_.place().string());
+  const std::string words =
+      what.empty() ? "interrupted before any run had ended: " + remedy : "interrupted: " + remedy;
+  return tell_end(interrupted, words, {Fault{"", "interrupted", remedy, "interrupted"}});
 }
 
 void KeptSearch::remove() {
@@ -167,8 +169,9 @@ campaign::Optimum look(const Request& request, const SearchJob& job, const KeptS
   options.threads = request.threads;
   options.stop = &stop_wanted();
   int settings = 0, runs = 0;
-  campaign::TrialStore store(kept.trials(), job.measure_name);
-  return campaign::optimise(job.goal, [&](const std::vector<campaign::Asked>& asked) {
+  TroubleTeller not_kept;
+  campaign::TrialStore store(kept.trials(), job.measure_name, std::ref(not_kept));
+  campaign::Optimum found = campaign::optimise(job.goal, [&](const auto& asked) {
     line.show(fmt::format("{} settings tried, {} runs", settings, runs));
     for (const campaign::Asked& one : asked) {
       settings += one.first == 0 ? 1 : 0;
@@ -176,6 +179,8 @@ campaign::Optimum look(const Request& request, const SearchJob& job, const KeptS
     }
     return job.runs->run(asked, job.measure, options, store, version());
   });
+  not_kept.tell_again();
+  return found;
 }
 
 report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found) {

@@ -12,19 +12,16 @@
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/printable.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/manifest.hpp"
+#include "mahlwerk/results/ownership.hpp"
+#include "messages.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// As one word of a shell, whatever stands in it.
-std::string shell_word(std::string_view text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
 
 std::string shell_path(const fs::path& path) {
   return shell_word(fs::absolute(path).lexically_normal().string());
@@ -34,6 +31,30 @@ fs::path this_program() {
   std::error_code failed;
   const fs::path found = fs::read_symlink("/proc/self/exe", failed);
   return failed ? fs::path("mahlwerk") : found;
+}
+
+/// A line of its own in the script; a second one would be a command, or be lost.
+void refuse_control(const std::string& where, const std::string& text) {
+  if (has_control(text))
+    throw InputError(Fault{where, "it holds the end of a line or another control character",
+                           "write one option for each --slurm-option, and paths without such",
+                           "slurm"});
+}
+
+/// As Slurm reads the name of a file: "%" begins what it replaces.
+std::string slurm_path(const fs::path& path) {
+  std::string text;
+  for (const char c : fs::absolute(path).lexically_normal().string())
+    text += c == '%' ? "%%" : std::string(1, c);
+  return text;
+}
+
+/// In quotes, as in a line of options.
+std::string quoted(const std::string& text) {
+  std::string made = "\"";
+  for (const char c : text)
+    made += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  return made + "\"";
 }
 
 std::string more_options(const Request& request) {
@@ -60,13 +81,16 @@ std::string said_by(const std::string& command, const fs::path& script) {
       missing ? "there is no sbatch on this machine" : fmt::format("sbatch refused: {}", text),
       fmt::format("the script is written: submit it yourself with sbatch {}, or "
                   "start each shard with --shard i/n",
-                  script.string()),
+                  shell_word(script.string())),
       "slurm"});
 }
 
 }  // namespace
 
 std::string slurm_script(const Request& request, const fs::path& case_file, const fs::path& place) {
+  for (const std::string& option : request.slurm_options)
+    refuse_control("--slurm-option " + option, option);
+  refuse_control(place.string(), place.string());
   std::string set;
   for (const cases::Override& one : overrides(request))
     set += " --set " + shell_word(one.key + "=" + one.value);
@@ -81,32 +105,40 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
       "#SBATCH --job-name=mahlwerk\n"
       "#SBATCH --array=1-{0}\n"
       "#SBATCH --cpus-per-task={1}\n"
-      "#SBATCH --output=\"{2}/slurm-%A_%a.out\"\n"
+      "#SBATCH --output={2}\n"
       "{3}"
       "{4}"
       "exec {5} sweep {6} --out {7} --shard \"$SLURM_ARRAY_TASK_ID\"/{0} --jobs "
       "\"${{SLURM_CPUS_PER_TASK:-1}}\"{8}\n",
       request.slurm, request.threads > 0 ? request.threads : 1,
-      fs::absolute(place).lexically_normal().string(), more_options(request), environment,
+      quoted(slurm_path(place) + "/slurm-%A_%a.out"), more_options(request), environment,
       shell_path(this_program()), shell_path(case_file), shell_path(place), set);
 }
 
 int submit_to_slurm(const Request& request, const fs::path& case_file, const fs::path& place) {
-  prepare_place(place);
   const fs::path script = place / "campaign.slurm";
-  results::write_text(script, slurm_script(request, case_file, place));
+  const std::string text = slurm_script(request, case_file, place);
+  prepare_place(place);
+  results::list_campaign_files(place);
+  results::list_files(place, {script.filename().string()});
+  results::write_text(script, text);
   const std::string array = said_by("sbatch --parsable " + shell_path(script), script);
   const std::string job = array.substr(0, array.find(';'));
   const std::string merge =
       said_by(fmt::format("sbatch --parsable --dependency=afterany:{} --job-name=mahlwerk-merge "
                           "--output={} --wrap {}",
-                          job, shell_word(fs::absolute(place).string() + "/slurm-%j.out"),
+                          job, shell_word(slurm_path(place) + "/slurm-%j.out"),
                           shell_word(fmt::format("{} sweep merge {}", shell_path(this_program()),
                                                  shell_path(place)))),
               script);
+  const std::string last = merge.substr(0, merge.find(';'));
+  std::vector<std::string> said{fmt::format("slurm-{}.out", last)};
+  for (int task = 1; task <= request.slurm; ++task)
+    said.push_back(fmt::format("slurm-{}_{}.out", job, task));
+  results::list_files(place, said);  // what Slurm will write for us
   if (request.quiet) return fine;
   fmt::print("submitted {} shards as job {}; job {} joins them at the end\nscript:   {}\n",
-             request.slurm, job, merge.substr(0, merge.find(';')), script.string());
+             request.slurm, job, last, script.string());
   return fine;
 }
 

@@ -15,6 +15,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/csv.hpp"
+#include "messages.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "slurm.hpp"
 
@@ -66,7 +68,7 @@ void print_json(const campaign::Counts& counts, const fs::path& place, const Wor
 /// What there is to say once the work has ended.
 void tell(const CampaignFolder& folder, const campaign::Counts& counts,
           const report::Campaign& campaign, const Worked& worked) {
-  fmt::print("{}\n\n{}\n", campaign.title, report::campaign_table(campaign));
+  to_stdout(fmt::format("{}\n\n{}\n", campaign.title, report::campaign_table(campaign)));
   const fs::path& place = folder.place();
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
              (place / "campaign.html").string(), (place / "campaign.csv").string(),
@@ -79,18 +81,26 @@ void tell(const CampaignFolder& folder, const campaign::Counts& counts,
 
 int ending(const Request& request, const Worked& worked, const campaign::Counts& counts,
            const fs::path& place) {
+  const bool talks = !request.quiet || request.json;
   if (worked.interrupted) {
-    if (!request.quiet)
-      fmt::print(stderr, "interrupted: {} of {} runs are done and kept; the same command goes on\n",
-                 counts.done, counts.done + counts.failed + counts.waiting);
+    const std::string kept =
+        fmt::format("{} of {} runs are done and kept; the same command goes on", counts.done,
+                    counts.done + counts.failed + counts.waiting);
+    if (talks)
+      tell_end(interrupted, "interrupted: " + kept,
+               {Fault{"", "interrupted", kept, "interrupted"}});
     return interrupted;
   }
   if (counts.failed == 0) return fine;
-  if (!request.quiet)
-    fmt::print(stderr,
-               "{} failed: `mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries "
-               "them again\n",
-               counted(counts.failed, "run"), place.string(), place.string());
+  const std::string failed = counted(counts.failed, "run") + " failed",
+                    word = shell_word(place.string()),
+                    remedy = fmt::format(
+                        "`mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries them "
+                        "again",
+                        word, word);
+  if (talks)
+    tell_end(stopped_by_physics, failed + ": " + remedy,
+             {Fault{place.string(), failed, remedy, "runs-failed"}});
   return stopped_by_physics;
 }
 
@@ -99,11 +109,11 @@ int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard
               const Worked& worked) {
   const campaign::Counts counts = folder.store().counts();
   if (!request.quiet && !request.json)
-    fmt::print(
-        "shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
-        "mahlwerk sweep merge {}\n",
-        shard.number, shard.of, worked.done, worked.failed, worked.there, worked.seconds,
-        folder.place().string());
+    to_stdout(
+        fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
+                    "mahlwerk sweep merge {}\n",
+                    shard.number, shard.of, worked.done, worked.failed, worked.there,
+                    worked.seconds, shell_word(folder.place().string())));
   if (request.json) print_json(counts, folder.place(), &worked);
   return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
 }
@@ -121,7 +131,9 @@ int sweep_case(const Request& request, const fs::path& file,
   CampaignFolder folder(request, file, set, place, shard);
   folder.plan(campaign::Plan(what.sweep, what.seed));
   if (stop_wanted()) {
-    if (!request.quiet) fmt::print(stderr, "interrupted: nothing was run yet\n");
+    if (!request.quiet || request.json)
+      tell_end(interrupted, "interrupted: nothing was run yet",
+               {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
     return interrupted;
   }
   const Worked worked = folder.work();
@@ -156,14 +168,14 @@ int sweep_status(const Request& request) {
     return fine;
   }
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
-  fmt::print("{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n",
-             store.title(), counts.points, counts.done, counts.failed, counts.waiting,
-             counts.points == 0
-                 ? "nothing is planned yet: a process reads its case, or was ended while it did"
-             : at_work ? "a process is at work on it"
-             : counts.waiting > 0
-                 ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
-                 : "all has been run");
+  to_stdout(fmt::format(
+      "{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", store.title(),
+      counts.points, counts.done, counts.failed, counts.waiting,
+      counts.points == 0
+          ? "nothing is planned yet: a process reads its case, or was ended while it did"
+      : at_work            ? "a process is at work on it"
+      : counts.waiting > 0 ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
+                           : "all has been run"));
   constexpr std::size_t most = 20;
   std::size_t told_of = 0;
   const std::vector<std::string> keys = store.keys();
@@ -172,7 +184,7 @@ int sweep_status(const Request& request) {
     std::string values;
     for (std::size_t k = 0; k < keys.size(); ++k)
       values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
-    fmt::print("\npoint {}: {}\n  {}\n", point.number, values, point.message);
+    to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
   });
   if (told_of > most)
     fmt::print("\nand {} more: the column `message` of the store\n", told_of - most);
@@ -196,7 +208,8 @@ int sweep_export(const Request& request) {
     return fine;
   }
   store.write_csv(std::cout);
-  return std::cout.flush() ? fine : internal_error;
+  std::cout.flush();
+  return fine;
 }
 
 int sweep_retry(const Request& request) {
@@ -243,11 +256,11 @@ int sweep_merge(const Request& request) {
   if (request.json) {
     print_json(counts, place, nullptr);
   } else if (!request.quiet) {
-    fmt::print("{}\n\n{}\n{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
-               campaign.title, report::campaign_table(campaign), counted(taken, "run"),
-               counted(shards.size(), "shard"), counts.done,
-               counts.done + counts.failed + counts.waiting, counts.failed, counts.waiting,
-               (place / "campaign.html").string());
+    to_stdout(fmt::format(
+        "{}\n\n{}\n{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
+        campaign.title, report::campaign_table(campaign), counted(taken, "run"),
+        counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
+        counts.failed, counts.waiting, (place / "campaign.html").string()));
   }
   return counts.failed > 0 ? stopped_by_physics : fine;
 }

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "mahlwerk/base/printable.hpp"
+
 namespace mahlwerk {
 
 std::string describe(const std::vector<Fault>& faults) {
@@ -15,7 +17,7 @@ std::string describe(const std::vector<Fault>& faults) {
     if (!fault.remedy.empty()) text += "\n    remedy: " + fault.remedy;
     if (!fault.code.empty()) text += "\n    more:   docs/errors.md#" + fault.code;
   }
-  return text;
+  return printable(text);
 }
 
 InputError::InputError(std::vector<Fault> faults)

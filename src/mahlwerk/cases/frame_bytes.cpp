@@ -45,11 +45,11 @@ double frame_bytes(const Case& c) {
   const auto balls = static_cast<double>(balls_count(c.balls));
   const bool forces = c.run.engine != "event";
   double bytes = 0;
-  if (c.observe.frames_format != FramesFormat::vtk) bytes += 450 + (forces ? 155 : 120) * balls;
+  if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;
-  bytes += 2200 + (forces ? 91 : 75) * balls;
+  bytes += 2200 + (forces ? 160 : 128) * balls;
   if (!looks_still(c))  // half as many corners as triangles, in base64
-    bytes += 1000 + 29.3 * std::visit([](const auto& s) { return triangles(s); }, c.jar.shape);
+    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, c.jar.shape);
   return bytes;
 }
 

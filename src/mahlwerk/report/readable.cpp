@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/printable.hpp"
+
 namespace mahlwerk::report {
 namespace {
 
@@ -163,7 +165,7 @@ std::size_t width(std::string_view text) {
 
 std::string escaped(std::string_view text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         safe += "&amp;";

@@ -30,7 +30,8 @@ std::string csv(const Table& table);
 
 /// One cell: the shortest text that reads back as the same double, or nothing.
 std::string csv_cell(double value);
-/// A cell of text, quoted where it must be.
+/// A cell of text, quoted where it must be. Control characters are escaped as in TOML; what a
+/// spreadsheet would take for a formula gets a ' in front.
 std::string csv_cell(std::string_view text);
 
 /// Cells with commas between them and the end of the line.

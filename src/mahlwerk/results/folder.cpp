@@ -5,179 +5,27 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <system_error>
 #include <vector>
 
-#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/manifest.hpp"
+#include "mahlwerk/results/ownership.hpp"
 
 namespace mahlwerk::results {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Every file that a result or a campaign may hold: --force removes these and nothing else.
-constexpr std::array our_files{std::string_view("summary.json"),
-                               std::string_view("result.h5"),
-                               std::string_view("case.resolved.toml"),
-                               std::string_view("spectrum.csv"),
-                               std::string_view("collisions_by_pair.csv"),
-                               std::string_view("spectra_by_pair.csv"),
-                               std::string_view("normal_tangential.csv"),
-                               std::string_view("durations.csv"),
-                               std::string_view("flashes.csv"),
-                               std::string_view("wall_map.csv"),
-                               std::string_view("fields.csv"),
-                               std::string_view("wear.csv"),
-                               std::string_view("temperature.csv"),
-                               std::string_view("capture.csv"),
-                               std::string_view("captured_grains.csv"),
-                               std::string_view("grinding.csv"),
-                               std::string_view("size_distribution.csv"),
-                               std::string_view("conversion.csv"),
-                               std::string_view("sizes.csv"),
-                               std::string_view("speeds.csv"),
-                               std::string_view("angles.csv"),
-                               std::string_view("timeseries.csv"),
-                               std::string_view("replicates.csv"),
-                               std::string_view("collisions.h5"),
-                               std::string_view("report.html"),
-                               std::string_view("campaign.csv"),
-                               std::string_view("campaign.html"),
-                               std::string_view("campaign.sqlite"),
-                               std::string_view("campaign.sqlite-wal"),
-                               std::string_view("campaign.sqlite-shm"),
-                               std::string_view("campaign.sqlite-journal"),
-                               std::string_view("campaign.lock"),
-                               std::string_view("campaign.slurm"),
-                               std::string_view("optimise.json"),
-                               std::string_view("optimise.html"),
-                               std::string_view("match.json"),
-                               std::string_view("match.html"),
-                               std::string_view("settings.csv"),
-                               std::string_view("best.toml"),
-                               std::string_view("compare.csv"),
-                               std::string_view("compare.html"),
-                               std::string_view("fit.json"),
-                               std::string_view("fit.csv"),
-                               std::string_view("fit.html"),
-                               std::string_view("fitted.toml"),
-                               std::string_view("paper.html"),
-                               std::string_view("claims.csv"),
-                               std::string_view("claims.md"),
-                               std::string_view("jar.stl"),
-                               std::string_view("motion.csv")};
-
-/// A name with a number in it, by what stands before and behind that.
-bool is_numbered(std::string_view name, std::string_view before, std::string_view behind) {
-  if (name.size() <= before.size() + behind.size()) return false;
-  const std::string_view number =
-      name.substr(before.size(), name.size() - before.size() - behind.size());
-  return name.starts_with(before) && name.ends_with(behind) &&
-         number.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-/// "campaign.shard-2-of-8.sqlite", and its journal and lock; "slurm-17_2.out".
-bool is_of_shard(std::string_view name) {
-  return name.starts_with("campaign.shard-") ||
-         (name.starts_with("slurm-") && name.ends_with(".out"));
-}
-
-/// Of some files there is one for a replicate.
-bool is_our_name(std::string_view name) {
-  return std::find(our_files.begin(), our_files.end(), name) != our_files.end() ||
-         is_numbered(name, "frames-", ".xyz") || is_numbered(name, "frames-", ".pvd") ||
-         is_numbered(name, "stopped-", ".csv") || is_of_shard(name);
-}
-
-/// What a folder inside a result may hold besides: pictures, or frames.
-bool is_our_inner_name(std::string_view folder, const fs::directory_entry& entry) {
-  if (!entry.is_regular_file() || entry.is_symlink()) return false;
-  const std::string name = entry.path().filename().string();
-  if (folder == "figures") return entry.path().extension() == ".svg";
-  return is_numbered(folder, "frames-", "") &&
-         (is_numbered(name, "balls-", ".vtp") || is_numbered(name, "jar-", ".vtp"));
-}
-
-InputError cannot_write(const fs::path& place, const std::string& why) {
-  return InputError(
-      Fault{place.string(), "cannot be written: " + why,
-            "free some space or mend the permissions, or choose another folder with --out",
-            "cannot-write"});
-}
-
-std::string beginning(const fs::path& file) {
-  std::string text(4096, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
-/// Ours is a folder with a summary, or a table of a campaign, a comparison, a fit or a paper's
-/// claims, that begins as we write it.
-bool is_result(const fs::path& folder) {
-  return beginning(folder / "summary.json").find("\"mahlwerk\"") != std::string::npos ||
-         beginning(folder / "campaign.csv").find("collision_rate_per_s") != std::string::npos ||
-         beginning(folder / "campaign.sqlite").starts_with("SQLite format 3") ||
-         fs::exists(folder / "campaign.lock") ||  // a campaign that was killed as it began
-         beginning(folder / "optimise.json").find("\"mahlwerk\"") != std::string::npos ||
-         beginning(folder / "match.json").find("\"mahlwerk\"") != std::string::npos ||
-         beginning(folder / "compare.csv").starts_with("quantity,unit,event,event_ci95,soft") ||
-         beginning(folder / "fit.csv").starts_with("line,condition,what,unit,time_s,size_m") ||
-         beginning(folder / "claims.csv").starts_with("figure,the_paper_says,we_find,holds,why");
-}
-
-/// Names inside a folder that no result of ours has.
-std::vector<std::string> foreign(const fs::path& folder);
-
-/// The state of a campaign's run that goes on, beside its folder.
-bool is_of_run(const fs::directory_entry& entry) {
-  const fs::path kind = entry.path().extension();
-  return entry.is_regular_file() && (kind == ".checkpoint" || kind == ".part");
-}
-
-/// The same of a folder inside a result: a point of a campaign, its pictures, or frames.
-std::vector<std::string> foreign_inside(const fs::directory_entry& inner) {
-  if (is_result(inner.path())) return foreign(inner.path());
-  std::vector<std::string> names;
-  if (inner.path().filename() == campaign_runs) {
-    for (const fs::directory_entry& run : fs::directory_iterator(inner))
-      if (is_of_run(run))
-        continue;
-      else if (!run.is_directory())
-        names.push_back(run.path().filename().string());
-      else
-        for (const std::string& name : foreign(run.path()))
-          names.push_back(run.path().filename().string() + "/" + name);
-    return names;
-  }
-  for (const fs::directory_entry& entry : fs::directory_iterator(inner))
-    if (!is_our_inner_name(inner.path().filename().string(), entry))
-      names.push_back(entry.path().filename().string());
-  return names;
-}
-
-std::vector<std::string> foreign(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_symlink()) {
-      names.push_back(name);
-    } else if (entry.is_directory()) {
-      for (const std::string& inner : foreign_inside(entry)) names.push_back(name + "/" + inner);
-    } else if (!is_our_name(name)) {
-      names.push_back(name);
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+InputError at_work(const fs::path& wanted) {
+  return InputError(Fault{wanted.string(), "another process is at work on a result for this folder",
+                          "wait until it ends, or give another folder with --out",
+                          "result-at-work"});
 }
 
 void check_replaceable(const fs::path& wanted, bool force) {
@@ -197,12 +45,13 @@ void check_replaceable(const fs::path& wanted, bool force) {
                ? "go on with the run that left it by --resume, replace it with --force, or choose "
                  "another folder with --out"
                : "choose another folder with --out, or replace it with --force");
-  const std::vector<std::string> others = foreign(wanted);
+  const std::vector<std::string> others = foreign_files(wanted);
   if (!others.empty())
     refuse(fmt::format(
                "holds, besides a result, what Mahlwerk did not write ({}{}), so it is left alone",
                others.front(), others.size() > 1 ? " and more" : ""),
            "move that away, or choose another folder with --out");
+  if (FileLock::held(wanted / "campaign.lock")) throw at_work(wanted);
 }
 
 /// The folder as an absolute path without "..", links followed as far as the path exists.
@@ -215,9 +64,42 @@ fs::path resolved(const fs::path& wanted) {
   return path;
 }
 
+/// What the name of a folder beside the wanted one begins with: ".NAME.partial-".
+std::string hidden(const fs::path& wanted, std::string_view what) {
+  return fmt::format(".{}.{}-", wanted.filename().string(), what);
+}
+
 fs::path beside(const fs::path& wanted, std::string_view what) {
-  return wanted.parent_path() /
-         fmt::format(".{}.{}-{}", wanted.filename().string(), what, ::getpid());
+  return wanted.parent_path() / (hidden(wanted, what) + std::to_string(::getpid()));
+}
+
+/// Whether the number that ends the name is that of a process that lives, other than this one; or
+/// is none.
+bool of_another(std::string_view number) {
+  ::pid_t process = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), process);
+  if (read.ec != std::errc{} || read.ptr != number.data() + number.size() || process <= 0)
+    return true;
+  return process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);
+}
+
+/// What starts that were killed left beside the wanted folder, whose name is this process's alone.
+/// A complete result that could not be put in place stays.
+void clear_remains(const fs::path& wanted) {
+  if (wanted.parent_path().filename() == campaign_runs) return;  // the campaign has seen to it
+  const std::string partial = hidden(wanted, "partial"), replaced = hidden(wanted, "replaced");
+  std::vector<fs::path> remains;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(wanted.parent_path(), none)) {
+    const std::string name = entry.path().filename().string();
+    const auto left_by = [&](const std::string& before) {
+      return name.starts_with(before) && !of_another(std::string_view(name).substr(before.size()));
+    };
+    if ((left_by(partial) && !listed_files(entry.path())) ||
+        (left_by(replaced) && fs::exists(wanted) && foreign_files(entry.path()).empty()))
+      remains.push_back(entry.path());
+  }
+  for (const fs::path& one : remains) fs::remove_all(one, none);
 }
 
 /// 0, or the number of the error that kept a byte from being written.
@@ -233,15 +115,28 @@ int written(const fs::path& file, std::string_view text) {
 
 }  // namespace
 
+InputError cannot_write(const fs::path& place, const std::string& why) {
+  return InputError(
+      Fault{place.string(), "cannot be written: " + why,
+            "free some space or mend the permissions, or choose another folder with --out",
+            "cannot-write"});
+}
+
 Folder::Folder(const fs::path& wanted, bool force) : force_(force) {
   try {
     wanted_ = resolved(wanted);
     check_replaceable(wanted_, force);
     fs::create_directories(wanted_.parent_path());
+    lock_.emplace(wanted_.parent_path() / fmt::format(".{}.lock", wanted_.filename().string()),
+                  FileLock::Holds::alone, FileLock::After::file_goes);
+    if (lock_->state() == FileLock::State::another_has_it) throw at_work(wanted_);
+    check_replaceable(wanted_, force);  // again: who had the lock may just have written there
+    if (lock_->state() == FileLock::State::held) clear_remains(wanted_);
     aside_ = beside(wanted_, "partial");
-    fs::remove_all(aside_);  // of a process of the same number that was killed
+    while (listed_files(aside_)) aside_ += "-";  // complete, of a process of the same number
+    fs::remove_all(aside_);
     fs::create_directory(aside_);
-  } catch (const fs::filesystem_error& e) {
+  } catch (const std::system_error& e) {
     throw cannot_write(wanted, e.code().message());
   }
 }
@@ -267,12 +162,22 @@ void Folder::write(std::string_view name, std::string_view text) const {
 void Folder::commit() {
   done_ = true;  // from here on the result is kept, come what may: it may have taken hours
   try {
+    list_all_files(aside_);
     put_in_place();
   } catch (const std::exception& e) {
+    keep_complete();
     throw InputError(Fault{
         wanted_.string(), std::string("the result cannot be put in place: ") + e.what(),
         "it is complete in " + aside_.string() + "; move it where you want it", "cannot-write"});
   }
+}
+
+/// Under a name that nobody takes for that of a result in the making.
+void Folder::keep_complete() {
+  const fs::path kept = beside(wanted_, "complete");
+  std::error_code failed;
+  fs::rename(aside_, kept, failed);
+  if (!failed) aside_ = kept;
 }
 
 void Folder::put_in_place() const {

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/file_lock.hpp"
 
 namespace mahlwerk::results {
 
@@ -12,13 +16,15 @@ namespace mahlwerk::results {
 constexpr std::string_view campaign_runs = "runs";
 
 /// A result folder in the making. Files are written aside, into a hidden folder beside the wanted
-/// one, and appear all at once by `commit`. Until then nothing that exists is touched; without
-/// `commit` nothing stays behind.
+/// one, and appear all at once by `commit`, with a list of them (manifest.hpp). Until then nothing
+/// that exists is touched; without `commit` nothing stays behind. The name is this process's alone
+/// as long as the folder lives.
 class Folder {
  public:
-  /// Makes sure, before anything is computed, that the result can be written to `wanted`. Throws
-  /// InputError if it is a file, is not empty and `force` is off, holds what is not a result of
-  /// ours, or its place cannot be written to.
+  /// Makes sure, before anything is computed, that the result can be written to `wanted`, and
+  /// removes what starts that were killed left beside it. Throws InputError if it is a file, is not
+  /// empty and `force` is off, holds what is not a result of ours, another process is at work on
+  /// it, or its place cannot be written to.
   Folder(const std::filesystem::path& wanted, bool force);
   ~Folder();
   Folder(const Folder&) = delete;
@@ -35,10 +41,15 @@ class Folder {
 
  private:
   void put_in_place() const;
+  void keep_complete();
 
   std::filesystem::path wanted_, aside_;
+  std::optional<FileLock> lock_;
   bool force_, done_ = false;
 };
+
+/// That a file or folder cannot be written, and why.
+InputError cannot_write(const std::filesystem::path& place, const std::string& why);
 
 /// Writes a whole file; throws InputError with the reason if any byte could not be written.
 void write_text(const std::filesystem::path& file, std::string_view text);

@@ -28,7 +28,7 @@ std::string head(const char* type, const char* version) {
 }
 
 template <class Number>
-constexpr const char* type_name = std::is_same_v<Number, float> ? "Float32" : "Int32";
+constexpr const char* type_name = std::is_same_v<Number, double> ? "Float64" : "Int32";
 
 /// Inline and uncompressed, behind its length: ParaView of Debian 12 does not read appended data.
 template <class Number>
@@ -43,11 +43,11 @@ std::string array(const char* name, const std::vector<Number>& values, int compo
       type_name<Number>, name, components, base64(bytes));
 }
 
-using Floats = std::vector<float>;
+using Doubles = std::vector<double>;
 using Integers = std::vector<std::int32_t>;
 
-void add(Floats& all, const Vec3& a) {
-  for (const double x : {a.x, a.y, a.z}) all.push_back(static_cast<float>(x));
+void add(Doubles& all, const Vec3& a) {
+  for (const double x : {a.x, a.y, a.z}) all.push_back(x);
 }
 
 /// Cells of so many points each.
@@ -67,11 +67,11 @@ std::string piece(std::size_t points, std::size_t verts, std::size_t polys,
 }
 
 std::string balls_text(const Frame& frame) {
-  Floats places, radii, velocities, spins, forces;
+  Doubles places, radii, velocities, spins, forces;
   Integers numbers, species, points;
   for (const scene::Ball& b : frame.balls) {
     add(places, b.position);
-    radii.push_back(static_cast<float>(b.radius));
+    radii.push_back(b.radius);
     add(velocities, b.velocity);
     add(spins, b.spin);
     species.push_back(b.kind + 1);
@@ -128,7 +128,7 @@ void VtkFrames::add(const Frame& frame) {
 
 /// All of its surfaces as one, each triangle with the number of its own.
 std::string VtkFrames::jar_text(const Frame& frame) const {
-  Floats places;
+  Doubles places;
   Integers corners, parts;
   std::int32_t part = 0;
   for (const JarMesh& mesh : jar_) {

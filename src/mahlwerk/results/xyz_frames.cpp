@@ -9,11 +9,14 @@
 #include <utility>
 #include <variant>
 
+#include "mahlwerk/base/units.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
+/// Each as the shortest text that reads back as the same double: at most 17 digits.
 std::string numbers(const Vec3& a) {
-  return fmt::format("{:.9g} {:.9g} {:.9g}", a.x, a.y, a.z);
+  return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
 }
 
 /// The jar's box: a cube that it fits into however it turns, or the periods of a periodic box.
@@ -21,8 +24,8 @@ std::string cell_of(const geometry::AnyShape& shape) {
   const auto* periodic = std::get_if<geometry::PeriodicBox>(&shape);
   const double reach = std::visit([](const auto& s) { return s.reach(); }, shape);
   const Vec3 size = periodic != nullptr ? periodic->periods() : 2 * reach * Vec3{1, 1, 1};
-  return fmt::format("Lattice=\"{:.9g} 0 0 0 {:.9g} 0 0 0 {:.9g}\" Origin=\"{}\" pbc=\"{}\"",
-                     size.x, size.y, size.z, numbers(-0.5 * size),
+  return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{}\"", shortest(size.x),
+                     shortest(size.y), shortest(size.z), numbers(-0.5 * size),
                      periodic != nullptr ? "T T T" : "F F F");
 }
 
@@ -37,14 +40,15 @@ void XyzFrames::add(const Frame& frame) {
   const bool forces = !frame.forces.empty();
   std::string text = fmt::format(
       "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{} "
-      "Time={:.9g} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "
+      "Time={} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "
       "jar_x=\"{}\" jar_y=\"{}\" jar_z=\"{}\"\n",
-      frame.balls.size(), cell_, forces ? ":forces:R:3" : "", frame.time, numbers(frame.centre),
-      numbers(frame.turn.ex), numbers(frame.turn.ey), numbers(frame.turn.ez));
+      frame.balls.size(), cell_, forces ? ":forces:R:3" : "", shortest(frame.time),
+      numbers(frame.centre), numbers(frame.turn.ex), numbers(frame.turn.ey),
+      numbers(frame.turn.ez));
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {
     const scene::Ball& b = frame.balls[i];
-    fmt::format_to(std::back_inserter(text), "{} {} {} {:.9g} {} {}", i + 1, b.kind + 1,
-                   numbers(b.position), b.radius, numbers(b.velocity), numbers(b.spin));
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", i + 1, b.kind + 1,
+                   numbers(b.position), shortest(b.radius), numbers(b.velocity), numbers(b.spin));
     if (forces) text += ' ' + numbers(frame.forces[i]);
     text += '\n';
   }

@@ -103,6 +103,57 @@ TEST_F(StoreTest, a_new_plan_keeps_the_runs_it_shares_with_the_old_one) {
   EXPECT_EQ(store.states().size(), 3U);
 }
 
+/// Of runs by two engines, one of them with powder whose property has a name of its own.
+std::vector<Finished> three_forms() {
+  std::vector<Finished> list{finished(1, 5), finished(2, 6), finished(3, 7)};
+  auto& soft = list[1].quantities;
+  soft.insert(soft.begin() + 1, {"overlap", 0.01, NAN, "1", "how deep"});
+  list[1].quantities.push_back({"property", 1, NAN, "1", "colour, after milling"});
+  list[2].quantities.push_back({"property", 2, NAN, "1", "smell, after milling"});
+  return list;
+}
+
+std::string heads_of(const Store& store) {
+  std::ostringstream csv;
+  store.write_csv(csv);
+  const std::string text = csv.str().substr(0, csv.str().find('\n'));
+  return text.substr(text.find("message,"));
+}
+
+TEST_F(StoreTest, columns_are_in_one_order_whichever_run_ends_first) {
+  const std::vector<std::vector<std::size_t>> orders{{0, 1, 2}, {2, 1, 0}, {1, 2, 0}, {2, 0, 1}};
+  for (const auto& order : orders) {
+    const fs::path place = file(std::to_string(&order - orders.data()));
+    Store store(place, Store::Access::write);
+    store.plan(planned({1, 2, 3}));
+    for (const std::size_t i : order) store.keep(three_forms()[i]);
+    EXPECT_EQ(heads_of(store),
+              "message,rate_per_s,rate_ci95_per_s,overlap,overlap_ci95,energy_J,energy_ci95_J,"
+              "property,property_ci95");
+    EXPECT_EQ(store.quantities().back().about, "colour, after milling");
+    const auto list = points(store, {"overlap", "property", "rate"});
+    EXPECT_EQ(list[1].value, (std::vector<double>{0.01, 1, 6}));
+    EXPECT_EQ(list[2].value[1], 2);
+  }
+}
+
+TEST_F(StoreTest, columns_of_shards_are_in_the_order_of_the_whole) {
+  Store whole(file("whole"), Store::Access::write);
+  whole.plan(planned({1, 2, 3}));
+  for (const Finished& one : three_forms()) whole.keep(one);
+  {
+    Store first(file("first"), Store::Access::shard), second(file("second"), Store::Access::shard);
+    for (Store* shard : {&first, &second}) shard->plan(planned({1, 2, 3}));
+    first.keep(three_forms()[2]);
+    first.keep(three_forms()[0]);
+    second.keep(three_forms()[1]);
+  }
+  Store merged(file("merged"), Store::Access::write);
+  merged.merge(file("first"));
+  merged.merge(file("second"));
+  EXPECT_EQ(heads_of(merged), heads_of(whole));
+}
+
 TEST_F(StoreTest, a_quantity_that_comes_later_gets_a_column) {
   Store store(file(), Store::Access::write);
   store.plan(planned({1, 2}));

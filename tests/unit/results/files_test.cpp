@@ -55,6 +55,23 @@ TEST(Csv, QuotesWhatWouldBreakALine) {
   EXPECT_EQ(csv_cell("a \"b\""), "\"a \"\"b\"\"\"");
 }
 
+TEST(Csv, WhatASpreadsheetWouldComputeIsText) {
+  EXPECT_EQ(csv_cell("=1+1"), "\"'=1+1\"");
+  EXPECT_EQ(csv_cell("@SUM(A1)"), "\"'@SUM(A1)\"");
+  EXPECT_EQ(csv_cell("-2+3+cmd|' /C calc'!A0"), "\"'-2+3+cmd|' /C calc'!A0\"");
+  EXPECT_EQ(csv_cell("+A1"), "\"'+A1\"");
+  EXPECT_EQ(csv_cell("\t=1"), "\"'\t=1\"");
+  for (const char* number : {"-1.5e-3", "+5", "-2 rpm", "-9.81 m/s^2", "-3 kg m^-3", "-5 °C", "-"})
+    EXPECT_EQ(csv_cell(number), number);
+  EXPECT_EQ(csv_cell(-1.5e-3), "-0.0015");
+}
+
+TEST(Csv, ControlCharactersAreEscaped) {
+  EXPECT_EQ(csv_cell(std::string_view("c\0d\x1b", 4)), "c\\u0000d\\u001b");
+  EXPECT_EQ(csv_cell("a\rb"), "a\\u000db");
+  EXPECT_EQ(csv_cell("a\nb"), "\"a\nb\"");
+}
+
 TEST(Csv, ColumnsNameTheirUnits) {
   EXPECT_EQ(column_name("energy", "J"), "energy_J");
   EXPECT_EQ(column_name("rate", "1/s"), "rate_per_s");

@@ -4,13 +4,17 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <csignal>
 #include <iterator>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/file_lock.hpp"
 #include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/manifest.hpp"
 #include "mahlwerk/results/result_file.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
@@ -21,6 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view our_summary =
     "{\n  \"_about\": {\n    \"mahlwerk\": \"0.1.0\"\n  }\n}\n";
+
+constexpr std::string_view our_picture =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 400\" role=\"img\" "
+    "aria-label=\"power\"></svg>";
 
 /// The code and text of the error that making the folder gives, or nothing.
 std::string refusal(const fs::path& place, bool force) {
@@ -47,14 +55,14 @@ TEST_F(FolderTest, AppearsOnlyWhenComplete) {
   folder.commit();
   EXPECT_EQ(read(place / "summary.json"), our_summary);
   EXPECT_EQ(read(place / "point-1" / "spectrum.csv"), "a,b\n");
-  EXPECT_EQ(entries(place.parent_path()), 1U);  // nothing is left beside it
+  EXPECT_EQ(entries(place.parent_path()), 2U) << "beside it is its lock, as long as it is ours";
 }
 
 TEST_F(FolderTest, LeavesNothingBehindWhenGivenUp) {
   {
     Folder folder(scratch() / "result", false);
     folder.write("summary.json", our_summary);
-    EXPECT_EQ(entries(scratch()), 1U);
+    EXPECT_EQ(entries(scratch()), 2U) << "what is in the making, and its lock";
   }
   EXPECT_EQ(entries(scratch()), 0U);
 }
@@ -102,10 +110,120 @@ TEST_F(FolderTest, ACampaignsPointsMayBeReplaced) {
   const fs::path place = scratch() / "campaign";
   write_text_of(place / "campaign.csv", "point,mill.speed_rpm,collision_rate_per_s\n");
   write_text_of(place / "point-001" / "summary.json", our_summary);
-  write_text_of(place / "figures" / "collision_rate.svg", "<svg/>");
+  write_text_of(place / "figures" / "collision_rate.svg", our_picture);
   EXPECT_EQ(refusal(place, true), "");
   write_text_of(place / "point-001" / "notes.txt", "mine");
   EXPECT_NE(refusal(place, true).find("point-001/notes.txt"), std::string::npos);
+}
+
+TEST_F(FolderTest, WhatIsListedMayBeReplacedAndNothingElse) {
+  const fs::path place = scratch() / "result";
+  {
+    Folder folder(place, false);
+    folder.write("summary.json", our_summary);
+    folder.write("figures/mine.svg", our_picture);
+    folder.write("any/name.at.all", "ours");
+    folder.commit();
+  }
+  EXPECT_EQ(listed_files(place)->count("any/name.at.all"), 1U);
+  EXPECT_EQ(refusal(place, true), "");
+  for (const char* name : {"angles.csv", "figures/theirs.svg", "any/other", "slurm-12.out",
+                           "campaign.shard-1-of-2.sqlite", "runs/notes.txt", "deep/down/summary"}) {
+    write_text_of(place / name, our_picture);
+    EXPECT_NE(refusal(place, true).find("did not write"), std::string::npos) << name;
+    EXPECT_EQ(read(place / name), our_picture);
+    fs::remove(place / name);
+    for (const char* folder : {"deep/down", "deep", "runs"}) fs::remove(place / folder);
+  }
+  fs::create_directory(place / "empty");
+  EXPECT_NE(refusal(place, true).find("empty/"), std::string::npos) << "somebody made it";
+  fs::remove(place / "empty");
+  Folder folder(place, true);
+  folder.write("summary.json", our_summary);
+  folder.commit();
+  EXPECT_FALSE(fs::exists(place / "figures"));
+}
+
+TEST_F(FolderTest, ACampaignsRunsAreTheirsByName) {
+  const fs::path place = scratch() / "campaign";
+  fs::create_directory(place);
+  list_files(place, {"campaign.lock", "campaign.sqlite"});
+  write_text_of(place / "campaign.lock", "");
+  write_text_of(place / "campaign.sqlite", "SQLite format 3");
+  write_text_of(place / "campaign.sqlite-wal", "");
+  write_text_of(place / "runs/0012-0123abcd.checkpoint", "");
+  write_text_of(place / "runs/0012-0123abcd.checkpoint.part", "");
+  write_text_of(place / "runs/.0012-0123abcd.partial-77/summary.json", "");
+  write_text_of(place / "runs/0013-0123abcd/summary.json", our_summary);
+  EXPECT_EQ(refusal(place, true), "");
+  for (const char* name : {"runs/mine.checkpoint", "runs/0012-0123abcX.checkpoint",
+                           "runs/0013-0123abcd/notes.txt", "runs/.mine.part"}) {
+    write_text_of(place / name, "mine");
+    EXPECT_NE(refusal(place, true).find(name), std::string::npos) << name;
+    fs::remove(place / name);
+  }
+}
+
+TEST_F(FolderTest, OfAnEarlierVersionsCampaignNamesAreTakenStrictly) {
+  const fs::path place = scratch() / "campaign";
+  write_text_of(place / "campaign.csv", "point,mill.speed_rpm,collision_rate_per_s\n");
+  write_text_of(place / "campaign.slurm", "#!/bin/bash\n");
+  for (const char* name : {"campaign.shard-2-of-8.sqlite", "campaign.shard-2-of-8.lock",
+                           "slurm-17_2.out", "slurm-18.out"})
+    write_text_of(place / name, "");
+  write_text_of(place / "figures" / "power.svg", our_picture);
+  EXPECT_EQ(refusal(place, true), "");
+  for (const char* name : {"campaign.shard-notes.txt", "campaign.shard-2-of-8.pdf",
+                           "slurm-mine.out", "figures/drawn.svg"}) {
+    write_text_of(place / name, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"3\"/>");
+    EXPECT_NE(refusal(place, true).find(name), std::string::npos) << name;
+    fs::remove(place / name);
+  }
+  fs::remove(place / "campaign.slurm");
+  EXPECT_NE(refusal(place, true).find("slurm-17_2.out"), std::string::npos)
+      << "of a job that is not ours";
+}
+
+TEST_F(FolderTest, TwoIntoOnePlaceAreRefused) {
+  const fs::path place = scratch() / "result";
+  {
+    const Folder first(place, false);
+    EXPECT_NE(refusal(place, false).find("result-at-work"), std::string::npos);
+    EXPECT_NE(refusal(place, true).find("another process"), std::string::npos);
+    EXPECT_EQ(refusal(scratch() / "other", false), "");
+  }
+  EXPECT_EQ(refusal(place, false), "");
+  EXPECT_EQ(entries(scratch()), 0U) << "no lock stays";
+  write_text_of(place / "campaign.lock", "");
+  const FileLock campaign(place / "campaign.lock", FileLock::Holds::with_others);
+  EXPECT_NE(refusal(place, true).find("result-at-work"), std::string::npos);
+}
+
+/// The number of a process that has ended.
+::pid_t a_dead_process() {
+  const ::pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return child;
+}
+
+TEST_F(FolderTest, WhatAKilledStartLeftGoesAndWhatALivingOneHasStays) {
+  const std::string dead = std::to_string(a_dead_process()), alive = std::to_string(::getppid());
+  const fs::path left = scratch() / (".result.partial-" + dead),
+                 living = scratch() / (".result.partial-" + alive),
+                 other = scratch() / (".results.partial-" + dead),
+                 whole = scratch() / (".result.partial-" + dead + "-");
+  for (const fs::path& one : {left, living, other, whole})
+    write_text_of(one / "summary.json", our_summary);
+  list_all_files(whole);
+  write_text_of(scratch() / ".result.lock", "");
+  {
+    const Folder folder(scratch() / "result", false);
+    EXPECT_FALSE(fs::exists(left));
+    for (const fs::path& one : {living, other, whole}) EXPECT_TRUE(fs::exists(one)) << one;
+  }
+  EXPECT_FALSE(fs::exists(scratch() / ".result.lock"));
 }
 
 TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
@@ -139,9 +257,12 @@ TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
     said = e.what();
   }
   EXPECT_EQ(read(place / "summary.json"), our_summary);
-  const std::size_t at = said.find(".result.partial-");
+  const std::size_t at = said.find(".result.complete-");
   ASSERT_NE(at, std::string::npos) << said;  // the hours of work are kept, and it says where
-  EXPECT_EQ(entries(scratch()), 2U);
+  const std::string kept = said.substr(at, said.find(';', at) - at);
+  EXPECT_EQ(read(scratch() / kept / "summary.json"), "ours");
+  EXPECT_EQ(refusal(place, true), "");
+  EXPECT_TRUE(fs::exists(scratch() / kept)) << "the next start lets it be";
 }
 
 TEST_F(FolderTest, APlaceThatCannotBeWrittenIsAnErrorBeforeTheRun) {

@@ -63,6 +63,15 @@ TEST_F(FramesTest, SayWhereTheBallsAndTheJarAre) {
   EXPECT_TRUE(read(file).ends_with(" 10 -20 30.5 0.5 -1 2\n"));
 }
 
+TEST_F(FramesTest, ReadBackAsTheSameDoubles) {
+  FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
+  const double odd = 1.0 / 3;
+  frames.add(0.1 + 0.2, {ball(odd)});
+  const std::string text = read(scratch() / "frames-1.xyz");
+  EXPECT_NE(text.find("\n1 2 0.3333333333333333 "), std::string::npos) << text;
+  EXPECT_NE(text.find(" Time=0.30000000000000004 "), std::string::npos) << text;
+}
+
 TEST_F(FramesTest, ForParaViewAreAListAndAFileForEachFrame) {
   FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
   const auto list = [&] { return read(scratch() / "frames-1.pvd"); };
@@ -85,9 +94,9 @@ TEST_F(FramesTest, ForParaViewAreAListAndAFileForEachFrame) {
   EXPECT_NE(balls.find("Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">0.025<"),
             std::string::npos);
   EXPECT_NE(balls.find("NumberOfPoints=\"2\" NumberOfVerts=\"2\""), std::string::npos);
-  // 8 as UInt64, 0.004 twice as Float32 (0x3b83126f), by the table of RFC 4648.
+  // 16 as UInt64, 0.004 twice as Float64 (0x3f70624dd2f1a9fc), by the table of RFC 4648.
   EXPECT_NE(balls.find("Name=\"radius\" NumberOfComponents=\"1\" "
-                       "format=\"binary\">CAAAAAAAAABvEoM7bxKDOw==<"),
+                       "format=\"binary\">EAAAAAAAAAD8qfHSTWJwP/yp8dJNYnA/<"),
             std::string::npos)
       << balls;
   // A vial that does not turn is drawn once.

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
+#include "mahlwerk/results/folder.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -17,13 +18,20 @@ namespace {
 constexpr std::string_view any_magic = "mahlwerk checkpoint ";
 constexpr std::string_view magic = "mahlwerk checkpoint 6\n";
 
-InputError trouble(const std::filesystem::path& file, std::string what, std::string remedy) {
+InputError refusal(const std::filesystem::path& file, std::string what, std::string remedy) {
   return InputError(
       Fault{file.generic_string(), std::move(what), std::move(remedy), "bad-checkpoint"});
 }
 
 InputError damaged(const std::filesystem::path& file) {
-  return trouble(file, "the checkpoint is damaged", "start the run anew, without --resume");
+  return refusal(file, "the checkpoint is damaged", "start the run anew, without --resume");
+}
+
+Fault no_checkpoint(const std::filesystem::path& file, const std::string& why) {
+  return {file.generic_string(), "the checkpoint " + why,
+          "make room or mend the permissions; the run goes on without it, and its results are "
+          "written",
+          "bad-checkpoint"};
 }
 
 /// Takes the fingerprint of all else off the end of a file; whether it is right. A state with a bit
@@ -47,17 +55,22 @@ void carry(Archive& archive, std::string& title, std::string& what,
 
 }  // namespace
 
-Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every)
+Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every,
+                       Trouble trouble)
     : file_(std::move(file)),
       what_(std::move(what)),
       every_(every),
       states_(jobs),
-      kept_(jobs, std::chrono::steady_clock::now()) {}
+      kept_(jobs, std::chrono::steady_clock::now()),
+      told_(std::move(trouble)) {
+  std::error_code none;
+  std::filesystem::remove(aside(), none);
+}
 
 void Checkpoint::load() {
   std::ifstream stream(file_, std::ios::binary);
   if (!stream)
-    throw trouble(file_, "there is no checkpoint to go on from",
+    throw refusal(file_, "there is no checkpoint to go on from",
                   "start the run with --checkpoint; leave out --resume to start anew");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}}, title, what;
   const auto begins = [&](std::string_view with) {
@@ -73,7 +86,7 @@ void Checkpoint::load() {
       throw damaged(file_);
     }
   if (!ours || what != what_ || states_.size() != kept_.size())
-    throw trouble(file_, "the checkpoint is of another run: case, settings or version differ",
+    throw refusal(file_, "the checkpoint is of another run: case, settings or version differ",
                   "resume with the case and settings it was started with, or start anew");
   loaded_ = true;
 }
@@ -117,15 +130,27 @@ void Checkpoint::write() {
   carry(archive, title, what_, states_);
   std::uint64_t seal = fingerprint(archive.bytes());
   archive(seal);
-  const std::filesystem::path aside = file_.string() + ".part";
-  std::ofstream stream(aside, std::ios::binary);
-  stream.write(archive.bytes().data(), static_cast<std::streamsize>(archive.bytes().size()));
-  stream.close();
-  std::error_code failed;
-  if (stream) std::filesystem::rename(aside, file_, failed);
   filed_ = std::chrono::steady_clock::now();
   waits_ = false;
-  written_ = stream && !failed;  // the run goes on without it; who asked for it is told at the end
+  const bool fresh = !failed_;
+  failed_.reset();
+  try {
+    results::write_text(aside(), archive.bytes());
+    std::filesystem::rename(aside(), file_);
+  } catch (const InputError& e) {
+    failed_ = no_checkpoint(file_, e.faults().front().what);
+  } catch (const std::filesystem::filesystem_error& e) {
+    failed_ = no_checkpoint(file_, "cannot be written: " + e.code().message());
+  }
+  if (!failed_) return;
+  std::error_code none;
+  std::filesystem::remove(aside(), none);
+  if (fresh && told_) told_(*failed_);
+}
+
+std::optional<Fault> Checkpoint::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return failed_;
 }
 
 void Checkpoint::remove() {

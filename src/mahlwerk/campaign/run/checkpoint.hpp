@@ -4,10 +4,13 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 
 namespace mahlwerk::campaign {
@@ -16,9 +19,14 @@ namespace mahlwerk::campaign {
 /// later. The file is written aside and put in place whole. Threads may call at the same time.
 class Checkpoint {
  public:
+  /// Told when the file cannot be written, once until it can be again. The run goes on without.
+  using Trouble = std::function<void(const Fault&)>;
+
   /// `what` tells the run of `jobs` replicates apart from others: cases and version. The state of
-  /// each is due every `every` [s].
-  Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every);
+  /// each is due every `every` [s]. What a process that was killed left half written is removed:
+  /// the file must be this process's alone.
+  Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every,
+             Trouble trouble = {});
 
   /// Takes the states from the file. Throws InputError if there is none, it is damaged, or it is of
   /// another run.
@@ -30,11 +38,14 @@ class Checkpoint {
   /// Into the file if `now`, or if that is due; else it waits for the next that is, or for flush().
   void keep(std::size_t job, Replica& replica, bool now = false);
   void flush();
-  void remove();                             ///< the run has ended as wanted
-  bool written() const { return written_; }  ///< whether the last try to write the file succeeded
+  void remove();  ///< the run has ended as wanted
+
+  /// That the last try to write the file did not succeed, and why; nothing if it did.
+  std::optional<Fault> trouble() const;
 
  private:
   void write();
+  std::filesystem::path aside() const { return file_.string() + ".part"; }
 
   std::filesystem::path file_;
   std::string what_;
@@ -42,7 +53,9 @@ class Checkpoint {
   std::vector<std::string> states_;                          // by job
   std::vector<std::chrono::steady_clock::time_point> kept_;  // when
   std::chrono::steady_clock::time_point filed_ = std::chrono::steady_clock::now();
-  bool loaded_ = false, written_ = true, waits_ = false;
+  bool loaded_ = false, waits_ = false;
+  std::optional<Fault> failed_;  // the last try to write
+  Trouble told_;
   mutable std::mutex mutex_;
 };
 

@@ -8,8 +8,9 @@
 
 namespace mahlwerk::campaign {
 
-TrialStore::TrialStore(const std::filesystem::path& file, std::string measure)
-    : file_(file), measure_(std::move(measure)) {
+TrialStore::TrialStore(const std::filesystem::path& file, std::string measure,
+                       std::function<void(const Fault&)> trouble)
+    : file_(file), measure_(std::move(measure)), trouble_(std::move(trouble)) {
   if (std::filesystem::exists(file_)) open();
 }
 
@@ -47,7 +48,17 @@ std::optional<Told> TrialStore::find(RunHash run) {
 
 void TrialStore::keep(RunHash run, const Told& told) {
   const std::lock_guard lock(mutex_);
-  if (!database_) open();
+  const bool opened = database_.has_value();
+  try {
+    if (!opened) open();
+    write(run, told);
+  } catch (const InputError& e) {
+    if (!opened) database_.reset();  // it may lack its tables
+    trouble_(e.faults().front());
+  }
+}
+
+void TrialStore::write(RunHash run, const Told& told) {
   const std::string name = name_of(run);
   Transaction all(*database_);
   database_->prepare("INSERT OR REPLACE INTO trials VALUES(?, ?)")

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/search/optimise.hpp"
 #include "mahlwerk/campaign/store/sqlite.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
@@ -18,13 +20,16 @@ namespace mahlwerk::campaign {
 class TrialStore {
  public:
   /// `measure` names what was told of each replicate: other measures are strangers. The file is
-  /// made once there is something to keep. Throws InputError where it cannot be used.
-  TrialStore(const std::filesystem::path& file, std::string measure);
+  /// made once there is something to keep. Throws InputError where it cannot be read; `trouble` is
+  /// told where it cannot be written, and the search goes on.
+  TrialStore(const std::filesystem::path& file, std::string measure,
+             std::function<void(const Fault&)> trouble);
 
   std::optional<Told> find(RunHash run);
   void keep(RunHash run, const Told& told);
 
  private:
+  void write(RunHash run, const Told& told);
   std::string name_of(RunHash run) const;
   void open();
 
@@ -32,6 +37,7 @@ class TrialStore {
   std::filesystem::path file_;
   std::optional<Database> database_;
   std::string measure_;
+  std::function<void(const Fault&)> trouble_;
 };
 
 }  // namespace mahlwerk::campaign

@@ -1,47 +1,41 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <system_error>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
 
 namespace mahlwerk::campaign {
+namespace {
 
-CampaignLock::CampaignLock(const std::filesystem::path& file, Holds holds) {
-  descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0)
-    throw InputError(Fault{
-        file.generic_string(),
-        "the campaign's folder cannot be written to: " + std::generic_category().message(errno),
-        "check that you may write there, or give another folder with --out", "store"});
-  if (::flock(descriptor_, (holds == Holds::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0) return;
-  const int why = errno;
-  ::close(descriptor_);
-  if (why != EWOULDBLOCK)
-    throw InputError(Fault{file.generic_string(),
-                           "the file cannot be locked: " + std::generic_category().message(why),
-                           "use a file system that knows locks", "store"});
-  throw InputError(
-      Fault{file.parent_path().generic_string(), "another process is at work on this campaign",
-            "wait until it ends; `mahlwerk sweep status` tells how far it is", "campaign-at-work"});
+/// The lock, or the reason why there is none.
+std::unique_ptr<results::FileLock> taken(const std::filesystem::path& file,
+                                         results::FileLock::Holds holds) try {
+  return std::make_unique<results::FileLock>(file, holds);
+} catch (const std::system_error& e) {
+  throw InputError(Fault{
+      file.generic_string(), "the campaign's folder cannot be written to: " + e.code().message(),
+      "check that you may write there, or give another folder with --out", "store"});
 }
 
-CampaignLock::~CampaignLock() {
-  ::close(descriptor_);  // the file stays: taking it away would let two in
+}  // namespace
+
+CampaignLock::CampaignLock(const std::filesystem::path& file, Holds holds)
+    : lock_(taken(file, holds)) {
+  using State = results::FileLock::State;
+  if (lock_->state() == State::no_locks)
+    throw InputError(
+        Fault{file.generic_string(),
+              "the file cannot be locked: " + std::generic_category().message(lock_->error()),
+              "use a file system that knows locks", "store"});
+  if (lock_->state() == State::another_has_it)
+    throw InputError(Fault{
+        file.parent_path().generic_string(), "another process is at work on this campaign",
+        "wait until it ends; `mahlwerk sweep status` tells how far it is", "campaign-at-work"});
 }
 
 bool CampaignLock::held(const std::filesystem::path& file) {
-  int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // as locks over a network want it
-  if (descriptor < 0) descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  return held;
+  return results::FileLock::held(file);
 }
 
 }  // namespace mahlwerk::campaign

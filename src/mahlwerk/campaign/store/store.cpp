@@ -75,6 +75,10 @@ Store::Store(const std::filesystem::path& file, Access access)
     throw InputError(Fault{file.generic_string(), "the campaign's store is of another version",
                            "go on with the version that made it, or start anew with --force",
                            "store"});
+  database_.run(
+      "CREATE TABLE IF NOT EXISTS forms(form TEXT, position INTEGER, name TEXT, unit TEXT, about "
+      "TEXT,"
+      " PRIMARY KEY(form, position)) WITHOUT ROWID");
 }
 
 /// With a journal that lies beside readers only while it is written to: whoever may not write to
@@ -216,45 +220,6 @@ std::unordered_map<RunHash, RunState> Store::states() const {
   while (asked.step())
     found.emplace(std::stoull(asked.text(0), nullptr, 16), state_of(asked.text(1)));
   return found;
-}
-
-/// Columns for quantities that no run has given yet.
-void Store::add_columns(const std::vector<results::Quantity>& quantities) {
-  Statement known = database_.prepare("SELECT 1 FROM quantities WHERE name = ?");
-  Statement add = database_.prepare(
-      "INSERT INTO quantities(name, unit, about, \"column\", ci95_column) VALUES(?, ?, ?, ?, ?)");
-  bool added = false;
-  for (const results::Quantity& q : quantities) {
-    bool there = false;
-    known.bind(1, q.name);
-    while (known.step()) there = true;
-    if (there) continue;
-    const auto [column, ci95] = columns_of(q);
-    add.bind(1, q.name).bind(2, q.unit).bind(3, q.about).bind(4, column).bind(5, ci95).run();
-    database_.run(
-        fmt::format("ALTER TABLE summary ADD COLUMN {} REAL; ALTER TABLE summary ADD "
-                    "COLUMN {} REAL",
-                    as_name(column), as_name(ci95)));
-    added = true;
-  }
-  if (added) make_view();
-}
-
-void Store::prepare_summary(const std::vector<results::Quantity>& quantities) {
-  if (summary_ && std::ranges::equal(summary_names_, quantities, {}, {}, &results::Quantity::name))
-    return;
-  summary_.reset();
-  add_columns(quantities);
-  summary_names_.clear();
-  std::string columns = "hash", marks = "?";
-  for (const results::Quantity& q : quantities) {
-    summary_names_.push_back(q.name);
-    const auto [column, ci95] = columns_of(q);
-    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
-    marks += ", ?, ?";
-  }
-  summary_.emplace(database_.prepare(
-      fmt::format("INSERT OR REPLACE INTO summary({}) VALUES({})", columns, marks)));
 }
 
 void Store::keep(const Finished& f) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "mahlwerk/campaign/store/sqlite.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/results/file_lock.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // What a campaign has done and has still to do, in one SQLite file (docs/formats.md).
@@ -121,29 +123,32 @@ class Store {
   void refuse_stranger(const std::filesystem::path& other) const;
   void take_newer_plan();
   std::vector<Swept> swept() const;
+  std::vector<results::Quantity> known_quantities() const;
+  void keep_old_form();
+  bool keep_form(const std::vector<results::Quantity>& form);
   void add_columns(const std::vector<results::Quantity>& quantities);
+  void add_columns_of_other(const std::vector<results::Quantity>& quantities);
+  void add_unknown(const std::vector<results::Quantity>& quantities);
+  void put_in_order();
   void prepare_summary(const std::vector<results::Quantity>& quantities);
 
   bool writes_;  ///< and readers look on
   mutable std::mutex mutex_;
   Database database_;
   std::optional<Statement> run_done_, run_failed_, summary_;
-  std::vector<std::string> summary_names_;  ///< quantities that summary_ takes
+  std::vector<results::Quantity> summary_form_;  ///< quantities that summary_ takes
 };
 
-/// Holds a folder's campaign for this process, until it ends however it ends.
+/// Holds a folder's campaign for this process, until it ends however it ends. The file stays.
 class CampaignLock {
  public:
-  enum class Holds { alone, with_others };  ///< with other shards, each of a part of its own
+  using Holds = results::FileLock::Holds;  ///< with others: other shards, each of a part of its own
   /// Throws InputError where another process holds it, or it is held with others and wanted alone.
   explicit CampaignLock(const std::filesystem::path& file, Holds holds = Holds::alone);
-  ~CampaignLock();
-  CampaignLock(const CampaignLock&) = delete;
-  CampaignLock& operator=(const CampaignLock&) = delete;
   static bool held(const std::filesystem::path& file);  ///< by any process
 
  private:
-  int descriptor_ = -1;
+  std::unique_ptr<results::FileLock> lock_;
 };
 
 }  // namespace mahlwerk::campaign

@@ -102,16 +102,7 @@ bool Store::follows(const std::string& key) const {
 
 std::vector<results::Quantity> Store::quantities() const {
   const std::lock_guard lock(mutex_);
-  std::vector<results::Quantity> list;
-  Statement asked = database_.prepare("SELECT name, unit, about FROM quantities ORDER BY position");
-  while (asked.step()) {
-    results::Quantity q;
-    q.name = asked.text(0);
-    q.unit = asked.text(1);
-    q.about = asked.text(2);
-    list.push_back(std::move(q));
-  }
-  return list;
+  return known_quantities();
 }
 
 void Store::read(const std::vector<std::string>& quantities,
@@ -221,7 +212,7 @@ std::size_t Store::merge(const std::filesystem::path& other) {
   database_.run(
       "INSERT OR IGNORE INTO main.runs(hash, status) SELECT hash, 'waiting' FROM other.runs");
   summary_.reset();
-  add_columns(quantities);
+  add_columns_of_other(quantities);
   const std::string better =
       "hash IN (SELECT o.hash FROM other.runs o JOIN main.runs m ON m.hash = o.hash WHERE "
       "(o.status = 'done' AND m.status <> 'done') OR (o.status = 'failed' AND m.status = "

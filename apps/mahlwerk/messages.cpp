@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "mahlwerk/base/printable.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool as_json = false;
+
+Json object(const Fault& fault) {
+  return {
+      {"code", fault.code}, {"where", fault.where}, {"what", fault.what}, {"remedy", fault.remedy}};
+}
+
+/// One line; bytes that are no UTF-8 are replaced.
+std::string line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string_view name_of(int code) {
+  switch (code) {
+    case bad_input:
+      return "bad-input";
+    case stopped_by_physics:
+      return "stopped";
+    case output_lost:
+      return "output-lost";
+    case interrupted:
+      return "interrupted";
+    default:
+      return "internal-error";
+  }
+}
+
+bool is_plain(char c) {
+  constexpr std::string_view others = "_-./:=,+@%";
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         others.find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+void set_json_messages() {
+  as_json = true;
+}
+
+bool json_messages() {
+  return as_json;
+}
+
+void to_stderr(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+  std::fflush(stderr);
+}
+
+void tell_warning(const Fault& warning) {
+  to_stderr(as_json ? line({{"warning", object(warning)}})
+                    : "warning: " + mahlwerk::describe({warning}) + '\n');
+}
+
+void TroubleTeller::operator()(const Fault& trouble) {
+  const std::lock_guard lock(mutex_);
+  if (first_) return;
+  first_ = trouble;
+  tell_warning(trouble);
+}
+
+void TroubleTeller::tell_again() const {
+  const std::lock_guard lock(mutex_);
+  if (first_) tell_warning(*first_);
+}
+
+int tell_end(int code, std::string_view words, const std::vector<Fault>& faults) {
+  if (!as_json) {
+    to_stderr(printable(words) + '\n');
+    return code;
+  }
+  Json list = Json::array();
+  for (const Fault& fault : faults) list.push_back(object(fault));
+  to_stderr(line({{"ended", name_of(code)}, {"exit", code}, {"faults", std::move(list)}}));
+  return code;
+}
+
+int tell_end(int code, const std::vector<Fault>& faults) {
+  return tell_end(code, mahlwerk::describe(faults), faults);
+}
+
+std::string shell_word(std::string_view text) {
+  if (!text.empty() && text.front() != '-' && std::ranges::all_of(text, is_plain))
+    return std::string(text);
+  std::string word = has_control(text) ? "$'" : "'";
+  const bool escapes = word.size() > 1;  // $'...', where \ means something
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (escapes && (byte < 0x20 || byte == 0x7F))
+      word += fmt::format("\\{:03o}", byte);
+    else if (escapes && (c == '\'' || c == '\\'))
+      word += fmt::format("\\{}", c);
+    else
+      word += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return word + "'";
+}
+
+}  // namespace mahlwerk::app

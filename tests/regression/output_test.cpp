@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What the program says, on which stream, and what it leaves when something goes wrong with its
+// files, its terminal or a second one of it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "mahlwerk/results/hdf5.hpp"
+#include "program.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Output : public ProgramTest {
+ protected:
+  std::string ball_ = example("01-one-ball") + " --set run.replicates=1 ";
+  std::string short_ = "run " + ball_ + "--set run.time=\"0.1 s\" --out out ";
+  std::string long_ = "run " + ball_ + "--set run.time=\"1000000 s\" --out out ";
+
+  /// A script of the shell, with the program as $M and both streams as one.
+  Ended script(const std::string& text) const {
+    const std::string command = "cd '" + here_.string() + "' && M='" +
+                                std::string(MAHLWERK_PROGRAM) + "' && { " + text + "; } 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string said;
+    char part[4096];
+    while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
+    return {WEXITSTATUS(pclose(pipe)), said};
+  }
+  /// The last line of what was said, as JSON.
+  static json last_line(const std::string& said) {
+    const std::size_t end = said.find_last_not_of('\n') + 1;
+    const std::size_t begin = said.rfind('\n', end - 1);
+    return json::parse(said.substr(begin == std::string::npos ? 0 : begin + 1, end));
+  }
+  static void expect_lost(const Ended& e, const std::string& why) {
+    EXPECT_EQ(e.code, 4) << e.said;
+    EXPECT_NE(e.said.find("standard output cannot be written: " + why), std::string::npos)
+        << e.said;
+    EXPECT_EQ(e.said.find("internal"), std::string::npos) << e.said;
+  }
+};
+
+TEST_F(Output, that_is_lost_is_an_error_with_a_code_of_its_own) {
+  for (const std::string command : {"list", "list --json", "describe fritsch-p7-classic",
+                                    "completion bash", "--help", ("check " + ball_).c_str()}) {
+    expect_lost(mahlwerk(command + " > /dev/full"), "No space left on device");
+    expect_lost(mahlwerk(command + " >&-"), "Bad file descriptor");
+  }
+}
+
+TEST_F(Output, for_a_reader_that_has_gone_is_lost) {
+  script(
+      "{ while [ ! -e gone ]; do sleep 0.01; done; \"$M\" list 2> said; echo $? > code; } | "
+      "{ exec 0<&-; touch gone; }");
+  expect_lost({std::stoi("0" + text("code")), text("said")}, "Broken pipe");
+}
+
+TEST_F(Output, that_is_lost_leaves_whole_results) {
+  expect_lost(mahlwerk(short_ + "> /dev/full"), "No space left on device");
+  EXPECT_TRUE(exists("out/summary.json"));
+  EXPECT_TRUE(exists("out/report.html"));
+}
+
+TEST_F(Output, errors_under_json_are_json) {
+  const Ended ball = mahlwerk("check " + ball_ + " --json --set balls.diameter=\"20 mm\"");
+  EXPECT_EQ(ball.code, 2);
+  const json said = last_line(ball.said);
+  EXPECT_EQ(said.at("ended"), "bad-input");
+  EXPECT_EQ(said.at("exit"), 2);
+  const json& fault = said.at("faults").at(0);
+  EXPECT_EQ(fault.at("code"), "ball-too-large");
+  EXPECT_EQ(fault.at("where"), "--set balls.diameter");
+  for (const char* name : {"what", "remedy"})
+    EXPECT_GT(fault.at(name).get<std::string>().size(), 10U) << name;
+  EXPECT_EQ(last_line(mahlwerk("check --bogus --json").said).at("faults").at(0).at("code"),
+            "bad-command-line");
+  EXPECT_EQ(last_line(mahlwerk("list --json 2>&1 > /dev/full").said).at("ended"), "output-lost");
+  const Ended stopped = mahlwerk(short_ +
+                                 "--json --set contact.lasting=none --set "
+                                 "contact.restitution=0.5 --set run.time=\"5 s\" "
+                                 "2>&1 > /dev/null");
+  EXPECT_EQ(stopped.code, 3);
+  EXPECT_EQ(last_line(stopped.said).at("ended"), "stopped");
+}
+
+TEST_F(Output, a_signal_of_any_kind_keeps_what_was_computed) {
+  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) {
+    const Ended e = mahlwerk_until("out.checkpoint", signal, long_ + "--json --checkpoint 0.01");
+    EXPECT_EQ(e.code, 130) << e.said;
+    EXPECT_EQ(last_line(e.said).at("ended"), "interrupted");
+    EXPECT_NE(text("out/summary.json").find("\"complete\": false"), std::string::npos);
+    EXPECT_FALSE(exists(".out.lock"));
+    fs::remove_all(here_ / "out");
+    fs::remove(here_ / "out.checkpoint");
+  }
+}
+
+TEST_F(Output, long_work_tells_where_it_is_without_a_terminal) {
+  const auto told = [&](const std::string& more) {
+    return mahlwerk("run " + ball_ + more +
+                    "--set run.time=\"2000 s\" --force --out out 2>&1 > "
+                    "/dev/null")
+        .said;
+  };
+  EXPECT_EQ(told(""), "") << "not before half a minute has gone";
+  ::setenv("MAHLWERK_PROGRESS_EVERY", "0", 1);
+  const std::string lines = told("");
+  EXPECT_NE(lines.find("s simulated"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("s left"), std::string::npos) << lines;
+  EXPECT_EQ(lines.find('\r'), std::string::npos) << "no line over another";
+  EXPECT_EQ(told("--quiet "), "");
+  EXPECT_EQ(told("--json "), "");
+  ::unsetenv("MAHLWERK_PROGRESS_EVERY");
+}
+
+TEST_F(Output, a_checkpoint_that_cannot_be_written_is_told_at_once_and_again) {
+  fs::create_directories(here_ / "out.checkpoint" / "in the way");
+  const Ended e = script("\"$M\" " + long_ +
+                         "--checkpoint 0.05 --quiet > told 2>&1 & while ! grep -q "
+                         "cannot told; do sleep 0.02; done; kill -INT $!; wait $!; code=$?; cat "
+                         "told; exit $code");
+  EXPECT_EQ(e.code, 130) << e.said;
+  const std::string words = "the checkpoint cannot be written";
+  const std::size_t first = e.said.find(words), end = e.said.find("interrupted");
+  EXPECT_LT(first, end) << e.said;
+  EXPECT_NE(e.said.find(words, end), std::string::npos) << e.said;
+  EXPECT_TRUE(exists("out/summary.json"));
+}
+
+TEST_F(Output, two_runs_into_one_place_are_refused_before_they_compute) {
+  const Ended e = script("\"$M\" " + long_ +
+                         "--quiet --checkpoint 0.01 & while [ ! -e "
+                         "out.checkpoint ]; do sleep 0.02; done; \"$M\" " +
+                         long_ + "; echo code $?; kill -INT $!; wait $!");
+  EXPECT_NE(e.said.find("another process is at work"), std::string::npos) << e.said;
+  EXPECT_NE(e.said.find("code 2"), std::string::npos) << e.said;
+  EXPECT_EQ(e.code, 130) << e.said;
+  EXPECT_TRUE(exists("out/summary.json"));
+}
+
+TEST_F(Output, what_a_killed_run_left_is_cleaned_by_the_next) {
+  mahlwerk_until("out.checkpoint", SIGKILL, long_ + "--checkpoint 0.05 --quiet");
+  fs::remove(here_ / "said");
+  std::ofstream(here_ / "out.checkpoint.part") << "half";
+  ASSERT_TRUE(exists(".out.lock"));
+  EXPECT_EQ(mahlwerk(short_ + "--quiet --checkpoint 60").code, 0);
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(here_))
+    left.push_back(entry.path().filename().string());
+  EXPECT_EQ(left, std::vector<std::string>{"out"});
+}
+
+TEST_F(Output, what_a_case_says_moves_no_cursor) {
+  const Ended e = mahlwerk("run " + ball_ +
+                           "--set run.time=\"0.1 s\" --set "
+                           "\"title=$(printf 'a\\033[31mb')\" --out out");
+  EXPECT_EQ(e.code, 0) << e.said;
+  EXPECT_EQ(e.said.find('\x1b'), std::string::npos);
+  EXPECT_NE(e.said.find("a\\u001b[31mb"), std::string::npos) << e.said;
+  EXPECT_EQ(text("out/report.html").find('\x1b'), std::string::npos);
+}
+
+TEST_F(Output, options_for_slurm_are_a_line_each) {
+  std::ofstream(here_ / "case.toml")
+      << "title = \"x\"\n[mill]\nkind = \"vibration\"\nfrequency = \"10 Hz\"\namplitude = \"25 "
+         "mm\"\n[jar]\nkind = \"capsule\"\ndiameter = \"12 mm\"\nvolume = \"5 ml\"\n[[balls]]\n"
+         "count = 1\ndiameter = \"8 mm\"\ndensity = \"7850 kg/m3\"\n[contact]\nrestitution = "
+         "0.9\n[sweep]\n\"mill.frequency\" = [\"10 Hz\", \"12 Hz\"]\n";
+  expect_refused("sweep case.toml --out out --slurm 2 --slurm-option \"$(printf 'a\\nrm x')\"",
+                 "end of a line");
+}
+
+TEST_F(Output, collisions_are_in_the_order_in_which_they_end) {
+  for (const std::string engine : {"event", "soft"}) {
+    ASSERT_EQ(mahlwerk("run " + example("05-planetary-soft") +
+                       " --quiet --set run.time=\"50 ms\" --set run.settle=\"5 ms\" --set "
+                       "run.replicates=1 --set observe.collisions=true --set run.engine=" +
+                       engine + " --out " + engine)
+                  .code,
+              0);
+    const auto hits = results::read_collisions(here_ / engine / "collisions.h5", 0);
+    ASSERT_GT(hits.size(), 100U);
+    double last = 0;
+    int begin_later = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const double end = hits[i].time + hits[i].duration;
+      EXPECT_GE(end, last * (1 - 2 * std::numeric_limits<double>::epsilon())) << i;
+      last = end;
+      begin_later += i > 0 && hits[i].time < hits[i - 1].time ? 1 : 0;
+    }
+    EXPECT_EQ(begin_later > 0, engine == "soft");
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
