@@ -70,11 +70,13 @@ report::Campaign told(const campaign::Store& store) {
                         .value = stored.value,
                         .ci95 = stored.ci95,
                         .regime = stored.regime,
+                        .warnings = stored.warnings,
                         .folder = stored.folder};
     if (stored.state == campaign::RunState::failed) point.failure = stored.message;
     point.waiting = stored.state == campaign::RunState::waiting;
     campaign.points.push_back(std::move(point));
   });
+  campaign.notices = store.notices();
   campaign.swept = report::swept(store.keys(), campaign.points);
   for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
   tell_what_matters(campaign, store);

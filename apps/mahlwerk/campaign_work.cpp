@@ -156,6 +156,7 @@ class CampaignFolder::Desk {
       finished.cpu_seconds = outcome.cpu_seconds;
       finished.failure = trouble(outcome);
       finished.quantities = results::summarise(outcome);
+      finished.notices = outcome.notices;
       owner_.store_->keep(finished);
       mine.checkpoint->remove();
       const std::lock_guard lock(mutex_);

@@ -87,6 +87,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
     c.follows.push_back(
         {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
     add(campaign::soft_notes(decided), c.notes);
+    add(campaign::overlap_warnings(decided), c.notes);
   }
   const double seconds =
       static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::app {
@@ -154,6 +155,8 @@ FitReport fit_report(const FitJob& job, const std::vector<results::Outcome>& mil
   for (const auto& condition : job.data.conditions) made.conditions.push_back(label(condition));
   for (std::size_t i = 0; i < job.data.values.size(); ++i)
     made.points.push_back(point(job.data.values[i], fit.predicted[i]));
+  for (const results::Outcome& mill : mills) results::count(made.notices, mill.notices);
+  results::sort(made.notices);
   if (std::ranges::any_of(fit.by_mills, [](double width) { return std::isnan(width); }))
     made.remarks.push_back(
         "the mill ran one replicate: what its scatter adds to the intervals is not known");
@@ -178,20 +181,22 @@ std::string fit_json(const FitReport& fit, std::string_view version) {
     correlation.push_back(nlohmann::ordered_json::array());
     for (const double c : row) correlation.back().push_back(json(c));
   }
-  const nlohmann::ordered_json all{{"mahlwerk", version},
-                                   {"title", fit.title},
-                                   {"case", fit.case_file},
-                                   {"data", fit.data_file},
-                                   {"all_determined", fit.all_determined()},
-                                   {"numbers", numbers},
-                                   {"correlation", correlation},
-                                   {"conditions", fit.conditions},
-                                   {"values", fit.points.size()},
-                                   {"freedom", fit.freedom},
-                                   {"scatter", json(fit.scatter)},
-                                   {"errors_known", fit.errors_known},
-                                   {"evaluations", fit.evaluations},
-                                   {"remarks", fit.remarks}};
+  const nlohmann::ordered_json all{
+      {"mahlwerk", version},
+      {"title", fit.title},
+      {"case", fit.case_file},
+      {"data", fit.data_file},
+      {"all_determined", fit.all_determined()},
+      {"numbers", numbers},
+      {"correlation", correlation},
+      {"conditions", fit.conditions},
+      {"values", fit.points.size()},
+      {"freedom", fit.freedom},
+      {"scatter", json(fit.scatter)},
+      {"errors_known", fit.errors_known},
+      {"evaluations", fit.evaluations},
+      {"remarks", fit.remarks},
+      {"notices", nlohmann::ordered_json::parse(results::notices_json(fit.notices))}};
   return all.dump(2) + "\n";
 }
 

@@ -19,6 +19,7 @@
 #include "mahlwerk/report/match.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/writer.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -145,6 +146,7 @@ std::string match_json(const report::MatchReport& found) {
                          {"chance", number(found.chance)},
                          {"within_scatter", found.within_scatter},
                          {"remarks", report::sentences(found)},
+                         {"notices", ordered_json::parse(results::notices_json(found.notices))},
                          {"search", ordered_json::parse(optimum_json(found.search, version()))}};
   return all.dump(2) + "\n";
 }
@@ -177,6 +179,8 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
                            .file_a = a.what.file,
                            .file_b = base.file,
                            .search = report_of(search, found)};
+  made.search.check = check_best(request, search, found, kept);
+  results::count(made.notices, a.notices);
   report::write(folder, a, version(), "a/");
   if (!found.best) return made;
   const campaign::Place& place = found.tried[*found.best].place;
@@ -184,6 +188,8 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   const results::Outcome b =
       whole(request, without_streams(job.runs->at(place, anew, count)), "B", folder, kept.runs());
   compare_mills(job, campaign::mill_mark(b, job.by_powder), made);
+  results::count(made.notices, b.notices);
+  results::sort(made.notices);
   report::write(folder, b, version(), "b/");
   results::write_case(folder, job.runs->at(place, 0, static_cast<int>(base.run.replicates)),
                       "best.toml");

@@ -170,7 +170,8 @@ int optimise(const Request& request) {
   KeptSearch kept(folder.wanted());
   try {
     const campaign::Optimum found = look(request, job, kept);
-    const report::OptimumReport report = report_of(job, found);
+    report::OptimumReport report = report_of(job, found);
+    report.check = check_best(request, job, found, kept);
     write(folder, report);
     if (found.best) {
       const int count = static_cast<int>(runs.base().run.replicates);

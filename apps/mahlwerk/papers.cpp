@@ -18,6 +18,7 @@
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -102,9 +103,12 @@ report::Campaign numbers_of(const cases::Case& what,
                 {.number = i + 1,
                  .values = campaign::said(plan, i, own),
                  .regime = results::regime(outcome),
+                 .warnings = results::warning_codes(outcome.notices),
                  .folder = fmt::format("point-{:03}/", i + 1)},
                 results::summarise(outcome));
   }
+  for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
+  results::sort(made.notices);
   made.swept = report::swept(plan.keys(), made.points);
   return made;
 }
@@ -194,8 +198,10 @@ nlohmann::ordered_json as_json(const Job& job, const report::PaperResult& result
                       {"says", job.paper.claims[i].says},
                       {"found", result.judged[i].found},
                       {"holds", report::word(result.judged[i].holds)}});
-  return {
-      {"title", job.paper.title}, {"results", job.folder->wanted().string()}, {"claims", claims}};
+  return {{"title", job.paper.title},
+          {"results", job.folder->wanted().string()},
+          {"claims", claims},
+          {"notices", nlohmann::ordered_json::parse(results::notices_json(result.notices))}};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
 #include "mahlwerk/results/regime.hpp"
@@ -67,6 +68,7 @@ std::string uncalibrated(const cases::Case& what) {
 void tell(const Job& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
                         report::table(results::summarise(outcome), job.what.observe.threshold)));
+  to_stdout(report::states_table(outcome));
   const std::string pairs =
       report::pair_table(results::by_pair(outcome), job.what.observe.threshold);
   if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));

@@ -13,6 +13,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 
@@ -77,6 +78,8 @@ report::OptimumSetting setting_of(const SearchJob& job, const campaign::Tried& t
                               .failure = tried.failure};
   for (std::size_t i = 0; i < made.values.size(); ++i)
     made.x.push_back(number_of(made.values[i], unit_of(job.runs->over()[i])));
+  made.warnings = results::warning_codes(tried.notices);
+  made.invalid = tried.invalid();
   for (std::size_t i = 0; i < tried.seen.size(); ++i)
     if (i == 0)
       made.seen = told(tried.seen[i]);
@@ -103,6 +106,18 @@ std::string ended(const SearchJob& job, const campaign::Optimum& found) {
 
 nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr;
+}
+
+/// Null where there was none.
+nlohmann::ordered_json check_json(const report::OptimumReport& found) {
+  if (!found.check) return nullptr;
+  const report::OptimumCheck& check = *found.check;
+  if (!check.failure.empty()) return {{"engine", check.engine}, {"not_checked", check.failure}};
+  return {{"engine", check.engine},
+          {"value", number(check.value.value)},
+          {"ci95", number(check.value.ci95)},
+          {"replicates", check.replicates},
+          {"disagrees", found.disagrees()}};
 }
 
 }  // namespace
@@ -205,7 +220,11 @@ report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& f
          .unit = job.outcomes[i + 1].unit,
          .text = (job.limits[i].below ? "below " : "above ") + job.limits[i].bound,
          .binds = found.binds[i]});
-  for (const campaign::Tried& tried : found.tried) made.settings.push_back(setting_of(job, tried));
+  for (const campaign::Tried& tried : found.tried) {
+    made.settings.push_back(setting_of(job, tried));
+    results::count(made.notices, tried.notices);
+  }
+  results::sort(made.notices);
   return made;
 }
 
@@ -230,11 +249,10 @@ std::string optimum_json(const report::OptimumReport& found, std::string_view ve
   ordered_json best = nullptr;
   if (found.best) {
     const report::OptimumSetting& s = found.settings[*found.best];
-    best = {{"setting", *found.best + 1},
-            {"replicates", s.replicates},
-            {"mean", pair(s.seen)},
-            {"by_model", pair(s.model)},
-            {"chance", number(s.chance)}};
+    best = {{"setting", *found.best + 1}, {"replicates", s.replicates},
+            {"mean", pair(s.seen)},       {"by_model", pair(s.model)},
+            {"chance", number(s.chance)}, {"certain", found.certain()},
+            {"valid", !s.invalid},        {"check", check_json(found)}};
   }
   const ordered_json all{{"mahlwerk", version},
                          {"title", found.title},
@@ -251,7 +269,8 @@ std::string optimum_json(const report::OptimumReport& found, std::string_view ve
                          {"settings", found.settings.size()},
                          {"failed", found.failed},
                          {"runs", found.runs()},
-                         {"remarks", report::sentences(found)}};
+                         {"remarks", report::sentences(found)},
+                         {"notices", ordered_json::parse(results::notices_json(found.notices))}};
   return all.dump(2) + "\n";
 }
 

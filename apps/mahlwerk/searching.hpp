@@ -59,6 +59,12 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
 /// Looks for the best settings. Throws campaign::Interrupted.
 campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept);
 
+/// Runs the best setting by the soft engine where its own runs are invalid, unless that takes too
+/// long. Throws campaign::Interrupted.
+std::optional<report::OptimumCheck> check_best(const Request& request, const SearchJob& job,
+                                               const campaign::Optimum& found,
+                                               const KeptSearch& kept);
+
 report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found);
 std::string optimum_json(const report::OptimumReport& found, std::string_view version);
 

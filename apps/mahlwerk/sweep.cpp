@@ -14,7 +14,9 @@
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/json.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -55,20 +57,29 @@ std::string counted(std::size_t n, std::string_view what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-void print_json(const campaign::Counts& counts, const fs::path& place, const Worked* worked) {
-  nlohmann::ordered_json said{{"results", place.string()},
-                              {"points", counts.points},
-                              {"done", counts.done},
-                              {"failed", counts.failed},
-                              {"waiting", counts.waiting}};
+void print_json(const campaign::Store& store, const fs::path& place, const Worked* worked) {
+  const campaign::Counts counts = store.counts();
+  using json = nlohmann::ordered_json;
+  json said{{"results", place.string()},
+            {"points", counts.points},
+            {"done", counts.done},
+            {"failed", counts.failed},
+            {"waiting", counts.waiting},
+            {"notices", json::parse(results::notices_json(store.notices()))}};
   if (worked != nullptr) said["seconds"] = worked->seconds;
   fmt::print("{}\n", said.dump(2));
+}
+
+std::string table_with_warnings(const report::Campaign& campaign) {
+  const std::string warned =
+      report::notice_lines(campaign.notices, campaign.points.size(), "point");
+  return report::campaign_table(campaign) + '\n' + warned + (warned.empty() ? "" : "\n");
 }
 
 /// What there is to say once the work has ended.
 void tell(const CampaignFolder& folder, const campaign::Counts& counts,
           const report::Campaign& campaign, const Worked& worked) {
-  to_stdout(fmt::format("{}\n\n{}\n", campaign.title, report::campaign_table(campaign)));
+  to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
   const fs::path& place = folder.place();
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
              (place / "campaign.html").string(), (place / "campaign.csv").string(),
@@ -114,7 +125,7 @@ int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard
                     "mahlwerk sweep merge {}\n",
                     shard.number, shard.of, worked.done, worked.failed, worked.there,
                     worked.seconds, shell_word(folder.place().string())));
-  if (request.json) print_json(counts, folder.place(), &worked);
+  if (request.json) print_json(folder.store(), folder.place(), &worked);
   return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
 }
 
@@ -144,7 +155,7 @@ int sweep_case(const Request& request, const fs::path& file,
                            "start it again", "cannot-write"});
   const report::Campaign campaign = told(folder.store());
   write_pages(folder.store(), campaign, place);
-  if (request.json) print_json(counts, place, &worked);
+  if (request.json) print_json(folder.store(), place, &worked);
   if (!request.quiet && !request.json) tell(folder, counts, campaign, worked);
   return ending(request, worked, counts, place);
 }
@@ -164,7 +175,7 @@ int sweep_status(const Request& request) {
   const campaign::Store store = look_into(place);
   const campaign::Counts counts = store.counts();
   if (request.json) {
-    print_json(counts, place, nullptr);
+    print_json(store, place, nullptr);
     return fine;
   }
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
@@ -176,6 +187,9 @@ int sweep_status(const Request& request) {
       : at_work            ? "a process is at work on it"
       : counts.waiting > 0 ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
                            : "all has been run"));
+  if (const std::string warned = report::notice_lines(store.notices(), counts.points, "point");
+      !warned.empty())
+    to_stdout("\n" + warned);
   constexpr std::size_t most = 20;
   std::size_t told_of = 0;
   const std::vector<std::string> keys = store.keys();
@@ -254,11 +268,11 @@ int sweep_merge(const Request& request) {
   const report::Campaign campaign = told(store);
   write_pages(store, campaign, place);
   if (request.json) {
-    print_json(counts, place, nullptr);
+    print_json(store, place, nullptr);
   } else if (!request.quiet) {
     to_stdout(fmt::format(
-        "{}\n\n{}\n{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
-        campaign.title, report::campaign_table(campaign), counted(taken, "run"),
+        "{}\n\n{}{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
+        campaign.title, table_with_warnings(campaign), counted(taken, "run"),
         counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
         counts.failed, counts.waiting, (place / "campaign.html").string()));
   }

@@ -6,6 +6,7 @@
   campaign_test.py PROGRAM TEST    exits with 77 where the test cannot be run here
 """
 
+import json
 import math
 import re
 import signal
@@ -36,6 +37,25 @@ def a_case_that_fails_everywhere_is_refused(program):
         assert "balls.1" in said or "diameter" in said, said
     with Campaign(program, '"mill.frequancy" = ["10 Hz"]') as c:
         assert "did you mean `frequency`?" in c.run(code=2)
+
+
+def warnings_reach_table_store_page_and_terminal(program):
+    """A law that holds balls together, which the event engine does not know."""
+    with Campaign(program, '"contact.surface_energy" = ["0 J/m2", "1 J/m2", "2 J/m2"]') as c:
+        c.case.write_text(c.case.read_text().replace("[contact]", '[contact]\nlaw = "jkr"'))
+        said = c.run()
+        words = "2 of 3 points: sticking-law-ignored: law = "
+        assert "Warning: " + words in said, said
+        assert words in (c.out / "campaign.html").read_text()
+        assert [row["warnings"] for row in numbers(c.out)] == ["", "sticking-law-ignored",
+                                                               "sticking-law-ignored"]
+        heads, *rows = (c.out / "campaign.csv").read_text().splitlines()
+        assert "sticking-law-ignored" in rows[2].split(",")[heads.split(",").index("warnings")]
+        assert asked(c.out, "SELECT count(*), max(severity) FROM notices WHERE code = "
+                            "'sticking-law-ignored'") == [(2, "invalid")]
+        assert words in c.part("status")
+        told = json.loads(c.part("status", "--json"))["notices"]
+        assert told[0]["code"] == "sticking-law-ignored" and told[0]["count"] == 2, told
 
 
 def more_points_run_only_what_is_new(program):

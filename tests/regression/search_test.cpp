@@ -86,6 +86,34 @@ TEST_F(Search, the_fastest_mill_has_the_most_power_and_the_edge_is_told) {
   EXPECT_EQ(text("out/best.toml").find("[optimise]"), std::string::npos);
 }
 
+TEST_F(Search, a_best_outside_its_engines_validity_is_checked_by_the_other_engine) {
+  std::string sticky = mill +
+                       "[optimise]\nmaximise = \"dissipated_power\"\nsettings = 6\n"
+                       "replicates = 2\nover = { \"mill.frequency\" = { from = \"8 Hz\", "
+                       "to = \"16 Hz\" } }\n";
+  sticky.replace(sticky.find("tangential_restitution = 0.9"), 28,
+                 "law = \"jkr\"\nsurface_energy = \"0.5 J/m2\"");
+  sticky.replace(sticky.find("10 s"), 4, "0.3 s");
+  write("sticky.toml", sticky);
+  const Ended e = mahlwerk("optimise sticky.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.said;
+  const std::string json = text("out/optimise.json");
+  EXPECT_NE(json.find("\"certain\": false"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"valid\": false"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"code\": \"sticking-law-ignored\""), std::string::npos) << json;
+  EXPECT_NE(e.said.find("The optimum is not certain"), std::string::npos) << e.said;
+  EXPECT_NE(e.said.find("the soft engine gives a dissipated power of"), std::string::npos)
+      << e.said;
+  EXPECT_NE(text("out/settings.csv").find("sticking-law-ignored"), std::string::npos);
+  // The check is a run of the best case by the soft engine with the search's replicates.
+  ASSERT_EQ(mahlwerk("run out/best.toml --out soft --quiet --set run.engine=soft --set "
+                     "run.replicates=2")
+                .code,
+            0);
+  EXPECT_EQ(number("out/optimise.json", "\"check\"", "value"),
+            number("soft/summary.json", "\"dissipated_power\"", "value"));
+}
+
 TEST_F(Search, a_limit_holds_the_mill_back) {
   const Ended e = mahlwerk("optimise limited.toml --out out --quiet");
   ASSERT_EQ(e.code, 0) << e.said;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -20,6 +21,12 @@ enum class Severity {
 constexpr std::array<std::string_view, 3> severity_names{"note", "warning", "invalid"};
 constexpr std::string_view name_of(Severity severity) {
   return severity_names[static_cast<std::size_t>(severity)];
+}
+
+constexpr Severity severity_of(std::string_view name) {
+  const auto at = std::ranges::find(severity_names, name);
+  return at == severity_names.end() ? Severity::warning
+                                    : static_cast<Severity>(at - severity_names.begin());
 }
 
 /// What a reader should know of a run besides its numbers.

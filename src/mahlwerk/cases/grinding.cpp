@@ -58,6 +58,13 @@ powder::Process process(const Case& c) {
   return p;
 }
 
+std::optional<double> milling_time(const Case& c) {
+  if (c.grinding) return c.grinding->time;
+  if (c.kinetics) return c.kinetics->time;
+  if (c.heat) return c.heat->milling * static_cast<double>(c.heat->cycles);
+  return std::nullopt;
+}
+
 std::vector<Adjustable> adjustables(const Case& c) {
   std::vector<Adjustable> found;
   each_number(c, [&](const std::string& key, const auto& field, double) {

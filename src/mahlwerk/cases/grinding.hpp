@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ namespace mahlwerk::cases {
 /// Of a case with [capture] and [powder]; breakage and fragments are as they come without
 /// [grinding].
 powder::Process process(const Case& c);
+
+/// [s] How long the mill works, pauses left out, as [grinding], [kinetics] or [heat] say; nothing
+/// where none of them does.
+std::optional<double> milling_time(const Case& c);
 
 /// A number of [capture], [breakage], [fragments], [grinding] or [kinetics] that may be changed
 /// after reading, without a new run of the mill: what `mahlwerk fit` chooses.

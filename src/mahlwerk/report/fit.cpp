@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/aligned.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/csv.hpp"
 
@@ -69,7 +70,8 @@ std::string fit_table(const FitReport& fit) {
   if (std::isfinite(fit.scatter))
     text += fit.errors_known ? fmt::format(", scatter {:.3g} errors", fit.scatter)
                              : fmt::format(", scatter {:.3g} %", 100 * fit.scatter);
-  return text + ".\n\n" + how_to_read(fit) + "\n";
+  const std::string warned = notice_lines(fit.notices, fit.conditions.size(), "condition");
+  return text + ".\n\n" + warned + (warned.empty() ? "" : "\n") + how_to_read(fit) + "\n";
 }
 
 std::string fit_csv(const FitReport& fit) {

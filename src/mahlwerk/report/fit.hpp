@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/results/notice_counts.hpp"
+
 // What was found by fitting, for the terminal, as a table and as a page.
 namespace mahlwerk::report {
 
@@ -47,6 +49,7 @@ struct FitReport {
   std::vector<FitPoint> points = {};
   std::vector<FitCurve> curves = {};
   std::vector<std::string> remarks = {};  ///< on all of it
+  results::NoticeCounts notices = {};     ///< of the mills, one of each condition
   double scatter = 0;                     ///< of the residuals; NaN without freedom
   int freedom = 0, evaluations = 0;
   bool errors_known = false;

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/fit.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
 
@@ -239,6 +240,7 @@ std::string fit_page(const FitReport& fit, std::string_view version) {
                   fit.numbers.size(), fit.numbers.size() == 1 ? "" : "s", escaped(fit.case_file),
                   fit.points.size(), escaped(fit.data_file));
   body += remarks(fit);
+  body += notice_boxes(fit.notices, fit.conditions.size(), "condition");
   body += fmt::format(
       "<h2>What was found</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
       "class=\"n\">value</th><th class=\"n\">95 % interval</th><th class=\"n\">of that, by the "

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/aligned.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
 
@@ -69,6 +70,7 @@ std::vector<std::string> sentences(const MatchReport& found) {
         fmt::format("The two mills still differ by more than their scatter: dealt at "
                     "random, their replicates differ as much in {:.1f} of 100 deals",
                     100 * found.chance));
+  for (std::string& sentence : validity_sentences(found.search)) all.push_back(std::move(sentence));
   for (const OptimumKey& k : found.search.keys)
     if (k.at_low_end || k.at_high_end)
       all.push_back(
@@ -98,8 +100,9 @@ std::string match_table(const MatchReport& found) {
   }
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
   if (found.search.best) text += chance_sentence(found.search) + ".\n";
-  return text + fmt::format("{} settings tried, {} runs.\n", found.search.settings.size(),
-                            found.search.runs());
+  const std::string warned = notice_lines(found.notices, 2, "mill");
+  return text + fmt::format("{} settings tried, {} runs.\n{}{}", found.search.settings.size(),
+                            found.search.runs(), warned.empty() ? "" : "\n", warned);
 }
 
 Plot match_plot(const MatchReport& found) {
@@ -148,6 +151,7 @@ std::string match_page(const MatchReport& found, std::string_view version) {
       points += fmt::format("<p>{}.</p>\n", escaped(sentence));
     extra +=
         fmt::format("<section class=\"box\"><h2>Do they do the same?</h2>\n{}</section>\n", points);
+    extra += notice_boxes(found.notices, 2, "mill");
     extra += figure(match_plot(found),
                     "Where the power of collisions goes: how alike the two "
                     "spectra are matters as much as how much power there is.");

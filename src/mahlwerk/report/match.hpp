@@ -24,6 +24,7 @@ struct MatchReport {
   std::vector<double> edges = {};                    ///< [J] of bins, one more than shares
   std::vector<double> shares_a = {}, shares_b = {};  ///< [1] of the power of collisions
   OptimumReport search = {};                         ///< how it was found
+  results::NoticeCounts notices = {};                ///< of the two mills
 };
 
 std::vector<std::string> sentences(const MatchReport& found);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/aligned.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/csv.hpp"
 
@@ -19,6 +20,8 @@ using Lines = std::vector<std::vector<std::string>>;
 std::string text_of(const Told& t, const std::string& unit) {
   return readable(t.value, t.ci95, unit).text();
 }
+
+constexpr double told_from_all = 0.995;  // chance of being the best of those tried
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
@@ -45,14 +48,54 @@ std::string OptimumKey::lies() const {
   return at_low_end || at_high_end ? "at the end of its range" : low;
 }
 
+bool OptimumReport::certain() const {
+  return best && settings[*best].chance > told_from_all && !settings[*best].invalid;
+}
+
+bool OptimumReport::disagrees() const {
+  if (!best || !check || !check->failure.empty()) return false;
+  const Told &found = settings[*best].seen, &other = check->value;
+  const double apart = std::abs(found.value - other.value);
+  if (std::isfinite(found.ci95) && std::isfinite(other.ci95))
+    return apart > found.ci95 + other.ci95;
+  constexpr double much = 0.1;  // of the value, where there is no interval
+  return apart > much * std::abs(other.value);
+}
+
 std::string chance_sentence(const OptimumReport& found) {
-  constexpr double certain = 0.995;
   const double chance = found.settings[*found.best].chance;
-  if (chance > certain) return "The best tried is told from all others that were tried";
+  if (found.certain()) return "The best tried is told from all others that were tried";
+  if (found.settings[*found.best].invalid)
+    return fmt::format(
+        "By these runs the best tried has a chance of {} of being the best of those tried",
+        percent(chance));
   return fmt::format(
       "That the best tried is the best of those tried has a chance of {}; if it is not, {} is "
       "expected to be lost",
       percent(chance), readable(found.expected_loss, NAN, found.unit).text());
+}
+
+std::vector<std::string> validity_sentences(const OptimumReport& found) {
+  if (!found.best || !found.settings[*found.best].invalid) return {};
+  const OptimumSetting& best = found.settings[*found.best];
+  std::vector<std::string> all{
+      fmt::format("The optimum is not certain: the runs of the best setting lie outside the "
+                  "validity of their engine ({})",
+                  best.warnings)};
+  if (!found.check) return all;
+  const OptimumCheck& check = *found.check;
+  if (!check.failure.empty()) {
+    all.push_back(fmt::format("The best setting was not checked by the {} engine: {}", check.engine,
+                              check.failure));
+    return all;
+  }
+  all.push_back(fmt::format(
+      "At the best setting the {} engine gives a {} of {} ({} replicate{}), the search gave {}: "
+      "the two {}",
+      check.engine, label(found.quantity), text_of(check.value, found.unit), check.replicates,
+      check.replicates == 1 ? "" : "s", text_of(best.seen, found.unit),
+      found.disagrees() ? "disagree, and the search cannot be relied on there" : "agree"));
+  return all;
 }
 
 int OptimumReport::runs() const {
@@ -69,6 +112,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
                       ? "No setting that was tried could be run"
                       : "No setting that was tried is likely to keep the limits");
   } else {
+    all = validity_sentences(found);
     all.push_back(chance_sentence(found));
     if (std::ranges::any_of(found.keys, [](const OptimumKey& k) { return k.model != k.best; }))
       all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
@@ -105,7 +149,9 @@ std::string optimum_table(const OptimumReport& found) {
     text += aligned(values) + '\n';
   }
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
-  return text + fmt::format("{} settings tried, {} runs.\n", found.settings.size(), found.runs());
+  const std::string warned = notice_lines(found.notices, found.settings.size(), "setting");
+  return text + fmt::format("{} settings tried, {} runs.\n{}{}", found.settings.size(),
+                            found.runs(), warned.empty() ? "" : "\n", warned);
 }
 
 std::string optimum_csv(const OptimumReport& found) {
@@ -117,7 +163,8 @@ std::string optimum_csv(const OptimumReport& found) {
     head.push_back(limit.quantity);
     head.push_back(limit.quantity + "_ci95");
   }
-  for (const char* what : {"allowed", "chance_best", "failure"}) head.emplace_back(what);
+  for (const char* what : {"allowed", "chance_best", "failure", "warnings"})
+    head.emplace_back(what);
   std::string text = results::csv_line(head);
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
@@ -135,6 +182,7 @@ std::string optimum_csv(const OptimumReport& found) {
     cells.push_back(results::csv_cell(s.allowed));
     cells.push_back(results::csv_cell(s.chance));
     cells.push_back(results::csv_cell(std::string_view(s.failure)));
+    cells.push_back(results::csv_cell(std::string_view(s.warnings)));
     text += results::csv_line(cells);
   }
   return text;

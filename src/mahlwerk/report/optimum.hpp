@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/results/notice_counts.hpp"
 
 // The best settings of a mill as they were looked for: terminal, table, page.
 namespace mahlwerk::report {
@@ -50,6 +51,16 @@ struct OptimumSetting {
   std::vector<Told> limited = {};  ///< by limit
   double allowed = 1, chance = 0;  ///< [1]
   std::string failure = {};        ///< why it gave nothing; empty: it did
+  std::string warnings = {};       ///< codes, separated by ";"
+  bool invalid = false;            ///< outside the validity of the engine that ran it
+};
+
+/// The best setting, run by the engine that is advised there.
+struct OptimumCheck {
+  std::string engine;  ///< "soft"
+  Told value = {};     ///< of what is to be best, by that engine
+  int replicates = 0;
+  std::string failure = {};  ///< why there is no value; empty: there is
 };
 
 struct OptimumReport {
@@ -62,13 +73,21 @@ struct OptimumReport {
   Told model_value = {};
   double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
   int failed = 0;
-  std::string ended = {};  ///< a sentence: why the search ended
+  std::string ended = {};                            ///< a sentence: why the search ended
+  results::NoticeCounts notices = {};                ///< of the settings
+  std::optional<OptimumCheck> check = std::nullopt;  ///< where the best is invalid
 
   int runs() const;  ///< replicates in all
+  /// The best tried is told from all others, by runs that are valid.
+  bool certain() const;
+  /// The check and the search differ by more than their intervals.
+  bool disagrees() const;
 };
 
 /// How sure it is that the best tried is the best of those tried; there must be one.
 std::string chance_sentence(const OptimumReport& found);
+/// Whether the best lies where its engine is valid, and what the other engine gives there.
+std::vector<std::string> validity_sentences(const OptimumReport& found);
 /// What is sure and what is not: sentences.
 std::vector<std::string> sentences(const OptimumReport& found);
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/optimum.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -182,7 +183,8 @@ std::string optimum_page(const OptimumReport& found, std::string_view version,
   body += fmt::format(
       "<section class=\"box{}\"><h2>What is sure and what is not</h2>\n{}"
       "</section>\n",
-      found.best ? "" : " warn", points);
+      found.best && !found.settings[*found.best].invalid ? "" : " warn", points);
+  body += notice_boxes(found.notices, found.settings.size(), "setting");
   body += extra;
   const std::vector<Plot> plots = optimum_plots(found);
   for (std::size_t i = 0; i < plots.size(); ++i)

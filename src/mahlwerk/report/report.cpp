@@ -16,6 +16,7 @@
 #include "mahlwerk/report/powder.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/replay.hpp"
+#include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/summary.hpp"
@@ -51,8 +52,9 @@ std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& 
       body += fmt::format("<tr><th class=\"group\" colspan=\"3\">{}</th></tr>\n", row.group);
     const std::string title = label(*row.all);
     body += fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
-                        with_symbols(row.all->about), number_cell(row.all, row.all_text()),
-                        number_cell(row.above, row.above_text()));
+                        with_symbols(row.all->about),
+                        number_cell(row.only_above ? nullptr : row.all, row.all_text()),
+                        number_cell(row.only_above ? row.all : row.above, row.above_text()));
   }
   return fmt::format(
       "<h2>Results</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">all "
@@ -210,6 +212,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
   body += quantity_table(outcome, list);
+  body += states_section(outcome);
   body += pairs_table(outcome);
   if (!results::averaged(outcome).empty())
     body += how_hard(outcome) + where(outcome) + how_steady(outcome) + wear_and_heat(outcome);

@@ -13,6 +13,9 @@ namespace mahlwerk::report {
 namespace {
 
 constexpr std::string_view above_threshold = "_above_threshold";
+/// Over collisions above the threshold, though their names do not say so.
+constexpr std::array<std::string_view, 3> above_alone{"collision_rate_in_flight", "stress_energy",
+                                                      "stress_number_rate"};
 using Line = std::array<std::string, 3>;
 
 /// Quantities that begin a group of rows, and what the group is of. They are in every result that
@@ -54,12 +57,13 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 std::string Row::all_text() const {
+  if (only_above) return "";
   return readable(all->value, all->half_width(), all->unit, size_of(*this)).text();
 }
 
 std::string Row::above_text() const {
-  if (above == nullptr) return "";
-  return readable(above->value, above->half_width(), above->unit, size_of(*this)).text();
+  const results::Quantity* q = only_above ? all : above;
+  return q == nullptr ? "" : readable(q->value, q->half_width(), q->unit, size_of(*this)).text();
 }
 
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
@@ -70,7 +74,8 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
     if (twin)
       list.back().above = &q;
     else
-      list.push_back({&q, nullptr, group_of(q.name)});
+      list.push_back({&q, nullptr, group_of(q.name),
+                      std::ranges::find(above_alone, q.name) != above_alone.end()});
   }
   return list;
 }

@@ -18,6 +18,8 @@ struct Row {
   const results::Quantity* above = nullptr;
   std::string_view group = {};  ///< heading of the rows that it is the first of; else empty
 
+  bool only_above = false;  ///< `all` is over collisions above the threshold, and has no twin
+
   std::string all_text() const;    ///< both in the same multiple of their unit
   std::string above_text() const;  ///< empty without a twin
 };

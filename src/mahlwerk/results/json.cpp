@@ -6,6 +6,7 @@
 
 #include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/states.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -47,7 +48,7 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"schema", schema},
           {"title", outcome.what.title},
           {"seed", outcome.what.seed},
-          {"engine", outcome.what.run.engine},
+          {"engine", outcome.engine},
           {"regime", regime(outcome)},
           {"regime_reason", regime_reason(outcome)},
           {"notes", texts(outcome.notices, false)},
@@ -81,7 +82,28 @@ Json table_of(const std::vector<PairSummary>& pairs) {
   return list;
 }
 
+Json states_of(const TwoStates& found) {
+  Json states = Json::array();
+  for (const State& state : found.states) {
+    Json one{{"replicates", state.replicates}, {"share", found.share(state)}};
+    for (const Quantity& q : state.quantities)
+      one[q.name] = {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}};
+    states.push_back(std::move(one));
+  }
+  return {{"chance", found.chance}, {"states", std::move(states)}};
+}
+
 }  // namespace
+
+std::string notices_json(const NoticeCounts& counts) {
+  Json list = Json::array();
+  for (const NoticeCount& one : counts)
+    list.push_back({{"code", one.first.code},
+                    {"severity", name_of(one.first.severity)},
+                    {"count", one.runs},
+                    {"text", one.first.text}});
+  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
                          std::string_view version) {
@@ -90,6 +112,7 @@ std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& qu
   for (const Quantity& q : quantities) all[q.name] = object(q);
   if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
     all["_pairs"] = table_of(pairs);
+  if (const auto found = two_states(outcome)) all["_states"] = states_of(*found);
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/results/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
@@ -14,5 +15,8 @@ namespace mahlwerk::results {
 /// What is not a number is null.
 std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
                          std::string_view version);
+
+/// A list of objects: code, severity, in how many runs, and the text of the first.
+std::string notices_json(const NoticeCounts& counts);
 
 }  // namespace mahlwerk::results

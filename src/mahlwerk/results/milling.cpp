@@ -6,6 +6,8 @@
 #include <numbers>
 #include <variant>
 
+#include "mahlwerk/cases/grinding.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
@@ -77,8 +79,13 @@ std::vector<Measure> dose_measures(const Case& what) {
   std::vector<Measure> list{
       {"specific_energy_dose_rate", "W/g",
        "dissipated power per mass of powder: what the powder gets at most", dose_rate},
-      {"specific_energy_dose", "J/g", "that dose rate times the counted time",
-       [](const Case& c, const Replicate& r) { return dose_rate(c, r) * r.time(); }},
+      {"specific_energy_dose", "J/g",
+       cases::milling_time(what) ? "that dose rate times the milling time"
+                                 : "that dose rate times the counted time: the case says of no "
+                                   "other how long the mill works",
+       [](const Case& c, const Replicate& r) {
+         return dose_rate(c, r) * cases::milling_time(c).value_or(r.time());
+       }},
       {"specific_impact_power", "W/g",
        "impact energy of the touching points of all collisions, per second and mass of powder",
        [](const Case& c, const Replicate& r) {
@@ -88,6 +95,12 @@ std::vector<Measure> dose_measures(const Case& what) {
        "mean impact energy m (u_n^2 + u_t^2)/2 of a stress event, a collision above the threshold",
        [](const Case&, const Replicate& r) { return stress_energy(r); }},
   };
+  if (cases::milling_time(what))
+    list.insert(
+        list.begin() + 2,
+        {"milling_time", "s",
+         "how long the mill works, pauses left out, as [grinding], [kinetics] or [heat] say",
+         [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
   if (what.powder->size && what.powder->density)
     list.push_back({"stress_number_rate", "1/s",
                     "stress events per second and particle of the powder, each event on one",

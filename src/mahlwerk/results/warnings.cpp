@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/states.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
@@ -26,21 +28,49 @@ double named(const std::vector<Quantity>& list, std::string_view name) {
   return std::ranges::find(list, name, &Quantity::name)->value;
 }
 
-/// What the start of a run does to its means: the settling that its power shows, and power drawn
-/// that is not dissipated.
-void not_steady(const std::vector<Quantity>& quantities, Notices& list) {
+/// Drawn less dissipated power of all replicates, window by window.
+std::vector<double> gains(const std::vector<const Replicate*>& chosen) {
+  std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
+  for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
+  std::vector<double> sums(windows, 0);
+  for (const Replicate* r : chosen)
+    for (std::size_t i = 0; i < windows; ++i)
+      sums[i] += (r->windows[i].wall_work - r->windows[i].lost) / r->windows[i].length;
+  return sums;
+}
+
+/// Whether the first windows gain or lose energy by more than the scatter of the others explains.
+bool start_differs(const std::vector<double>& gains, std::size_t first) {
+  if (first == 0 || first >= gains.size()) return false;
+  const auto split = gains.begin() + static_cast<std::ptrdiff_t>(first);
+  const std::vector<double> start(gains.begin(), split), rest(split, gains.end());
+  const observe::Estimate later = observe::over_time(rest);
+  const double longer = static_cast<double>(rest.size()) / static_cast<double>(first);
+  return std::abs(observe::estimate(start).mean - later.mean) >
+         later.ci95 * std::sqrt(1 + longer);  // (sta.8)
+}
+
+/// What the start of a run does to its means: the settling that its power shows, and energy that
+/// the charge gains or loses meanwhile. Short series show neither.
+void not_steady(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
   constexpr double much = 0.1, balanced = 0.01;
+  constexpr std::size_t fewest = 50;  // windows: ten batches
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<double> gained = gains(chosen);
+  if (gained.size() < fewest) return;
   const double settling = named(quantities, "settling_time"),
-               time = named(quantities, "simulated_time");
-  const double imbalance = named(quantities, "power_imbalance");
-  if (!(settling > much * time) || !(std::abs(imbalance) > balanced)) return;
+               time = named(quantities, "simulated_time"),
+               imbalance = named(quantities, "power_imbalance");
+  const double windows = settling / chosen.front()->windows.front().length;
+  if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
+      !start_differs(gained, static_cast<std::size_t>(windows + 0.5)))
+    return;
   list.push_back(warning(
       "not-settled",
-      fmt::format(
-          "The charge had not settled when counting began: the first {:.2g} s of {:.2g} s counted "
-          "stand "
-          "out, and {:.2g} % more power was drawn than dissipated. A longer run.settle helps.",
-          settling, time, 100 * imbalance)));
+      fmt::format("The charge had not settled when counting began: the first {:.2g} s of {:.2g} s "
+                  "counted stand out, and {:.2g} % {} power was drawn than dissipated. A longer "
+                  "run.settle helps.",
+                  settling, time, 100 * std::abs(imbalance), imbalance > 0 ? "more" : "less")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
@@ -111,16 +141,26 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
                     soft ? " A shorter run.time_step or stiffer contacts may close it." : "")));
 }
 
-void deep_overlap(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
+/// What was reached, by bodies as they collided.
+void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
   const double deepest = named(quantities, "deepest_overlap");
-  if (outcome.engine != "soft" || !(deepest > sunk)) return;
-  list.push_back(warning(
-      "deep-overlap",
-      fmt::format(
-          "Two bodies overlapped by {:.2g} of a ball's radius. Where balls are squeezed so, forces "
-          "are no longer those of the contact law: a larger contact.softening, stiffer contacts or "
-          "a shorter run.time_step help.",
-          deepest)));
+  if (outcome.engine != "soft" || !(deepest > soft_overlap)) return;
+  if (deepest > sunk)
+    list.push_back(warning(
+        "deep-overlap",
+        fmt::format(
+            "Two bodies overlapped by {:.2g} of a ball's radius. Where balls are squeezed so, "
+            "forces are no longer those of the contact law: a larger contact.softening, stiffer "
+            "contacts or a shorter run.time_step help.",
+            deepest)));
+  else
+    list.push_back(warning(
+        "soft-contacts",
+        fmt::format(
+            "Two bodies overlapped by {:.2g} % of a ball's radius, more than {:.0f} %. Forces and "
+            "contact times are those of softer bodies; a larger contact.softening or stiffness "
+            "makes them harder.",
+            100 * deepest, 100 * soft_overlap)));
 }
 
 }  // namespace
@@ -134,8 +174,9 @@ Notices warnings(const Outcome& outcome) {
   append(list, cases::ignored_keys(outcome.what, outcome.engine));
   energy_gained(outcome, list);
   energy_balances(outcome, quantities, list);
-  deep_overlap(outcome, quantities, list);
-  not_steady(quantities, list);
+  overlaps(outcome, quantities, list);
+  append(list, state_notices(outcome));
+  not_steady(outcome, quantities, list);
   append(list, grinding_warnings(outcome));
   not_certain(outcome, list);
   return list;

@@ -61,6 +61,23 @@ TEST(Optimise, FindsTheTopOfAHillInNoise) {
   for (const Tried& t : found.tried) EXPECT_LE(t.replicates.size(), 16U);
 }
 
+TEST(Optimise, KeepsTheNoticesOfASettingsRuns) {
+  const Noisy noisy{{hill}, 0.1};
+  const Optimum found = optimise({.keys = 1, .settings = 8}, [&](const std::vector<Asked>& asked) {
+    std::vector<Told> told = noisy(asked);
+    for (std::size_t i = 0; i < told.size(); ++i)
+      if (asked[i].place[0] > 0.3)
+        told[i].notices = {asked[i].first == 0 ? warning("long-contacts", "first")
+                                               : invalid("long-contacts", "more")};
+    return told;
+  });
+  ASSERT_TRUE(found.best);
+  for (const Tried& t : found.tried) {
+    EXPECT_EQ(t.notices.size(), t.place[0] > 0.3 ? 1U : 0U);
+    EXPECT_EQ(t.invalid(), t.place[0] > 0.3 && t.replicates.size() > 2);
+  }
+}
+
 TEST(Optimise, FindsTheTopExactlyWithoutNoise) {
   const Optimum found = optimise({.keys = 1, .settings = 30}, Noisy{{hill}, 0});
   stays_below("lost", 1 - hill(found.tried[*found.best].place), 1e-3, "no noise");

@@ -88,6 +88,48 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
   EXPECT_TRUE(std::isnan(list[0].value[0]));
 }
 
+TEST_F(StoreTest, notices_are_kept_and_counted_by_points_of_the_plan) {
+  Store store(file(), Store::Access::write);
+  store.plan(planned({1, 2, 3, 2}));
+  Finished f = finished(1, 5);
+  f.notices = {note("engine-chosen", "Engine: event.")};
+  store.keep(f);
+  f = finished(2, 6);
+  f.notices = {warning("old", "Goes with the next attempt.")};
+  store.keep(f);
+  f.notices = {invalid("long-contacts", "it's 77 %"), note("engine-chosen", "Engine: soft.")};
+  store.keep(f);
+  const results::NoticeCounts counts = store.notices();
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_EQ(counts[0].first, invalid("long-contacts", "it's 77 %"));
+  EXPECT_EQ(counts[0].runs, 2U) << "two points share the run";
+  EXPECT_EQ(counts[1].first, note("engine-chosen", "Engine: event."));
+  EXPECT_EQ(counts[1].runs, 3U);
+  const auto list = points(store, {});
+  EXPECT_EQ(list[0].warnings, "");
+  EXPECT_EQ(list[1].warnings, "long-contacts");
+  std::ostringstream csv;
+  store.write_csv(csv);
+  EXPECT_NE(csv.str().find(",message,warnings,"), std::string::npos) << csv.str();
+  EXPECT_NE(csv.str().find(",long-contacts,"), std::string::npos) << csv.str();
+}
+
+TEST_F(StoreTest, notices_of_a_shard_are_taken_over) {
+  {
+    Store shard(file("other.sqlite"), Store::Access::shard);
+    shard.plan(planned({1, 2}));
+    Finished f = finished(2, 6);
+    f.notices = {warning("stopped", "It stopped.")};
+    shard.keep(f);
+  }
+  Store store(file(), Store::Access::write);
+  store.plan(planned({1, 2}));
+  store.merge(file("other.sqlite"));
+  ASSERT_EQ(store.notices().size(), 1U);
+  EXPECT_EQ(store.notices()[0].first, warning("stopped", "It stopped."));
+  EXPECT_EQ(points(store, {})[1].warnings, "stopped");
+}
+
 TEST_F(StoreTest, a_new_plan_keeps_the_runs_it_shares_with_the_old_one) {
   Store store(file(), Store::Access::write);
   store.plan(planned({1, 2}));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "mahlwerk/report/notices.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 
@@ -60,6 +61,28 @@ TEST(CampaignPage, says_what_varies_what_failed_and_what_stands_out) {
                   "55.6 ± 1.1 W (speed 500 rpm), 37 times as much."));
   EXPECT_TRUE(has(html, "Run 3: the jar is too small"));
   EXPECT_TRUE(has(html, "failed: the jar is too small"));
+}
+
+TEST(CampaignPage, counts_warnings_and_notes_by_code) {
+  Campaign c = speeds(8);
+  EXPECT_FALSE(has(campaign_page(c, "1"), ">warnings<"));
+  c.notices = {{invalid("long-contacts", "In <contact>."), 3}, {note("engine-chosen", "Soft."), 8}};
+  c.points[4].warnings = "long-contacts;stopped";
+  fail(c.points[2], "the jar is too small");
+  const std::string html = campaign_page(c, "1");
+  EXPECT_TRUE(sound(html));
+  EXPECT_TRUE(has(html, "3 of 8 points: long-contacts: In &lt;contact&gt;."));
+  EXPECT_TRUE(has(html, "8 of 8 points: engine-chosen: Soft."));
+  EXPECT_TRUE(has(html, "<th>warnings</th>"));
+  EXPECT_TRUE(has(html, "<td>long-contacts, stopped</td>"));
+  const std::string table = campaign_table(c);
+  EXPECT_TRUE(has(table, "long-contacts;stopped"));
+  EXPECT_TRUE(has(table, "warnings"));
+  EXPECT_FALSE(has(campaign_table(speeds(8)), "warnings"));
+  EXPECT_EQ(notice_lines(c.notices, 8, "point"),
+            "Warning: 3 of 8 points: long-contacts: In <contact>.\n");
+  EXPECT_TRUE(has(campaign_csv(c), ",warnings\n"));
+  EXPECT_TRUE(has(campaign_csv(c), ",long-contacts;stopped\n"));
 }
 
 TEST(CampaignPage, tells_a_reason_once_for_all_that_failed_of_it) {
@@ -201,7 +224,7 @@ TEST(Campaign, QuantitiesThatCameLaterAreColumnsOfTheirOwn) {
   EXPECT_EQ(c.points[1].value, (std::vector<double>{3, 2}));
   EXPECT_EQ(c.points[1].ci95[0], 0.25);
   c.swept = swept({"x"}, c.points);
-  EXPECT_TRUE(has(campaign_csv(c), "\n1,1,1,0.5,,\n2,2,3,0.25,2,\n")) << campaign_csv(c);
+  EXPECT_TRUE(has(campaign_csv(c), "\n1,1,1,0.5,,,\n2,2,3,0.25,2,,\n")) << campaign_csv(c);
 }
 
 }  // namespace

@@ -55,6 +55,16 @@ FitReport report(bool errors_known) {
   return fit;
 }
 
+TEST(FitReport, CountsWarningsOfItsMills) {
+  FitReport fit = report(true);
+  EXPECT_EQ(fit_table(fit).find("Warning:"), std::string::npos);
+  fit.notices = {{invalid("long-contacts", "They <touch>."), 1}};
+  EXPECT_NE(fit_table(fit).find("Warning: 1 of 2 conditions: long-contacts: They <touch>."),
+            std::string::npos);
+  EXPECT_NE(fit_page(fit, "1").find("1 of 2 conditions: long-contacts: They &lt;touch&gt;."),
+            std::string::npos);
+}
+
 TEST(FitReport, SaysIntervalsAsFarAsThereAreAny) {
   FitNumber n = found("x", 1.234, 1.1, 1.4);
   EXPECT_EQ(n.value_text(), "1.23 kg/J/m");

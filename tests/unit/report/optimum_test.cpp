@@ -70,6 +70,64 @@ OptimumReport some() {
   return made;
 }
 
+/// The same, the best of which is outside the validity of its engine and told from all others.
+OptimumReport invalid_best() {
+  OptimumReport made = some();
+  made.settings[1].chance = 1;
+  made.settings[1].invalid = true;
+  made.settings[1].warnings = "long-contacts";
+  made.notices = {{invalid("long-contacts", "The balls <touch>."), 2}};
+  return made;
+}
+
+TEST(OptimumReport, AnOptimumOutsideTheValidityOfItsEngineIsNotCertain) {
+  OptimumReport sure = some();
+  sure.settings[1].chance = 1;
+  EXPECT_TRUE(sure.certain());
+  EXPECT_TRUE(says(sentences(sure), "is told from all others"));
+  EXPECT_FALSE(invalid_best().certain());
+  const std::vector<std::string> told = sentences(invalid_best());
+  EXPECT_FALSE(says(told, "is told from all others"));
+  EXPECT_TRUE(says(told, "The optimum is not certain"));
+  EXPECT_TRUE(says(told, "(long-contacts)"));
+}
+
+TEST(OptimumReport, ACheckStandsBesideWhatTheSearchGave) {
+  OptimumReport made = invalid_best();  // 2.5 W +- 0.2 W
+  made.check = {.engine = "soft", .value = {0.5, 0.1}, .replicates = 4};
+  EXPECT_TRUE(made.disagrees());
+  EXPECT_TRUE(says(sentences(made),
+                   "the soft engine gives a dissipated power of 500 ± 100 mW (4 "
+                   "replicates), the search gave 2.50 ± 0.20 W: the two disagree"))
+      << optimum_table(made);
+  EXPECT_TRUE(holds(optimum_table(made), "500 ± 100 mW"));
+  EXPECT_TRUE(holds(optimum_page(made, "1"), "500 ± 100 mW"));
+  made.check->value = {2.3, 0.1};
+  EXPECT_FALSE(made.disagrees());
+  EXPECT_TRUE(says(sentences(made), "the two agree"));
+  made.check->value = {1.5, unknown};  // one replicate
+  EXPECT_TRUE(made.disagrees());
+  made.check->value = {2.4, unknown};
+  EXPECT_FALSE(made.disagrees());
+}
+
+TEST(OptimumReport, SaysWhyTheBestWasNotChecked) {
+  OptimumReport made = invalid_best();
+  made.check = {.engine = "soft", .failure = "it takes too long"};
+  EXPECT_FALSE(made.disagrees());
+  EXPECT_TRUE(says(sentences(made), "was not checked by the soft engine: it takes too long"));
+}
+
+TEST(OptimumReport, CountsTheWarningsOfItsSettings) {
+  const OptimumReport made = invalid_best();
+  EXPECT_TRUE(
+      holds(optimum_table(made), "Warning: 2 of 3 settings: long-contacts: The balls <touch>."));
+  EXPECT_TRUE(
+      holds(optimum_page(made, "1"), "2 of 3 settings: long-contacts: The balls &lt;touch&gt;."));
+  EXPECT_TRUE(holds(optimum_csv(made), ",failure,warnings\n"));
+  EXPECT_TRUE(holds(optimum_csv(made), ",long-contacts\n"));
+}
+
 TEST(OptimumReport, SaysWhatIsSureAndWhatIsNot) {
   const std::vector<std::string> told = sentences(some());
   EXPECT_TRUE(says(told, "chance of 98 %"));
@@ -127,9 +185,9 @@ TEST(OptimumReport, CsvHasARowPerSettingAndReadsBack) {
       csv.starts_with("setting,round,replicates,mill.speed,mill.ratio,dissipated_power,"
                       "dissipated_power_ci95,dissipated_power_model,"
                       "dissipated_power_model_ci95,wear_rate,wear_rate_ci95,allowed,"
-                      "chance_best,failure\n"))
+                      "chance_best,failure,warnings\n"))
       << csv;
-  EXPECT_TRUE(holds(csv, "2,1,4,598 rpm,-2,2.5,0.2,2.25,0.125,2e-10,1e-11,0.9,0.98,\n")) << csv;
+  EXPECT_TRUE(holds(csv, "2,1,4,598 rpm,-2,2.5,0.2,2.25,0.125,2e-10,1e-11,0.9,0.98,,\n")) << csv;
   EXPECT_TRUE(holds(csv, "\"the ball, it does not fit\""));
 }
 

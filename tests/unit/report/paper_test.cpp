@@ -110,6 +110,7 @@ TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
         results::summarise(c.outcomes.back()));
   }
   c.numbers.swept = swept({"mill.frequency"}, c.numbers.points);
+  c.outcomes[1].notices = {warning("two-states", "They are two.")};
   const PaperResult result = paper_result(paper, run);
   ASSERT_EQ(result.judged.size(), 1U);
   EXPECT_EQ(result.judged[0].holds, Holds::yes) << result.judged[0].found;
@@ -124,6 +125,8 @@ TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
   EXPECT_NE(claims_markdown(result).find("| 1 | it rises \\| <b> |"), std::string::npos);
   EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why\n"));
   EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1."), std::string::npos);
+  for (const std::string& told : {page, claims_text(result)})
+    EXPECT_NE(told.find("1 of 2 points: two-states: They are two."), std::string::npos) << told;
 }
 
 TEST(Paper, WordsAboutItsOwnSettingsAreLeftOutWhereOthersWereRun) {

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/warnings.hpp"
 #include "unit/report/html.hpp"
@@ -52,6 +54,38 @@ TEST(Table, ShowsTwinsBesideEachOther) {
     if (row.above != nullptr) {
       EXPECT_EQ(row.above->name, row.all->name + "_above_threshold");
     }
+}
+
+TEST(Table, WhatIsCountedAboveTheThresholdStandsInItsColumn) {
+  auto o = fake_outcome();
+  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  const auto quantities = results::summarise(o);
+  for (const char* name : {"collision_rate_in_flight", "stress_energy"}) {
+    const auto all = rows(quantities);
+    const auto row = std::ranges::find_if(all, [&](const Row& r) { return r.all->name == name; });
+    ASSERT_NE(row, all.end());
+    EXPECT_EQ(row->all_text(), "") << name;
+    EXPECT_EQ(row->above_text(), readable(*row->all).text()) << name;
+  }
+  const std::string html = report_page(o, "1");
+  const auto at = html.find("data-quantity=\"collision_rate_in_flight\"");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_TRUE(html.substr(0, at).ends_with("<td class=\"n\"></td><td class=\"n\" "));
+}
+
+TEST(Report, NamesTwoStatesInsteadOfTheirMeanAlone) {
+  EXPECT_EQ(states_table(fake_outcome()), "");
+  EXPECT_FALSE(has(report_page(fake_outcome(), "1"), "Two states"));
+  auto o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
+  o.notices = results::warnings(o);
+  const std::string text = states_table(o);
+  EXPECT_TRUE(has(text, "6 of 8 replicates (75 %)")) << text;
+  EXPECT_TRUE(has(text, "2 of 8 replicates (25 %)")) << text;
+  EXPECT_TRUE(has(text, "90.2 ± 2.5 mW")) << text;
+  const std::string html = report_page(o, "1");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "<h2>Two states</h2>"));
+  EXPECT_TRUE(has(html, "describes neither"));
 }
 
 TEST(Report, SaysTheResultInASentence) {

@@ -62,6 +62,33 @@ TEST(SummaryJson, HoldsEveryNoticeWithItsCode) {
   EXPECT_EQ(about.at("notes"), nlohmann::json({"Engine: event."}));
 }
 
+TEST(SummaryJson, NamesTheEngineThatRan) {
+  Outcome o = fake_outcome();
+  o.what.run.engine = "auto";
+  o.engine = "soft";
+  EXPECT_EQ(parsed(o).at("_about").at("engine"), "soft");
+}
+
+TEST(SummaryJson, HoldsTwoStates) {
+  EXPECT_FALSE(parsed(fake_outcome()).contains("_states"));
+  const auto states = parsed(fake_outcome({100, 900, 102, 98, 904, 101, 99, 100})).at("_states");
+  EXPECT_EQ(states.at("states")[1].at("replicates"), nlohmann::json({2, 5}));
+  EXPECT_EQ(states.at("states")[1].at("share"), 0.25);
+  EXPECT_NEAR(states.at("states")[1].at("dissipated_power").at("value").get<double>(), 0.0902,
+              1e-12);
+  EXPECT_LE(states.at("chance").get<double>(), 0.01);
+}
+
+TEST(SummaryJson, CountsNoticesOfManyRuns) {
+  NoticeCounts counts;
+  count(counts, {warning("stopped", "It \"was\" stopped.")});
+  EXPECT_EQ(nlohmann::json::parse(notices_json(counts)),
+            nlohmann::json::array({{{"code", "stopped"},
+                                    {"severity", "warning"},
+                                    {"count", 1},
+                                    {"text", "It \"was\" stopped."}}}));
+}
+
 TEST(SummaryJson, TellsWhatIsMissing) {
   Outcome o = fake_outcome({100});
   o.interrupted = true;

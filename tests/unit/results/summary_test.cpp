@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "mahlwerk/cases/grinding.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {
@@ -101,6 +102,20 @@ TEST(Summary, DosesNeedPowder) {
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
   EXPECT_NEAR(value(o, "specific_energy_dose_rate"), 0.012 / 2, 1e-12);  // W/g
   EXPECT_NEAR(value(o, "specific_energy_dose"), 0.06, 1e-12);            // J/g in 10 s
+  EXPECT_THROW(value(o, "milling_time"), std::out_of_range);
+}
+
+TEST(Summary, ADoseIsOverTheTimeThatTheCaseSaysTheMillWorks) {
+  Outcome o = fake_outcome();  // 0.006 W/g in 10 s
+  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  o.what.heat = cases::Heat{.milling = 600, .pause = 300, .cycles = 4};
+  EXPECT_NEAR(value(o, "milling_time"), 2400, 1e-9);
+  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 2400, 1e-9);
+  o.what.kinetics.emplace().time = 1800;
+  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 1800, 1e-9);
+  o.what.grinding.emplace().time = 3600;
+  EXPECT_EQ(cases::milling_time(o.what), 3600);
+  EXPECT_EQ(value(o, "simulated_time"), 10);
 }
 
 TEST(Summary, TheTcRuleTellsItsShare) {

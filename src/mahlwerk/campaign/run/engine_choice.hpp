@@ -19,6 +19,9 @@ constexpr double doubtful = 0.02;
 /// for more.
 constexpr double most_soft_work = 6e10;
 
+/// The same that the check of an optimum asks for, about ten minutes on one core.
+constexpr double most_check_work = 1e10;
+
 /// Which engine a case is run by, and why.
 struct Choice {
   std::string engine;               ///< "event" or "soft"

@@ -16,6 +16,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/making.hpp"
 #include "mahlwerk/results/warnings.hpp"
@@ -209,6 +210,7 @@ class Crew {
   /// The gravest first.
   Notices notices(const Open& point) const {
     Notices list = results::warnings(point.outcome);
+    append(list, rolling_notes(point.outcome));
     append(list, notes_on(point.outcome, point.choice, options_.stop));
     std::ranges::stable_sort(list, std::ranges::greater(), &Notice::severity);
     return list;

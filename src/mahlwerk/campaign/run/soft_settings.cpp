@@ -12,12 +12,11 @@
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/results/warnings.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
 
-/// Overlaps above this share of the radius are more than the laws are meant for.
-constexpr double deep = 0.01;
 /// Above this balls pass through each other, and through the wall.
 constexpr double sinking = 1;
 
@@ -78,6 +77,13 @@ SoftSettings soft_settings(const cases::Case& what) {
   return s;
 }
 
+double soft_work(const cases::Case& what) {
+  std::int64_t balls = 0;
+  for (const cases::BallSet& set : what.balls) balls += set.count;
+  return static_cast<double>(balls) * (what.run.settle + what.run.time) /
+         soft_settings(what).rules.time_step;
+}
+
 Notices soft_notes(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   const double step = s.rules.time_step;
@@ -90,14 +96,22 @@ Notices soft_notes(const cases::Case& what) {
                show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
                100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
                100 * s.steps.overlap))};
+  return notes;
+}
+
+Notices overlap_warnings(const cases::Case& what) {
+  constexpr double deep = results::soft_overlap;
+  const SoftSettings s = soft_settings(what);
+  Notices notes;
   if (s.steps.overlap > deep)
     notes.push_back(warning(
         "soft-contacts",
         fmt::format(
-            "Contacts are so soft that balls may overlap by {:.2g} % of their radius, more "
-            "than {:.0f} %. Forces and contact times are then those of softer bodies; a larger "
+            "Contacts are so soft that balls which meet at {:.2g} m/s overlap by {:.2g} % of their "
+            "radius, more than {:.0f} %. Forces and contact times are then those of softer bodies; "
+            "a larger "
             "contact.softening or stiffness makes them harder.",
-            100 * s.steps.overlap, 100 * deep)));
+            s.speed, 100 * s.steps.overlap, 100 * deep)));
   return notes;
 }
 

@@ -20,8 +20,14 @@ struct SoftSettings {
 };
 SoftSettings soft_settings(const cases::Case& what);
 
-/// In words: the time step, the overlap, and a warning where contacts are too soft.
+/// [1] Balls times steps of one replicate by the soft engine.
+double soft_work(const cases::Case& what);
+
+/// In words: the time step, and what it rests on.
 Notices soft_notes(const cases::Case& what);
+/// Before a run: whether balls that meet at the highest speed would overlap by much. A run tells
+/// what it reached (results::warnings).
+Notices overlap_warnings(const cases::Case& what);
 
 /// What keeps the engine a case asks for from running it; empty if nothing does.
 std::vector<Fault> run_faults(const cases::Case& what);

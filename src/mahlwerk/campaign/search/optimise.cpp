@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/search/optimum.hpp"
 #include "mahlwerk/campaign/search/surrogate.hpp"
 #include "mahlwerk/campaign/sweep/designs.hpp"
+#include "mahlwerk/results/notice_counts.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -83,6 +84,7 @@ class Trials {
     setting.replicates.insert(setting.replicates.end(), told.replicates.begin(),
                               told.replicates.end());
     setting.failure = told.failure;
+    results::merge(setting.notices, told.notices);
     for (std::size_t outcome = 0; outcome <= goal_.bounds.size(); ++outcome)
       if (setting.failure.empty() && std::ranges::none_of(setting.replicates, [&](const auto& r) {
             return std::isfinite(r[outcome]);
@@ -163,6 +165,10 @@ void check(const Goal& goal) {
 }
 
 }  // namespace
+
+bool Tried::invalid() const {
+  return std::ranges::find(notices, Severity::invalid, &Notice::severity) != notices.end();
+}
 
 Optimum optimise(const Goal& goal, const Simulation& simulation) {
   check(goal);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
 
 // The settings for which a noisy outcome is best (docs/theory/optimum.md). Settings are places, 0
@@ -40,7 +41,8 @@ struct Asked {
 struct Told {
   /// By replicate: what is to be best, then what is bounded; NaN where it does not exist.
   std::vector<std::vector<double>> replicates;
-  std::string failure;  ///< why the setting cannot be run; empty: it can
+  std::string failure;   ///< why the setting cannot be run; empty: it can
+  Notices notices = {};  ///< of the run
 };
 /// Answers in the order asked; may work on all at once. The same question has the same answer.
 using Simulation = std::function<std::vector<Told>(const std::vector<Asked>&)>;
@@ -59,6 +61,10 @@ struct Tried {
   Guess model = {};              ///< what the model says, all settings together
   double allowed = 1;            ///< how likely it keeps all bounds, by the model
   double chance = 0;             ///< how likely it is the best of those tried
+  Notices notices = {};          ///< of its runs, each code once
+
+  /// Its numbers lie outside the validity of the engine that ran it.
+  bool invalid() const;
 };
 
 /// Where along a key the optimum lies.

@@ -47,6 +47,7 @@ std::string as_said(const std::string& what, const cases::SweptKey& range, std::
 
 Told told_by(const results::Outcome& outcome, const TrialRuns::Measure& measure) {
   Told told;
+  told.notices = outcome.notices;
   for (const results::Replicate& r : outcome.replicates) {
     if (!r.stopped.empty()) told.failure = r.stopped;
     told.replicates.push_back(measure(outcome, r));
@@ -133,6 +134,14 @@ cases::Case TrialRuns::at(const Place& place, int first, int count) const {
   made.optimise.reset();
   made.match.reset();
   return made;
+}
+
+TrialRuns TrialRuns::by_engine(const std::string& engine) const {
+  TrialRuns other = *this;
+  constexpr const char* key = "run.engine";
+  std::erase_if(other.set_, [&](const cases::Override& set) { return set.key == key; });
+  other.set_.push_back({key, engine});
+  return other;
 }
 
 std::vector<Told> TrialRuns::run(const std::vector<Asked>& asked, const Measure& measure,

@@ -34,6 +34,9 @@ class TrialRuns {
   /// InputError where the setting cannot be read.
   cases::Case at(const Place& place, int first, int count) const;
 
+  /// The same case by another engine.
+  TrialRuns by_engine(const std::string& engine) const;
+
   /// What a search is told of a replicate.
   using Measure =
       std::function<std::vector<double>(const results::Outcome&, const results::Replicate&)>;

@@ -19,6 +19,8 @@ void TrialStore::open() {
   database_->run(
       "PRAGMA journal_mode=DELETE; PRAGMA synchronous=NORMAL;"
       "CREATE TABLE IF NOT EXISTS trials(run TEXT PRIMARY KEY, failure TEXT) WITHOUT ROWID;"
+      "CREATE TABLE IF NOT EXISTS notices(run TEXT, position INTEGER, code TEXT, severity TEXT,"
+      " text TEXT, PRIMARY KEY(run, position)) WITHOUT ROWID;"
       "CREATE TABLE IF NOT EXISTS told(run TEXT, replicate INTEGER, outcome INTEGER, value REAL,"
       " PRIMARY KEY(run, replicate, outcome)) WITHOUT ROWID");
 }
@@ -43,6 +45,11 @@ std::optional<Told> TrialStore::find(RunHash run) {
     if (told.replicates.size() <= replicate) told.replicates.resize(replicate + 1);
     told.replicates[replicate].push_back(values.number(1));
   }
+  Statement notices = database_->prepare(
+      "SELECT code, severity, text FROM notices WHERE run = ? ORDER BY position");
+  notices.bind(1, name);
+  while (notices.step())
+    told.notices.push_back({notices.text(0), severity_of(notices.text(1)), notices.text(2)});
   return told;
 }
 
@@ -73,6 +80,14 @@ void TrialStore::write(RunHash run, const Told& told) {
           .bind(3, static_cast<std::int64_t>(k))
           .bind(4, told.replicates[r][k])
           .run();
+  Statement notice = database_->prepare("INSERT OR REPLACE INTO notices VALUES(?, ?, ?, ?, ?)");
+  for (std::size_t i = 0; i < told.notices.size(); ++i)
+    notice.bind(1, name)
+        .bind(2, static_cast<std::int64_t>(i))
+        .bind(3, told.notices[i].code)
+        .bind(4, mahlwerk::name_of(told.notices[i].severity))
+        .bind(5, told.notices[i].text)
+        .run();
   all.commit();
 }
 

@@ -17,7 +17,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr int format = 1;  // of the tables
+constexpr int format = 2;  // of the tables
 constexpr std::array<std::string_view, 3> state_words{"waiting", "done", "failed"};
 
 std::string_view word_of(RunState state) {
@@ -87,6 +87,7 @@ Store::~Store() {
   if (!writes_) return;
   run_done_.reset();
   run_failed_.reset();
+  notice_.reset();
   summary_.reset();
   try {
     database_.run("PRAGMA busy_timeout=0; PRAGMA journal_mode=DELETE");
@@ -108,7 +109,9 @@ void Store::make_tables() {
       "CREATE TABLE points(point INTEGER PRIMARY KEY, hash TEXT);"
       "CREATE TABLE runs(hash TEXT PRIMARY KEY, status TEXT NOT NULL, message TEXT,"
       " attempts INTEGER NOT NULL DEFAULT 0, began TEXT, wall_seconds REAL, cpu_seconds REAL,"
-      " engine TEXT, regime TEXT, folder TEXT, \"case\" TEXT) WITHOUT ROWID;"
+      " engine TEXT, regime TEXT, folder TEXT, \"case\" TEXT, warnings TEXT) WITHOUT ROWID;"
+      "CREATE TABLE notices(hash TEXT, position INTEGER, code TEXT, severity TEXT, text TEXT,"
+      " PRIMARY KEY(hash, position)) WITHOUT ROWID;"
       "CREATE TABLE quantities(position INTEGER PRIMARY KEY, name TEXT UNIQUE, unit TEXT,"
       " about TEXT, \"column\" TEXT, ci95_column TEXT);"
       "CREATE TABLE summary(hash TEXT PRIMARY KEY) WITHOUT ROWID;");
@@ -121,7 +124,9 @@ void Store::make_tables() {
 void Store::make_view() {
   std::string columns = "p.point";
   for (const Swept& s : swept()) columns += ", p." + as_name(s.column);
-  columns += ", r.status, r.engine, r.regime, r.wall_seconds, r.cpu_seconds, r.folder, r.message";
+  columns +=
+      ", r.status, r.engine, r.regime, r.wall_seconds, r.cpu_seconds, r.folder, r.message, "
+      "r.warnings";
   Statement known =
       database_.prepare("SELECT \"column\", ci95_column FROM quantities ORDER BY position");
   while (known.step())
@@ -230,11 +235,13 @@ void Store::keep(const Finished& f) {
     if (!run_done_)
       run_done_.emplace(database_.prepare(
           "INSERT INTO runs(hash, status, message, began, wall_seconds, cpu_seconds, engine, "
-          "regime, folder, \"case\", attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 1) ON "
+          "regime, folder, \"case\", warnings, attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "1) ON "
           "CONFLICT(hash) DO UPDATE SET status = excluded.status, message = excluded.message, "
           "began = excluded.began, wall_seconds = excluded.wall_seconds, cpu_seconds = "
           "excluded.cpu_seconds, engine = excluded.engine, regime = excluded.regime, folder = "
-          "excluded.folder, \"case\" = excluded.\"case\", attempts = attempts + 1"));
+          "excluded.folder, \"case\" = excluded.\"case\", warnings = "
+          "excluded.warnings, attempts = attempts + 1"));
     const std::string hash = hash_text(f.hash);
     run_done_->bind(1, hash)
         .bind(2, word_of(f.failure.empty() ? RunState::done : RunState::failed))
@@ -246,7 +253,9 @@ void Store::keep(const Finished& f) {
         .bind(8, f.regime)
         .bind(9, f.folder)
         .bind(10, f.resolved)
+        .bind(11, results::warning_codes(f.notices))
         .run();
+    keep_notices(hash, f.notices);
     summary_->bind(1, hash);
     int place = 1;
     for (const results::Quantity& q : f.quantities) {
@@ -259,6 +268,19 @@ void Store::keep(const Finished& f) {
     summary_.reset();  // its columns may have gone with the transaction
     throw;
   }
+}
+
+/// Those of an earlier attempt go.
+void Store::keep_notices(std::string_view hash, const Notices& notices) {
+  database_.prepare("DELETE FROM notices WHERE hash = ?").bind(1, hash).run();
+  if (!notice_) notice_.emplace(database_.prepare("INSERT INTO notices VALUES(?, ?, ?, ?, ?)"));
+  for (std::size_t i = 0; i < notices.size(); ++i)
+    notice_->bind(1, hash)
+        .bind(2, static_cast<std::int64_t>(i))
+        .bind(3, notices[i].code)
+        .bind(4, name_of(notices[i].severity))
+        .bind(5, notices[i].text)
+        .run();
 }
 
 void Store::fail(RunHash hash, std::string_view why) {

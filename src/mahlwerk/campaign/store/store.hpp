@@ -17,6 +17,7 @@
 #include "mahlwerk/campaign/store/sqlite.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/file_lock.hpp"
+#include "mahlwerk/results/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // What a campaign has done and has still to do, in one SQLite file (docs/formats.md).
@@ -55,6 +56,7 @@ struct Finished {
   double wall_seconds = 0, cpu_seconds = 0;
   std::string failure;  ///< why physics stopped it; empty: it ended as wanted
   std::vector<results::Quantity> quantities;
+  Notices notices;
 };
 
 /// A point of the plan with what is known of its run.
@@ -63,6 +65,7 @@ struct StoredPoint {
   std::vector<std::string> values;
   RunState state = RunState::waiting;
   std::string engine, regime, folder, message;
+  std::string warnings;  ///< codes, separated by ";"
   double wall_seconds = 0, cpu_seconds = 0;
   std::vector<double> value, ci95;  ///< of the quantities asked for; NaN where there is none
 };
@@ -107,6 +110,8 @@ class Store {
   bool follows(const std::string& key) const;  ///< it goes side by side with another
   /// Name, unit and about of all that runs have given; values are missing.
   std::vector<results::Quantity> quantities() const;
+  /// The notices of all points of the plan that have been run, by code.
+  results::NoticeCounts notices() const;
   /// The points of the plan in order, with the quantities of these names.
   void read(const std::vector<std::string>& quantities,
             const std::function<void(const StoredPoint&)>& take) const;
@@ -130,12 +135,13 @@ class Store {
   void add_columns_of_other(const std::vector<results::Quantity>& quantities);
   void add_unknown(const std::vector<results::Quantity>& quantities);
   void put_in_order();
+  void keep_notices(std::string_view hash, const Notices& notices);
   void prepare_summary(const std::vector<results::Quantity>& quantities);
 
   bool writes_;  ///< and readers look on
   mutable std::mutex mutex_;
   Database database_;
-  std::optional<Statement> run_done_, run_failed_, summary_;
+  std::optional<Statement> run_done_, run_failed_, notice_, summary_;
   std::vector<results::Quantity> summary_form_;  ///< quantities that summary_ takes
 };
 

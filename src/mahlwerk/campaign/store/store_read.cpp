@@ -105,12 +105,35 @@ std::vector<results::Quantity> Store::quantities() const {
   return known_quantities();
 }
 
+results::NoticeCounts Store::notices() const {
+  const std::lock_guard lock(mutex_);
+  Statement asked = database_.prepare(
+      "SELECT n.code, n.severity, n.text, p.point FROM points p JOIN notices n ON n.hash = p.hash "
+      "ORDER BY p.point, n.position");
+  results::NoticeCounts counts;
+  Notices of_point;
+  std::int64_t point = 0;
+  const auto end_point = [&] {
+    results::count(counts, of_point);
+    of_point.clear();
+  };
+  while (asked.step()) {
+    if (asked.whole(3) != point) end_point();
+    point = asked.whole(3);
+    of_point.push_back({asked.text(0), severity_of(asked.text(1)), asked.text(2)});
+  }
+  end_point();
+  results::sort(counts);
+  return counts;
+}
+
 void Store::read(const std::vector<std::string>& quantities,
                  const std::function<void(const StoredPoint&)>& take) const {
   const std::lock_guard lock(mutex_);
   const std::vector<Swept> keys = swept();
   std::string columns =
-      "p.point, r.status, r.engine, r.regime, r.folder, r.message, r.wall_seconds, r.cpu_seconds";
+      "p.point, r.status, r.engine, r.regime, r.folder, r.message, r.wall_seconds, r.cpu_seconds, "
+      "r.warnings";
   for (const Swept& s : keys) columns += ", p." + as_name(s.column);
   Statement named =
       database_.prepare("SELECT \"column\", ci95_column FROM quantities WHERE name = ?");
@@ -125,7 +148,7 @@ void Store::read(const std::vector<std::string>& quantities,
       fmt::format("SELECT {} FROM points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON "
                   "s.hash = p.hash ORDER BY p.point",
                   columns));
-  constexpr int fixed = 8;
+  constexpr int fixed = 9;
   while (asked.step()) {
     StoredPoint point;
     point.number = static_cast<std::size_t>(asked.whole(0));
@@ -139,6 +162,7 @@ void Store::read(const std::vector<std::string>& quantities,
     point.message = asked.text(5);
     point.wall_seconds = asked.number(6);
     point.cpu_seconds = asked.number(7);
+    point.warnings = asked.text(8);
     int at = fixed;
     for (const Swept& s : keys) {
       if (!s.numeric || asked.is_null(at))
@@ -225,6 +249,10 @@ std::size_t Store::merge(const std::filesystem::path& other) {
   database_.run(fmt::format(
       "INSERT OR REPLACE INTO main.summary({0}) SELECT {0} FROM other.summary WHERE {1}", columns,
       better));
+  database_.run(
+      fmt::format("DELETE FROM main.notices WHERE {0}; INSERT INTO main.notices SELECT * "
+                  "FROM other.notices WHERE {0}",
+                  better));
   database_.run(
       fmt::format("INSERT OR REPLACE INTO main.runs SELECT * FROM other.runs WHERE {}", better));
   const std::size_t taken = count(database_, "SELECT changes()");

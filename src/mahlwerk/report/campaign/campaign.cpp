@@ -7,6 +7,7 @@
 #include "mahlwerk/report/campaign/plots.hpp"
 #include "mahlwerk/report/campaign/points.hpp"
 #include "mahlwerk/report/campaign/sheet.hpp"
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 
 namespace mahlwerk::report {
@@ -64,7 +65,8 @@ std::string quantities_section(const Sheet& sheet) {
 std::string campaign_page(const Campaign& c, std::string_view version) {
   const Sheet sheet(c);
   const std::vector<Picture> regimes = regime_map(sheet);
-  const std::string body = campaign_lead(sheet) + failures(c) + answers_section(c) +
+  const std::string body = campaign_lead(sheet) + failures(c) +
+                           notice_boxes(c.notices, c.points.size(), "point") + answers_section(c) +
                            (regimes.empty() ? "" : "<h2>Regimes</h2>\n" + panels(regimes)) +
                            quantities_section(sheet) + point_table(sheet);
   return page(c.title, body,

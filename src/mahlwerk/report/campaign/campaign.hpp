@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/results/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // What is told of a campaign: its page, pictures and tables.
@@ -35,10 +36,11 @@ struct Point {
   std::vector<std::string> values = {};  ///< of the swept keys, as the case says them: "400 rpm"
   /// By column; NaN where it has none, the last may be missing.
   std::vector<double> value = {}, ci95 = {};
-  std::string regime = {};   ///< one word, "cataracting"; empty: none
-  std::string folder = {};   ///< of its own result, relative to the campaign's; empty: none kept
-  std::string failure = {};  ///< why it gave nothing; empty: it did
-  bool waiting = false;      ///< it was not run yet
+  std::string regime = {};    ///< one word, "cataracting"; empty: none
+  std::string warnings = {};  ///< codes, separated by ";"
+  std::string folder = {};    ///< of its own result, relative to the campaign's; empty: none kept
+  std::string failure = {};   ///< why it gave nothing; empty: it did
+  bool waiting = false;       ///< it was not run yet
 };
 
 enum class Method {
@@ -84,6 +86,7 @@ struct Campaign {
   std::vector<Column> columns = {};
   std::vector<Point> points = {};
   std::vector<Sensitivity> sensitivities = {};
+  results::NoticeCounts notices = {};  ///< of its points
 };
 
 /// Adds a point with the quantities of its result. Those that are new become columns; points told

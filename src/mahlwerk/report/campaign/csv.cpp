@@ -24,6 +24,7 @@ std::string campaign_csv(const Campaign& c) {
     heads.push_back(results::column_name(q.name, q.unit));
     heads.push_back(results::column_name(q.name + "_ci95", q.unit));
   }
+  heads.emplace_back("warnings");
   std::string text = results::csv_line(heads);
   for (const Point& p : c.points) {
     std::vector<std::string> cells{std::to_string(p.number)};
@@ -34,6 +35,7 @@ std::string campaign_csv(const Campaign& c) {
       cells.push_back(results::csv_cell(value_at(p, i)));
       cells.push_back(results::csv_cell(half_width_at(p, i)));
     }
+    cells.push_back(results::csv_cell(std::string_view(p.warnings)));
     text += results::csv_line(cells);
   }
   return text;

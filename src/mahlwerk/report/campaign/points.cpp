@@ -37,6 +37,7 @@ std::string heads(const Sheet& sheet, bool regimes) {
   for (const std::size_t i : sheet.shown)
     text += fmt::format("<th class=\"n\" title=\"{}\">{}</th>", escaped(c.columns[i].about),
                         escaped(column_label(c.columns[i], sheet.multiples[i])));
+  if (any_warnings(c)) text += "<th>warnings</th>";
   return text;
 }
 
@@ -54,7 +55,17 @@ std::string value_cell(const Sheet& sheet, std::size_t point, std::size_t key) {
                      escaped(number));
 }
 
-std::string row(const Sheet& sheet, std::size_t point, bool regimes) {
+/// So that a narrow column may break between two codes.
+std::string spaced(std::string_view codes) {
+  std::string text;
+  for (const char c : codes) {
+    text += c == ';' ? ',' : c;
+    if (c == ';') text += ' ';
+  }
+  return text;
+}
+
+std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnings) {
   const Campaign& c = sheet.campaign;
   const Point& p = c.points[point];
   std::string text =
@@ -65,7 +76,8 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes) {
   for (std::size_t i = 0; i < c.swept.size(); ++i) text += value_cell(sheet, point, i);
   if (!p.failure.empty() || p.waiting)
     return text + fmt::format("<td colspan=\"{}\" data-v=\"\"{}>{}</td></tr>\n",
-                              std::max<std::size_t>(sheet.shown.size() + (regimes ? 1 : 0), 1),
+                              std::max<std::size_t>(
+                                  sheet.shown.size() + (regimes ? 1 : 0) + (warnings ? 1 : 0), 1),
                               p.waiting ? "" : " class=\"failed\"", escaped(why_nothing(p, 80)));
   if (regimes) text += fmt::format("<td>{}</td>", escaped(p.regime));
   for (const std::size_t i : sheet.shown) {
@@ -75,6 +87,7 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes) {
         "<td class=\"n\" data-v=\"{}\">{}</td>", std::isfinite(v) ? fmt::format("{}", v) : "",
         escaped(readable(v, half_width_at(p, i), c.columns[i].unit, m.factor).number));
   }
+  if (warnings) text += fmt::format("<td>{}</td>", escaped(spaced(p.warnings)));
   return text + "</tr>\n";
 }
 
@@ -199,10 +212,10 @@ std::string failures(const Campaign& c) {
 std::string point_table(const Sheet& sheet) {
   const Campaign& c = sheet.campaign;
   if (c.points.empty()) return "";
-  const bool regimes = regimes_differ(c);
+  const bool regimes = regimes_differ(c), warnings = any_warnings(c);
   std::string body;
   const std::size_t rows = std::min(c.points.size(), most_rows);
-  for (std::size_t i = 0; i < rows; ++i) body += row(sheet, i, regimes);
+  for (std::size_t i = 0; i < rows; ++i) body += row(sheet, i, regimes, warnings);
   const std::string rest =
       rows < c.points.size()
           ? fmt::format("<p>The first {} of {} points; campaign.csv has all of them.</p>\n", rows,

@@ -185,6 +185,10 @@ double half_width_at(const Point& point, std::size_t column) {
   return column < point.ci95.size() ? point.ci95[column] : NAN;
 }
 
+bool any_warnings(const Campaign& c) {
+  return !std::ranges::all_of(c.points, [](const Point& p) { return p.warnings.empty(); });
+}
+
 bool regimes_differ(const Campaign& c) {
   std::string_view first;
   for (const Point& p : c.points) {

@@ -48,6 +48,8 @@ double half_width_at(const Point& point, std::size_t column);
 /// Points with different words for how the charge moves.
 bool regimes_differ(const Campaign& campaign);
 
+bool any_warnings(const Campaign& campaign);
+
 /// What a key is called in a sentence: "rolling friction" for contact.rolling_friction.
 std::string key_words(std::string_view key);
 /// With its section where another key has the same last word: "balls filling".

@@ -42,7 +42,7 @@ std::vector<Told> told_of(const Campaign& campaign) {
 }
 
 std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::vector<Told>& shown,
-                                 bool regimes) {
+                                 bool regimes, bool warnings) {
   constexpr std::size_t enough = 60;
   std::vector<std::string> line = p.values;
   line.resize(c.swept.size());
@@ -56,6 +56,7 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::v
     line.push_back(has ? readable(value, ci95, c.columns[one.column].unit).text() : "");
   }
   if (regimes) line.push_back(p.regime);
+  if (warnings) line.push_back(p.warnings);
   return line;
 }
 
@@ -77,16 +78,17 @@ std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
 
 std::string campaign_table(const Campaign& campaign, std::string_view where) {
   const std::vector<Told> shown = told_of(campaign);
-  const bool regimes = regimes_differ(campaign);
+  const bool regimes = regimes_differ(campaign), warnings = any_warnings(campaign);
   std::vector<std::vector<std::string>> lines(1);
   for (const Swept& key : campaign.swept) lines[0].push_back(key.key);
   for (const Told& one : shown) lines[0].emplace_back(one.head);
   if (regimes) lines[0].emplace_back("regime");
+  if (warnings) lines[0].emplace_back("warnings");
   const std::size_t points = campaign.points.size();
   // One more costs no more than the line that says so.
   const std::size_t lines_of_points = points <= most_points + 1 ? points : most_points;
   for (std::size_t i = 0; i < lines_of_points; ++i)
-    lines.push_back(line_of(campaign, campaign.points[i], shown, regimes));
+    lines.push_back(line_of(campaign, campaign.points[i], shown, regimes, warnings));
   std::string text = in_columns(lines);
   if (lines_of_points < points)
     text += fmt::format("... and {} more points: {}\n", points - lines_of_points, where);

@@ -112,7 +112,14 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
         {file_of(figure, used), drawing(figure, run.at(figure.campaign)), &figure});
   for (const Claim& claim : paper.claims)
     result.judged.push_back(judge(claim, run.at(claim.campaign).numbers));
-  for (const auto& [name, campaign] : run) result.seconds[name] = campaign.seconds;
+  for (const auto& [name, campaign] : run) {
+    result.seconds[name] = campaign.seconds;
+    for (const results::Outcome& outcome : campaign.outcomes) {
+      results::count(result.notices, outcome.notices);
+      ++result.points;
+    }
+  }
+  results::sort(result.notices);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/csv.hpp"
@@ -71,6 +72,7 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
       fmt::format("<p class=\"lead\">{}. {}</p>\n", escaped(paper.source), score(result));
   if (!result.changed.empty())
     body += fmt::format("<div class=\"box warn\"><p>{}</p></div>\n", escaped(changes(result)));
+  body += notice_boxes(result.notices, result.points, "point");
   if (!paper.about.empty())
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(paper.about));
   body += fmt::format(
@@ -109,7 +111,9 @@ std::string claims_text(const PaperResult& result) {
     if (!why(result, i).empty()) text += fmt::format("{:22}why: {}\n", "", why(result, i));
   }
   const std::string changed = changes(result);
-  return fmt::format("{}\n{}\n{}{}", text, score(result), changed, changed.empty() ? "" : "\n");
+  const std::string warned = notice_lines(result.notices, result.points, "point");
+  return fmt::format("{}\n{}\n{}{}{}{}", text, score(result), changed, changed.empty() ? "" : "\n",
+                     warned.empty() ? "" : "\n", warned);
 }
 
 std::string claims_markdown(const PaperResult& result) {

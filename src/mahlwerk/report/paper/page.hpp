@@ -35,6 +35,8 @@ struct PaperResult {
   /// What was set instead of what the campaigns say, "run.time = 2 s". The paper's words about why
   /// a claim holds are then left out: they are about its own settings.
   std::vector<std::string> changed = {};
+  results::NoticeCounts notices = {};  ///< of the points of all campaigns
+  std::size_t points = 0;
 };
 PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCampaign>& run);
 

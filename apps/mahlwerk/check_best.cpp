@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The best setting of a search, run by the engine that is advised there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+#include "progress.hpp"
+#include "searching.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+/// Replicates that the soft engine is asked for: as many as the search ran, fewer where they take
+/// too long; none where one does.
+int affordable(const cases::Case& one, int wanted) {
+  const double each = campaign::soft_work(one);
+  return static_cast<int>(std::min<double>(wanted, campaign::most_check_work / each));
+}
+
+/// What keeps the setting from being checked; empty: `check.replicates` are run.
+std::string refusal(const campaign::TrialRuns& runs, const campaign::Tried& best,
+                    report::OptimumCheck& check) {
+  try {
+    const cases::Case one = runs.at(best.place, 0, 1);
+    if (const std::vector<Fault> wrong = campaign::run_faults(one); !wrong.empty())
+      return wrong.front().what;
+    check.replicates = affordable(one, static_cast<int>(best.replicates.size()));
+    if (check.replicates > 0) return "";
+    return fmt::format(
+        "that would take some {:.2g} hours of a core; mahlwerk run best.toml --set "
+        "run.engine=soft does it",
+        campaign::soft_work(one) / campaign::most_soft_work);
+  } catch (const InputError& error) {
+    return error.faults().front().what;
+  }
+}
+
+/// The mean of what is to be best, of replicates that have it.
+void take(const campaign::Told& told, report::OptimumCheck& check) {
+  std::vector<double> values;
+  for (const auto& replicate : told.replicates)
+    if (std::isfinite(replicate.front())) values.push_back(replicate.front());
+  check.failure = told.failure;
+  if (values.empty() && check.failure.empty()) check.failure = "its runs gave no value";
+  if (values.empty()) return;
+  const observe::Estimate e = observe::estimate(values);
+  check.value = {e.mean, e.ci95};
+}
+
+}  // namespace
+
+std::optional<report::OptimumCheck> check_best(const Request& request, const SearchJob& job,
+                                               const campaign::Optimum& found,
+                                               const KeptSearch& kept) {
+  if (!found.best || !found.tried[*found.best].invalid()) return std::nullopt;
+  const campaign::Tried& best = found.tried[*found.best];
+  report::OptimumCheck made{.engine = "soft"};
+  const campaign::TrialRuns runs = job.runs->by_engine(made.engine);
+  made.failure = refusal(runs, best, made);
+  if (!made.failure.empty()) return made;
+  ProgressLine line(request.quiet);
+  line.show("the best setting is checked by the soft engine");
+  campaign::Options options;
+  options.threads = request.threads;
+  options.stop = &stop_wanted();
+  campaign::TrialStore store(kept.trials(), job.measure_name);
+  take(runs.run({{0, best.place, 0, made.replicates}}, job.measure, options, store, version())
+           .front(),
+       made);
+  return made;
+}
+
+}  // namespace mahlwerk::app

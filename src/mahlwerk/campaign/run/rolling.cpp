@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/rolling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/results/measure.hpp"
+#include "mahlwerk/results/summary.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr double most_of_the_time = 0.5;
+
+struct Hits final : scene::Observer {
+  explicit Hits(double at_least) : threshold(at_least) {}
+  void collisions(std::span<const scene::Collision> finished) override {
+    for (const scene::Collision& c : finished) above += c.approach >= threshold ? 1 : 0;
+  }
+  double threshold;
+  double above = 0;
+};
+
+/// What is compared between the two rules.
+struct Rates {
+  double time = 0;   ///< [s]
+  double power = 0;  ///< [W]
+  double hits = 0;   ///< [1/s] above the threshold
+};
+
+bool assumed(const cases::Case& what, const char* key) {
+  const auto origin = std::ranges::find(what.origins, key, &cases::Origin::key);
+  return origin != what.origins.end() && origin->assumed;
+}
+
+double contact_share(const std::vector<const results::Replicate*>& chosen) {
+  double time = 0, contact = 0;
+  for (const results::Replicate* r : chosen) {
+    time += r->time();
+    contact += r->account.contact_time - r->at_settled.contact_time;
+  }
+  return time > 0 ? contact / time : 0;
+}
+
+/// The first replicate as it ran, over the same time.
+Rates as_it_ran(const results::Replicate& r, double time) {
+  Rates found;
+  for (const results::Window& w : r.windows) {
+    if (w.time > time * (1 + 1e-9)) break;
+    found.time += w.length;
+    found.power += w.lost;
+    found.hits += w.above;
+  }
+  found.power /= found.time;
+  found.hits /= found.time;
+  return found;
+}
+
+/// The first replicate by the TC rule, for some seconds or collisions. The same on any machine.
+Rates by_tc(cases::Case what) {
+  constexpr double long_enough = 1;  // [s]
+  constexpr std::int64_t enough = 20'000;
+  constexpr int parts = 50;
+  what.contact.lasting = cases::Lasting::tc;
+  what.run.engine = "event";
+  const auto trial = engine(what, 0);
+  Hits ignored(what.observe.threshold), hits(what.observe.threshold);
+  Rates found;
+  try {
+    trial->advance(what.run.settle, ignored);
+    const scene::Account before = trial->account();
+    const double whole = std::min(what.run.time, long_enough);
+    for (int i = 1; i <= parts && trial->account().collisions - before.collisions < enough; ++i) {
+      trial->advance(what.run.settle + whole * i / parts, hits);
+      found.time = trial->account().time - before.time;
+      found.power = (trial->account().lost() - before.lost()) / found.time;
+      found.hits = hits.above / found.time;
+    }
+  } catch (const RunError&) {  // what it saw until then has to do
+  }
+  return found;
+}
+
+}  // namespace
+
+Notices rolling_notes(const results::Outcome& outcome) {
+  const cases::Case& what = outcome.what;
+  const bool guessed =
+      assumed(what, "contact.lasting") || assumed(what, "contact.lasting_friction");
+  if (outcome.engine != "event" || results::count_of_balls(what) != 1 || !guessed ||
+      what.contact.lasting != cases::Lasting::roll || outcome.interrupted)
+    return {};
+  const auto chosen = results::averaged(outcome);
+  const double rolled = contact_share(chosen);
+  if (!(rolled > most_of_the_time)) return {};
+  const Rates tc = by_tc(what), roll = as_it_ran(outcome.replicates.front(), tc.time);
+  const std::string other =
+      tc.time > 0 && roll.time > 0
+          ? fmt::format(
+                "Its first {:.2g} s by the TC rule (contact.lasting = \"tc\") dissipate {} instead "
+                "of {}, with {:.3g} instead of {:.3g} hits above the threshold per second.",
+                tc.time, show_rounded(tc.power, "W"), show_rounded(roll.power, "W"), tc.hits,
+                roll.hits)
+          : "Compare with contact.lasting = \"tc\".";
+  return {warning("mostly-rolling",
+                  fmt::format("The ball rolled or slid on the wall {:.0f} % of the time, by a rule "
+                              "or a friction that the case does not give (contact.lasting, "
+                              "lasting_friction). {}",
+                              100 * rolled, other))};
+}
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/states.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "mahlwerk/report/aligned.hpp"
+#include "mahlwerk/report/readable.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+constexpr std::array shown{"dissipated_power", "collision_rate_above_threshold",
+                           "energy_normal_mean_above_threshold", "contact_time_share"};
+
+using Line = std::array<std::string, 3>;
+
+/// Heads, then a line for each quantity.
+std::vector<Line> lines(const results::TwoStates& found) {
+  const auto [one, other] = std::array{&found.states[0], &found.states[1]};
+  const std::size_t all = one->replicates.size() + other->replicates.size();
+  std::vector<Line> list{{"two states"}};
+  for (std::size_t i = 0; i < 2; ++i)
+    list[0][i + 1] =
+        fmt::format("{} of {} replicates ({:.0f} %)", found.states[i].replicates.size(), all,
+                    100 * found.share(found.states[i]));
+  for (const char* name : shown)
+    list.push_back({label(one->named(name)), readable(one->named(name)).text(),
+                    readable(other->named(name)).text()});
+  return list;
+}
+
+}  // namespace
+
+std::string states_table(const results::Outcome& outcome) {
+  const auto found = results::two_states(outcome);
+  return found ? aligned(lines(*found)) + '\n' : "";
+}
+
+std::string states_section(const results::Outcome& outcome) {
+  const auto found = results::two_states(outcome);
+  if (!found) return "";
+  const std::vector<Line> all = lines(*found);
+  std::string rows;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+        escaped(all[i][0]), escaped(all[i][1]), escaped(all[i][2]));
+  return fmt::format(
+      "<h2>Two states</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
+      "class=\"n\">{}</th><th class=\"n\">{}</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>"
+      "\n<p><small>Replicates by their dissipated power; ± is the 95 % confidence half-width over "
+      "those of a state. One normal distribution splits as sharply with a chance of {:.2g} "
+      "%.</small></p>\n",
+      escaped(all[0][1]), escaped(all[0][2]), rows, 100 * found->chance);
+}
+
+}  // namespace mahlwerk::report

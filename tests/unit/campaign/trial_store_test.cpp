@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/search/trial_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+TEST(TrialStore, notices_are_there_again_when_a_search_goes_on) {
+  const cases::sample::Folder here;
+  const auto file = here.path() / "trials.sqlite";
+  const Told told{.replicates = {{1.5, 2}, {3, 4}},
+                  .failure = "",
+                  .notices = {invalid("long-contacts", "it's 77 %"), note("time-step", "1 us")}};
+  TrialStore(file, "power").keep(7, told);
+  TrialStore again(file, "power");
+  const auto found = again.find(7);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->replicates, told.replicates);
+  EXPECT_EQ(found->notices, told.notices);
+  EXPECT_FALSE(again.find(8));
+}
+
+}  // namespace
+}  // namespace mahlwerk::campaign

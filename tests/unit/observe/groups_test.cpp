@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/observe/groups.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/random.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::observe {
+namespace {
+
+/// Normal numbers of width 1, the first `shifted` of them moved up by `by`.
+std::vector<double> sample(std::uint32_t number, std::size_t size, std::size_t shifted = 0,
+                           double by = 0) {
+  Random random(77, number);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < size; ++i)
+    values.push_back(std::sqrt(-2 * std::log(random.uniform())) *
+                         std::cos(2 * std::numbers::pi * random.uniform()) +
+                     (i < shifted ? by : 0));
+  return values;
+}
+
+/// Of `trials` samples, those in which two groups are seen.
+int seen(int trials, std::size_t size, std::size_t shifted, double by) {
+  int count = 0;
+  for (int i = 0; i < trials; ++i)
+    count += two_groups(sample(static_cast<std::uint32_t>(i), size, shifted, by)) ? 1 : 0;
+  return count;
+}
+
+TEST(TwoGroups, OneNormalDistributionIsSplitAsOftenAsTheLevelSays) {
+  // 2000 samples at a level of 0.01: 20 expected, a standard deviation of 4.45. That of the 1999
+  // samples drawn to judge by is as large, and the same for all samples of a size.
+  constexpr int trials = 2000;
+  constexpr double level = 0.01;
+  const double deviation = std::sqrt(2 * trials * level * (1 - level));
+  for (const std::size_t size : {4U, 5U, 10U, 20U})
+    tests::states(
+        "false alarms among " + std::to_string(trials) + " samples of " + std::to_string(size),
+        seen(trials, size, 0, 0), trials * level, 3 * deviation,
+        "level 0.01, three standard deviations");
+}
+
+TEST(TwoGroups, TenStandardDeviationsApartAreFound) {
+  for (const std::size_t size : {10U, 20U}) {
+    EXPECT_GE(seen(200, size, size / 2, 10), 195) << size;
+    EXPECT_GE(seen(200, size, 3, 10), 180) << size;
+  }
+}
+
+TEST(TwoGroups, TheirBoundLiesBetweenThem) {
+  const std::vector<double> values = sample(1, 10, 4, 30);
+  const auto found = two_groups(values);
+  ASSERT_TRUE(found);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_EQ(values[i] > found->between, i < 4) << values[i];
+  EXPECT_LE(found->chance, 0.01);
+  EXPECT_GE(found->chance, 1.0 / 2000);
+}
+
+TEST(TwoGroups, UnitOriginAndOrderDoNotMatter) {
+  std::vector<double> values = sample(1, 10, 4, 30);
+  const auto found = two_groups(values);
+  ASSERT_TRUE(found);
+  for (double& v : values) v = 1e3 + 1e-3 * v;
+  std::ranges::reverse(values);
+  const auto other = two_groups(values);
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->chance, found->chance);
+  EXPECT_NEAR(other->between, 1e3 + 1e-3 * found->between, 1e-9);
+}
+
+TEST(TwoGroups, FewerThanFourValuesShowNothing) {
+  EXPECT_FALSE(two_groups({}));
+  EXPECT_FALSE(two_groups({1}));
+  EXPECT_FALSE(two_groups({1, 100}));
+  EXPECT_FALSE(two_groups({1, 1, 100}));
+  EXPECT_TRUE(two_groups({1, 1, 100, 100})) << "equal within each group";
+}
+
+TEST(TwoGroups, EqualValuesAreOneGroup) {
+  EXPECT_FALSE(two_groups({3, 3, 3, 3, 3}));
+  EXPECT_FALSE(two_groups({1, 1 + 1e-15, 1 - 1e-15, 1 + 2e-15})) << "but for rounding";
+  EXPECT_FALSE(two_groups({0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace mahlwerk::observe

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/results/states.hpp"
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+bool has(const Notices& notices, const std::string& code) {
+  return std::ranges::find(notices, code, &Notice::code) != notices.end();
+}
+
+/// One replicate of `windows` windows that dissipates `power(i)` [W] and draws `drawn(i)`.
+template <class Power, class Drawn>
+Outcome run_of(int windows, const Power& power, const Drawn& drawn) {
+  Outcome o = fake_outcome({100});
+  Replicate& r = o.replicates[0];
+  r.windows.clear();
+  double lost = 0, work = 0;
+  for (int i = 0; i < windows; ++i) {
+    const double length = 10.0 / windows;
+    r.windows.push_back({.time = length * (i + 1),
+                         .length = length,
+                         .collisions = 10,
+                         .lost = power(i) * length,
+                         .wall_work = drawn(i) * length});
+    lost += r.windows.back().lost;
+    work += r.windows.back().wall_work;
+  }
+  r.account.lost_normal = r.at_settled.lost_normal + lost;
+  r.at_settled.wall_work = 5;
+  r.account.wall_work = 5 + work;
+  r.account.kinetic = work - lost;
+  return o;
+}
+
+TEST(NotSettled, IsToldOfAStartThatStandsOutAndGainsEnergy) {
+  const auto power = [](int i) { return i < 40 ? 0.5 + 0.0125 * i : 1.0; };
+  const auto drawn = [](int i) { return 1.0 + 1e-4 * (i % 7); };
+  const Notices notices = warnings(run_of(200, power, drawn));
+  EXPECT_TRUE(has(notices, "not-settled"));
+  EXPECT_FALSE(has(warnings(run_of(200, drawn, drawn)), "not-settled"));
+}
+
+TEST(NotSettled, IsNotToldOfAShortSeries) {
+  const auto power = [](int i) { return i < 4 ? 0.5 : 1.0; };
+  const auto drawn = [](int) { return 1.0; };
+  for (const int windows : {1, 2, 10, 12, 40})
+    EXPECT_FALSE(has(warnings(run_of(windows, power, drawn)), "not-settled")) << windows;
+}
+
+TEST(NotSettled, IsNotToldWhereTheGainIsLostInItsScatter) {
+  // Power rises at random in the first half and gains scatter by 40 % from window to window.
+  int told = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    Random random(5, seed);
+    const auto power = [&](int) { return 1 + 0.4 * random.uniform(-1, 1); };
+    const auto drawn = [&](int) { return 1 + 0.8 * random.uniform(-1, 1); };
+    told += has(warnings(run_of(200, power, drawn)), "not-settled") ? 1 : 0;
+  }
+  EXPECT_LE(told, 2) << "of 40 runs that are steady";
+}
+
+TEST(Overlap, IsWarnedOfByWhatWasReached) {
+  Outcome o = fake_outcome();
+  o.engine = "soft";
+  o.replicates[1].account.deepest_overlap = 0.009;
+  EXPECT_TRUE(warnings(o).empty());
+  o.replicates[1].account.deepest_overlap = 0.03;
+  ASSERT_EQ(warnings(o).size(), 1U);
+  EXPECT_EQ(warnings(o)[0].code, "soft-contacts");
+  EXPECT_NE(warnings(o)[0].text.find("overlapped by 3 %"), std::string::npos);
+  o.replicates[1].account.deepest_overlap = 0.3;
+  ASSERT_EQ(warnings(o).size(), 1U);
+  EXPECT_EQ(warnings(o)[0].code, "deep-overlap");
+}
+
+TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
+  EXPECT_FALSE(two_states(fake_outcome({100, 101, 99, 102, 98, 100, 101, 99})));
+  const Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
+  const auto found = two_states(o);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->states[0].replicates, (std::vector<std::size_t>{1, 3, 4, 6, 7, 8}));
+  EXPECT_EQ(found->states[1].replicates, (std::vector<std::size_t>{2, 5}));
+  EXPECT_DOUBLE_EQ(found->share(found->states[1]), 0.25);
+  EXPECT_NEAR(found->states[0].named("dissipated_power").value, 0.01, 1e-12);  // 1 mJ each, 10 s
+  EXPECT_NEAR(found->states[1].named("dissipated_power").value, 0.0902, 1e-12);
+  EXPECT_NEAR(found->states[1].named("collision_rate_above_threshold").value, 45.1, 1e-9);
+  EXPECT_LE(found->chance, 0.01);
+  const Notices notices = warnings(o);
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0].code, "two-states");
+  EXPECT_NE(notices[0].text.find("6 of 8 replicates (75 %) dissipate 10 mW"), std::string::npos)
+      << notices[0].text;
+}
+
+TEST(TwoStates, ThatHardlyDifferAreOne) {
+  EXPECT_FALSE(two_states(fake_outcome({1000, 1050, 1000, 1050, 1000, 1050, 1000, 1050})));
+  EXPECT_TRUE(two_states(fake_outcome({1000, 1150, 1000, 1150, 1000, 1150, 1000, 1150})));
+}
+
+TEST(TwoStates, NeedFourReplicates) {
+  EXPECT_FALSE(two_states(fake_outcome({100, 100, 900})));
+  EXPECT_FALSE(two_states(fake_outcome({})));
+}
+
+}  // namespace
+}  // namespace mahlwerk::results
