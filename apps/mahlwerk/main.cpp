@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <span>
 #include <system_error>
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/spelling.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 
@@ -168,7 +170,33 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
     sub.add_flag("--json", request.json, "print JSON instead of a table");
 }
 
+/// Words that users of other programs type.
+constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", "run"},
+                                                                   {"start", "run"},
+                                                                   {"solve", "run"},
+                                                                   {"validate", "check"},
+                                                                   {"info", "describe"},
+                                                                   {"show", "describe"},
+                                                                   {"calibrate", "fit"},
+                                                                   {"campaign", "sweep"}}};
+
+/// Refuses a first word that is no command, with the one that was most likely meant.
+void check_command(std::string_view word) {
+  std::vector<std::string> known;
+  for (const Command& command : commands)
+    if (command.of.empty()) known.emplace_back(command.name);
+  if (word.starts_with("-") || std::ranges::find(known, word) != known.end()) return;
+  std::string meant = nearest_word(word, known);
+  for (const auto& [other, ours] : synonyms)
+    if (word == other) meant = ours;
+  throw InputError(Fault{"mahlwerk", fmt::format("unknown command '{}'", word),
+                         (meant.empty() ? "" : fmt::format("did you mean 'mahlwerk {}'? ", meant)) +
+                             "mahlwerk --help lists all commands",
+                         "bad-command-line"});
+}
+
 int perform(int argc, char** argv) {
+  if (argc > 1) check_command(argv[1]);
   CLI::App app{
       "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
       "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -25,14 +26,34 @@ std::string_view thing(std::string_view room) {
   return room == "media" ? "ball set" : "material";
 }
 
-/// Names that a wrong one may have meant, the likeliest first.
+/// "Fritsch P7" as {"fritsch", "p7"}.
+std::vector<std::string> parts_of(std::string_view word) {
+  std::vector<std::string> parts;
+  bool inside = false;
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0) {
+      if (!inside) parts.emplace_back();
+      parts.back() += static_cast<char>(std::tolower(byte));
+    }
+    inside = std::isalnum(byte) != 0;
+  }
+  return parts;
+}
+
+/// Names that a wrong one may have meant, the likeliest first: the nearest by spelling, and those
+/// that hold all its parts.
 std::vector<std::string> near_names(std::string_view word, const std::vector<std::string>& known) {
-  constexpr std::size_t shortest_part = 3, most = 4;
+  constexpr std::size_t shortest = 3, most = 4;
   std::vector<std::string> near;
   if (const std::string best = nearest_word(word, known); !best.empty()) near.push_back(best);
+  const std::vector<std::string> parts = parts_of(word);
   for (const std::string& name : known) {
-    const bool part = word.size() >= shortest_part && name.find(word) != std::string::npos;
-    if (part && near.size() < most && std::ranges::find(near, name) == near.end())
+    const bool holds_all = word.size() >= shortest && !parts.empty() &&
+                           std::ranges::all_of(parts, [&](const std::string& part) {
+                             return name.find(part) != std::string::npos;
+                           });
+    if (holds_all && near.size() < most && std::ranges::find(near, name) == near.end())
       near.push_back(name);
   }
   return near;

@@ -62,7 +62,7 @@ class Charge {
     if (place_one_by_one()) return;
     if (hopeless()) throw full();
     const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
-    left_ = sweeps(3000, 4e8);
+    left_ = sweeps(3000, std::min(4e8, 2e5 * static_cast<double>(count_)));
     for (int start = 0; start < starts && left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
@@ -179,7 +179,8 @@ class Charge {
 
   bool pushed(double smaller) {
     if (left_ <= 0) return false;
-    const Pushed end = push_apart(placed_, shape_, room_, smaller, left_, stop_);
+    const std::int64_t enough = sweeps(10'000, 0);  // what comes to rest does so much earlier
+    const Pushed end = push_apart(placed_, shape_, room_, smaller, std::min(left_, enough), stop_);
     left_ -= end.moves;
     largest_ = std::max(largest_, end.largest);
     typical_ = std::max(typical_, end.typical);
@@ -222,7 +223,9 @@ class Charge {
   bool fits(double size) {
     std::vector<Placed> smaller = placed_;
     for (Placed& b : smaller) b.radius *= size;
-    return push_apart(smaller, shape_, room_, 1e-6, sweeps(300, 5e7), stop_).free;
+    return push_apart(smaller, shape_, room_, 1e-6,
+                      sweeps(300, std::min(5e7, 2e4 * static_cast<double>(count_))), stop_)
+        .free;
   }
 
   const geometry::AnyShape& shape_;

@@ -17,6 +17,39 @@ namespace {
 
 constexpr std::string_view ball_sets = "balls";  // the one section that is a list of tables
 
+/// Refuses keys of so many parts ("a.a.a. ...") that reading them as nested tables would end the
+/// program. Counts the dots of each run of key characters outside of texts and comments.
+void check_depth(std::string_view text, const std::string& file) {
+  constexpr int most = 100;
+  int line = 1, dots = 0;
+  bool comment = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      comment = false;
+      quote = 0;  // a text of several lines holds no key that could be mistaken for a longer one
+    } else if (comment) {
+      continue;
+    } else if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      comment = true;
+    } else if (c == '=' || c == ',' || c == '{' || c == '}' || c == '[' || c == ']') {
+      dots = 0;
+    } else if (c == '.' && ++dots > most) {
+      throw InputError(Fault{fmt::format("{}:{}", file, line),
+                             fmt::format("a key has more than {} parts", most),
+                             "name a value of the case: mill.speed", "not-toml"});
+    }
+  }
+}
+
 void fill(Node& node, const toml::node& from, const std::string& file);
 
 void fill_table(Node& node, const toml::table& from, const std::string& file) {
@@ -143,6 +176,7 @@ Node* Node::find(std::string_view key) {
 Node parse_tree(std::string_view text, const std::string& file) {
   Node root;
   try {
+    check_depth(text, file);
     fill(root, toml::parse(text, std::string_view(file)), file);
   } catch (const toml::parse_error& error) {
     throw InputError(Fault{
@@ -155,6 +189,7 @@ Node parse_tree(std::string_view text, const std::string& file) {
 
 Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   Node node;
+  check_depth(text, where);
   try {
     const toml::table table =
         toml::parse(fmt::format("value = {}", text), std::string_view("value"));

@@ -203,6 +203,8 @@ TEST(Catalogue, an_unknown_name_gets_the_nearest_ones) {
   const Fault part = said("mills", "pm100");
   EXPECT_NE(part.remedy.find("'retsch-pm100' or 'retsch-pm100-cm'"), std::string::npos)
       << part.remedy;
+  const Fault words = said("mills", "Fritsch P7");
+  EXPECT_NE(words.remedy.find("'fritsch-p7-classic'"), std::string::npos) << words.remedy;
   EXPECT_NE(said("jars", "zzzzzz").remedy.find("mahlwerk list jars"), std::string::npos);
   EXPECT_THROW(shipped().names("mill"), InputError);
 }

@@ -20,6 +20,20 @@ TEST(Table, keeps_the_place_of_every_value) {
   EXPECT_EQ(root.find("nothing"), nullptr);
 }
 
+TEST(Table, keys_of_fifty_thousand_parts_are_refused_with_their_line) {
+  std::string deep = "a";
+  for (int i = 1; i < 50'000; ++i) deep += ".a";
+  for (const std::string& text : {"x = 1\n" + deep + " = 1\n", "x = 1\n[" + deep + "]\ny = 1\n"})
+    try {
+      parse_tree(text, "case.toml");
+      FAIL() << "such a tree would end the program";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.faults().at(0).where, "case.toml:2");
+      EXPECT_EQ(e.faults().at(0).code, "not-toml");
+    }
+  EXPECT_NO_THROW(parse_tree("x = \"" + std::string(500, '.') + "\"  # " + deep, "case.toml"));
+}
+
 TEST(Table, loose_values_are_toml_or_text) {
   const auto value = [](const char* text) { return loose_value(text, "--set x", Rank::command); };
   EXPECT_EQ(value("400 rpm").kind, Node::Kind::text);

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a user is told at the edges: of absurd and unusual values, of keys that nobody looks at, of
+// results that rest on the TC rule.
+#include "program.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+constexpr const char* vial = R"(title = "vial"
+[mill]
+kind = "vibration"
+frequency = "10 Hz"
+amplitude = "10 mm"
+[jar]
+kind = "cylinder"
+diameter = "24 mm"
+height = "40 mm"
+[[balls]]
+count = 2
+diameter = "8 mm"
+density = "7850 kg/m3"
+[contact]
+restitution = 0.5
+friction = 0.3
+[run]
+engine = "event"
+time = "0.05 s"
+replicates = 1
+)";
+
+class Edges : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    std::ofstream(here_ / "case.toml") << vial;
+  }
+  /// What running the case with these settings says.
+  Ended with(const std::string& settings) {
+    std::string words = "run case.toml --force --out out";
+    std::stringstream all(settings);
+    for (std::string one; std::getline(all, one, ';');) words += " --set '" + one + "'";
+    return mahlwerk(words);
+  }
+  void refuses(const std::string& settings, const std::string& code, const std::string& words) {
+    const Ended e = with(settings);
+    EXPECT_EQ(e.code, 2) << e.said;
+    EXPECT_NE(e.said.find("#" + code), std::string::npos) << e.said;
+    EXPECT_NE(e.said.find(words), std::string::npos) << e.said;
+  }
+  void tells(const std::string& settings, const std::string& code) {
+    const Ended e = with(settings);
+    EXPECT_EQ(e.code, 0) << e.said;
+    EXPECT_NE(text("out/summary.json").find("\"" + code + "\""), std::string::npos) << e.said;
+  }
+};
+
+TEST_F(Edges, absurd_values_are_refused) {
+  refuses("run.start_speed=1e9 m/s", "out-of-range", "start_speed");
+  refuses("run.time=1e12 s", "out-of-range", "time");
+  refuses("mill.frequency=100 kHz", "absurd-speed", "more than 1000 m/s");
+}
+
+TEST_F(Edges, unusual_values_get_a_word) {
+  tells("balls.density=7.85 kg/m3", "unusual-density");
+  tells(
+      "mill.kind=planetary;mill.speed=300 rpm;mill.orbit_radius=70 mm;mill.ratio=2;"
+      "run.time=0.01 s",
+      "unusual-ratio");
+}
+
+TEST_F(Edges, a_maker_s_range_holds_beside_a_kind) {
+  const std::string mm400 = "mill.model=retsch-mm400;mill.kind=";
+  refuses(mm400 + "arc-shaker;mill.frequency=100 Hz", "outside-mill-range", "Retsch");
+  refuses(mm400 + "planetary", "model-and-kind", "not \"planetary\"");
+}
+
+TEST_F(Edges, keys_that_the_engine_ignores_are_told) {
+  tells("run.time_step=1 us", "ignored-keys");
+  EXPECT_NE(text("out/summary.json").find("run.time_step"), std::string::npos);
+  with("run.time=0.01 s");
+  EXPECT_EQ(text("out/summary.json").find("ignored-keys"), std::string::npos) << "nothing to tell";
+}
+
+TEST_F(Edges, two_balls_that_just_fit_are_refused_by_the_event_engine_and_taken_by_the_soft_one) {
+  refuses("balls.diameter=12 mm", "exact-fit", "fit exactly across the jar");
+  const Ended e = with(
+      "balls.diameter=12 mm;run.engine=auto;contact.softening=0.01;"
+      "run.time=0.01 s");
+  EXPECT_EQ(e.code, 0) << e.said;
+  EXPECT_NE(e.said.find("Engine: soft, chosen by auto. Two balls fit exactly"), std::string::npos)
+      << e.said;
+}
+
+TEST_F(Edges, a_result_that_depends_on_the_contact_time_says_by_how_much) {
+  // Forty balls shaken at 800 g with a t_c thirty times longer than the default.
+  const std::string fast =
+      "mill.frequency=100 Hz;mill.amplitude=20 mm;balls.count=60;balls.diameter=3 mm;"
+      "jar.diameter=14 mm;jar.height=24 mm;contact.restitution=0.8;contact.friction=0.1;"
+      "run.time=0.3 s;contact.contact_time=";
+  tells(fast + "0.5 ms", "contact-time");
+  EXPECT_NE(text("out/summary.json").find("\"invalid\""), std::string::npos)
+      << text("out/summary.json").substr(0, 2000);
+  with(fast + "3.5 us");
+  EXPECT_EQ(text("out/summary.json").find("\"contact-time\""), std::string::npos);
+  EXPECT_NE(text("out/summary.json").find("withheld_power_share"), std::string::npos);
+}
+
+TEST_F(Edges, an_unknown_command_is_named_and_the_likely_one_too) {
+  const Ended simulate = mahlwerk("simulate case.toml");
+  EXPECT_EQ(simulate.code, 2);
+  EXPECT_NE(simulate.said.find("unknown command 'simulate'"), std::string::npos) << simulate.said;
+  EXPECT_NE(simulate.said.find("did you mean 'mahlwerk run'?"), std::string::npos);
+  EXPECT_NE(mahlwerk("optimize case.toml").said.find("mahlwerk optimise"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
