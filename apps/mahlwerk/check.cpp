@@ -4,6 +4,7 @@
 // check: what is wrong with a case, or what follows from it before it is run.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "checked_points.hpp"
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -43,11 +45,11 @@ double cost(const cases::Case& what) {
 struct Checked {
   cases::Case what;
   std::vector<cases::Consequence> follows;
-  std::vector<Fault> engine;
+  std::vector<Fault> engine;  ///< why this version cannot run it, or some points of a campaign
+  std::size_t points = 1;     ///< of a campaign
+  std::size_t bad_points = 0;
   std::vector<std::string> notes;  ///< on the engine that will run it
 };
-
-constexpr std::size_t looked_at = 1000;  // points of a campaign, however many it has
 
 void add(const Notices& notices, std::vector<std::string>& lines) {
   for (const Notice& one : notices) lines.push_back((one.warns() ? "Warning: " : "") + one.text);
@@ -58,15 +60,21 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const std::vector<cases::Override> set = overrides(request);
   Checked c;
   c.what = cases::read(file, known, set);
-  const std::vector<cases::Case> points = campaign::points(c.what, known, set, looked_at);
-  const cases::Case& first = points.front();
+  const CheckedPoints points(c.what, file, known, set);
+  c.points = points.size();
+  c.bad_points = points.bad();
+  c.engine = points.faults();
+  const bool sweeps = !c.what.sweep.empty();
+  if (points.good().empty() && sweeps) throw InputError(c.engine);
+  const cases::Case& first = sweeps ? points.good().front() : c.what;
   c.follows = cases::consequences(first);
-  c.engine = campaign::run_faults(first);
-  if (c.engine.empty())  // before a pilot run, which would need it
-    c.engine = campaign::memory_faults(
-        points, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-        campaign::memory_available());
-  if (!c.engine.empty()) return c;
+  if (points.good().empty()) return c;
+  // Before a pilot run, which would need it.
+  const std::vector<Fault> memory = campaign::memory_faults(
+      points.good(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+      campaign::memory_available());
+  c.engine.insert(c.engine.end(), memory.begin(), memory.end());
+  if (!memory.empty()) return c;
   const campaign::Choice choice = campaign::choose(first);
   cases::Case decided = first;
   decided.run.engine = choice.engine;
@@ -89,12 +97,14 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
     add(campaign::soft_notes(decided), c.notes);
     add(campaign::overlap_warnings(decided), c.notes);
   }
-  const double seconds =
-      static_cast<double>(first.run.replicates * static_cast<std::int64_t>(points.size())) *
-      (first.run.time + first.run.settle);
+  const double seconds = static_cast<double>(first.run.replicates) *
+                         static_cast<double>(points.size()) * (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   c.follows.push_back({"run_time", cost(decided) * seconds / cores, "s",
-                       "estimate on this machine, all cores, from a pilot of a second at most"});
+                       sweeps ? "estimate of all points on this machine, all cores, from a pilot "
+                                "of the first"
+                              : "estimate on this machine, all cores, from a pilot of a second at "
+                                "most"});
   return c;
 }
 
@@ -134,8 +144,18 @@ void print_pairs(const cases::Case& what) {
   }
 }
 
+std::string verdict(const Checked& c) {
+  if (c.engine.empty()) return "fine";
+  if (c.bad_points == 0) return "this version cannot run it";
+  return fmt::format("{} of {} points cannot be run", c.bad_points,
+                     std::min(c.points, CheckedPoints::most));
+}
+
 void print(const Checked& c, const std::filesystem::path& file) {
-  to_stdout(fmt::format("{}: fine\n\n", file.string()));
+  to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
+  if (!c.what.sweep.empty())
+    to_stdout(fmt::format("a campaign of {} points, {} replicates each; of the first follows\n\n",
+                          c.points, c.what.run.replicates));
   for (const cases::Consequence& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
   print_pairs(c.what);
@@ -146,8 +166,7 @@ void print(const Checked& c, const std::filesystem::path& file) {
   if (!assumed.empty())
     to_stdout(fmt::format("\nassumed, because the case does not say it:\n{}", assumed));
   for (const std::string& note : c.notes) to_stdout(fmt::format("\n{}\n", note));
-  if (!c.engine.empty())
-    fmt::print("\nThis version cannot run it:\n{}\n", mahlwerk::describe(c.engine));
+  if (!c.engine.empty()) to_stdout(fmt::format("\n{}\n", mahlwerk::describe(c.engine)));
 }
 
 }  // namespace
@@ -169,6 +188,8 @@ int check(const Request& request) {
         follows[one.name] = {{"value", one.value}, {"unit", one.unit}, {"about", one.about}};
       json.push_back({{"file", file.string()},
                       {"title", c.what.title},
+                      {"points", c.points},
+                      {"points_that_cannot_run", c.bad_points},
                       {"follows", follows},
                       {"runs", c.engine.empty()}});
     } catch (const InputError& e) {

@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "searching.hpp"
 
@@ -70,7 +71,8 @@ std::optional<report::OptimumCheck> check_best(const Request& request, const Sea
   campaign::Options options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
-  campaign::TrialStore store(kept.trials(), job.measure_name);
+  TroubleTeller not_kept;
+  campaign::TrialStore store(kept.trials(), job.measure_name, std::ref(not_kept));
   take(runs.run({{0, best.place, 0, made.replicates}}, job.measure, options, store, version())
            .front(),
        made);

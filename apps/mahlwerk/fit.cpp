@@ -181,7 +181,7 @@ int fit(const Request& request) {
     write(folder, job, report);
     if (request.json) fmt::print("{}", fit_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
-  } catch (const campaign::Interrupted&) {
+  } catch (const Interrupted&) {
     return tell_interrupted();
   }
   return fine;

@@ -56,7 +56,7 @@ results::Outcome whole(const Request& request, const cases::Case& what, const ch
   Streams none;
   none.add(what, folder, "");
   const results::Outcome outcome = kept.compute(request, {what}, none).front();
-  if (stop_wanted()) throw campaign::Interrupted();
+  if (stop_wanted()) throw Interrupted();
   for (const results::Replicate& r : outcome.replicates)
     if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));
   return outcome;
@@ -231,7 +231,7 @@ int match(const Request& request) {
     if (request.json) fmt::print("{}", match_json(found));
     if (!request.json && !request.quiet) tell(found, folder.wanted());
     return found.search.best ? fine : stopped_by_physics;
-  } catch (const campaign::Interrupted&) {
+  } catch (const Interrupted&) {
     return kept.tell_interrupted();
   }
 }

@@ -182,7 +182,7 @@ int optimise(const Request& request) {
     if (request.json) fmt::print("{}", optimum_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
     return found.best ? fine : stopped_by_physics;
-  } catch (const campaign::Interrupted&) {
+  } catch (const Interrupted&) {
     return kept.tell_interrupted();
   }
 }

@@ -56,11 +56,11 @@ class KeptSearch {
 void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
                 std::string_view section);
 
-/// Looks for the best settings. Throws campaign::Interrupted.
+/// Looks for the best settings. Throws Interrupted.
 campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept);
 
 /// Runs the best setting by the soft engine where its own runs are invalid, unless that takes too
-/// long. Throws campaign::Interrupted.
+/// long. Throws Interrupted.
 std::optional<report::OptimumCheck> check_best(const Request& request, const SearchJob& job,
                                                const campaign::Optimum& found,
                                                const KeptSearch& kept);

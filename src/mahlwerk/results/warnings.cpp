@@ -111,11 +111,15 @@ void energy_gained(const Outcome& outcome, Notices& list) {
     const scene::Account& a = r.account;
     const double turned_over = a.kinetic + std::abs(a.started_with) + std::abs(a.wall_work);
     if (!(a.lost() < -rounding * turned_over)) continue;
+    const char* const why =
+        outcome.engine == "soft"
+            ? "Under this contact law a tangential spring stiffens while it is stretched, which "
+              "adds energy; where dampers are strong, at a restitution near 0, that is more than "
+              "they take. A larger restitution, or law = \"linear-spring\", has less of it."
+            : "This is an error of Mahlwerk, not of the case: please report it with the case file.";
     list.push_back(invalid(
         "energy-gained",
-        fmt::format("Collisions dissipated {:.3g} J, less than nothing. This is an error of "
-                    "Mahlwerk, not of the case: please report it with the case file.",
-                    a.lost())));
+        fmt::format("Collisions dissipated {:.3g} J, less than nothing. {}", a.lost(), why)));
     return;
   }
 }

@@ -67,12 +67,6 @@ class Predictor {
 /// (fit.8) for sizes and surfaces, (fit.9) for shares.
 double residual(const Measurement& measured, double predicted);
 
-/// A fit was asked to end.
-class Interrupted : public std::runtime_error {
- public:
-  Interrupted() : std::runtime_error("interrupted") {}
-};
-
 struct FitOptions {
   int threads = 0;                                ///< 0: as many as the machine has
   const std::atomic<bool>* stop = nullptr;        ///< set: Interrupted is thrown

@@ -46,7 +46,7 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
 
 }  // namespace
 
-Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most) {
+Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most) try {
   constexpr int parts = 100;
   const double whole = std::min(1.0, what.run.settle + what.run.time);
   const auto trial = engine(what, 0, 1, stop);
@@ -72,6 +72,8 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   seen.power = estimate(samples, [](const Sample& s) { return s.account.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
   return seen;
+} catch (const Interrupted&) {  // while balls were placed: it shows nothing
+  return {};
 }
 
 ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
