@@ -129,7 +129,7 @@ def wrong_with_result(folder):
         wrong.append(f"notices {sorted(codes)}")
     lost = quantity(summary, "dissipated_power")
     drawn = quantity(summary, "drawn_power") or 0
-    if lost is not None and lost < -1e-6 * (1e-9 + abs(drawn)) and "energy-gained" not in codes:
+    if lost is not None and lost < -1e-6 * (1e-3 + abs(drawn)) and "energy-gained" not in codes:
         wrong.append(f"dissipated power {lost} W")
     overlap = quantity(summary, "deepest_overlap")
     if overlap is not None and not overlap < 0.2 and "deep-overlap" not in codes:

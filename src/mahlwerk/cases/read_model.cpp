@@ -18,11 +18,12 @@ std::optional<CatalogueEntry> look_up(const Catalogue& catalogue, std::string_vi
 
 namespace {
 
-/// A `model` beside `kind` is held to the catalogue, too.
+/// A `model` beside `kind` is held to the catalogue, too, where it is known there: a case that was
+/// written with all its values needs no catalogue.
 void beside(Model& model, Section& in, std::string_view room, const Node& name,
             const Catalogue& catalogue) {
   model.name = in.text("model").value_or("");
-  if (model.name.empty() || model.kind.empty()) return;
+  if (model.name.empty() || model.kind.empty() || !catalogue.has(room, model.name)) return;
   model.entry = look_up(catalogue, room, name, in.findings());
   if (!model.entry || model.entry->kind == model.kind) return;
   in.fault(name,

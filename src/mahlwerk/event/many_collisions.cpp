@@ -21,7 +21,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double round = squared(across(where.velocity, n)) * std::max(wall.bend, 0.0);
   const Touching touch(n, s.mass, glide, s.radius * turn.spin, press_ + round);
 
-  const auto [j, loss, withheld, sustained] =
+  const auto [j, loss, withheld, raised] =
       bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_);
@@ -51,8 +51,7 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
                        sa.radius * ta.spin + sb.radius * tb.spin, press_);
 
   const double since = now_ - std::max(ta.last, tb.last);
-  const auto [j, loss, withheld, sustained] =
-      bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
+  const auto [j, loss, withheld, raised] = bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
   const Vec3 impulse = touch.impulse(j);
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   kick(ball, impulse, sa.radius * n);
@@ -87,7 +86,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touch
   }
   const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
   const Bounce b = sustained.collide(rule, {touch.mass, approach, touch.slip, since, touch.press});
-  if (b.sustained) ++account_.tc_collisions;
+  if (b.raised) ++account_.tc_collisions;
   account_.withheld += b.withheld;
   if (since < rules_.contact_time) {
     account_.lost_within += b.loss.normal + b.loss.tangential;

@@ -189,7 +189,7 @@ class OneBall final : public scene::Engine {
         squared(across(now_.ball.velocity, wall.inward)) * std::max(wall.bend, 0.0);
     const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
     const auto b = sustained.collide(rule, {body_.mass, approach, slip, since, field_ + round});
-    if (b.sustained) ++account_.tc_collisions;
+    if (b.raised) ++account_.tc_collisions;
     account_.withheld += b.withheld;
     if (since < rules_.contact_time) {
       account_.lost_within += b.loss.normal + b.loss.tangential;

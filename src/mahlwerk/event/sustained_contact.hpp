@@ -25,8 +25,8 @@ struct SustainedContact {
   struct Result {
     contact::Impulse impulse;
     contact::Loss loss;
-    double withheld = 0;     ///< [J] that the pair's restitution would have dissipated besides
-    bool sustained = false;  ///< as slow as bounces of a sustained contact
+    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated besides
+    bool raised = false;  ///< made more elastic than the pair's restitution says
   };
 
   /// Slowest rebound as far as the energy of the collision allows it [m/s] (man.4).
@@ -44,6 +44,7 @@ struct SustainedContact {
       const double raised = std::max(e, slowest / u);
       Result result = bounce(rule, in, raised);
       result.withheld = withheld - result.loss.normal;
+      result.raised = raised > e;
       return result;
     }
     const double mu = rule.tangential_restitution == 1 ? 0  // smooth (evt.15)
@@ -52,7 +53,7 @@ struct SustainedContact {
     const double raised = std::min(slowest / u, affordable(mu, u, in.slip));
     Result result = bounce({1, -1, mu}, in, std::max(1.0, raised));
     result.withheld = withheld;
-    result.sustained = true;
+    result.raised = true;
     return result;
   }
 

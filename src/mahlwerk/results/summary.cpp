@@ -147,7 +147,7 @@ const std::vector<Measure>& losses() {
 /// How far an event run rests on the TC rule (man.6).
 const std::vector<Measure>& contact_time_shares() {
   static const std::vector<Measure> list{
-      {"tc_collision_share", "1", "share of the collisions that the TC rule made elastic",
+      {"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
        [](const cases::Case&, const Replicate& r) {
          return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
                       static_cast<double>(r.account.collisions - r.at_settled.collisions));

@@ -88,7 +88,7 @@ TEST(SustainedContact, a_hit_within_the_contact_time_loses_what_restitution_says
   const contact::BounceRule rule{0.5, 1, 0};
   const auto out = sustained.collide(rule, {2, 10, 0, 1e-6, 9.81});
   states("loss [J]", out.loss.normal, 0.5 * 2 * 100 * (1 - 0.25), 1e-12, "evt.8: a true hit");
-  EXPECT_FALSE(out.sustained);
+  EXPECT_FALSE(out.raised);
   EXPECT_NEAR(out.withheld, 0, 1e-12);
 }
 
@@ -96,7 +96,7 @@ TEST(SustainedContact, what_a_bounce_withholds_is_counted) {
   const contact::BounceRule rule{0.5, 1, 0};
   const double u = 1e-4;  // [m/s] below a t_c/2
   const auto out = sustained.collide(rule, {2, u, 0, INFINITY, 9.81});
-  EXPECT_TRUE(out.sustained);
+  EXPECT_TRUE(out.raised);
   states("withheld [J]", out.withheld, 0.5 * 2 * u * u * (1 - 0.25), 1e-22, "man.4");
 }
 
