@@ -124,6 +124,7 @@ TEST_F(FolderTest, WhatIsListedMayBeReplacedAndNothingElse) {
     folder.write("summary.json", our_summary);
     folder.write("figures/mine.svg", our_picture);
     folder.write("any/name.at.all", "ours");
+    folder.file("frames-1/of a run that was stopped before the first");
     folder.commit();
   }
   EXPECT_EQ(listed_files(place)->count("any/name.at.all"), 1U);
