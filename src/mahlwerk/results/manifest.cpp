@@ -42,8 +42,13 @@ std::optional<std::set<std::string>> listed_files(const fs::path& folder) {
 
 void list_all_files(const fs::path& folder) {
   std::set<std::string> names;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory()) names.insert(entry.path().lexically_relative(folder).string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    if (!entry.is_directory())
+      names.insert(name);
+    else if (fs::is_empty(entry.path()))
+      names.insert(name + "/");
+  }
   write_text(folder / manifest_name, std::string(head) + lines(names));
 }
 

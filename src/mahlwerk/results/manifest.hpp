@@ -18,7 +18,7 @@ constexpr std::string_view manifest_name = "mahlwerk-files.txt";
 /// The files listed, or nothing where there is no list.
 std::optional<std::set<std::string>> listed_files(const std::filesystem::path& folder);
 
-/// Lists every file that is in the folder, and below it.
+/// Lists every file that is in the folder and below it, and folders with nothing in them ("a/").
 void list_all_files(const std::filesystem::path& folder);
 
 /// Adds names to the list, which is made if need be; processes may do so at the same time. Throws

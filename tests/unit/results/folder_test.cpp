@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <iterator>
+#include <optional>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/file_lock.hpp"
@@ -123,6 +124,7 @@ TEST_F(FolderTest, WhatIsListedMayBeReplacedAndNothingElse) {
     folder.write("summary.json", our_summary);
     folder.write("figures/mine.svg", our_picture);
     folder.write("any/name.at.all", "ours");
+    folder.file("frames-1/of a run that was stopped before the first");
     folder.commit();
   }
   EXPECT_EQ(listed_files(place)->count("any/name.at.all"), 1U);
@@ -247,12 +249,13 @@ TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
 
 TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
   const fs::path place = scratch() / "result";
-  Folder folder(place, false);
-  folder.write("summary.json", "ours");
+  std::optional<Folder> folder;
+  folder.emplace(place, false);
+  folder->write("summary.json", "ours");
   write_text_of(place / "summary.json", our_summary);  // another run was faster
   std::string said;
   try {
-    folder.commit();
+    folder->commit();
   } catch (const InputError& e) {
     said = e.what();
   }
@@ -261,6 +264,7 @@ TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
   ASSERT_NE(at, std::string::npos) << said;  // the hours of work are kept, and it says where
   const std::string kept = said.substr(at, said.find(';', at) - at);
   EXPECT_EQ(read(scratch() / kept / "summary.json"), "ours");
+  folder.reset();
   EXPECT_EQ(refusal(place, true), "");
   EXPECT_TRUE(fs::exists(scratch() / kept)) << "the next start lets it be";
 }
