@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/checks.hpp"
 #include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/milling.hpp"

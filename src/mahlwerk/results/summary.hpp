@@ -31,9 +31,6 @@ std::vector<Quantity> summarise(const Outcome& outcome);
 /// The same of one replicate alone, in the same order; ci95 is NaN.
 std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate);
 
-/// Of those, what says how exact a run was, without the cost of the others.
-std::vector<Quantity> summarise_checks(const Outcome& outcome);
-
 /// A quantity that a case does not have, and the section it comes with: "[wear]".
 struct Lacking {
   std::string name, section;

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/checks.hpp"
 #include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/series.hpp"
