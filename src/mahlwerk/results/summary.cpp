@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/checks.hpp"
 #include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/milling.hpp"
@@ -312,6 +313,20 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   gathering.add(grains(outcome.what));
   gathering.add(checks());
   return gathering.found();
+}
+
+std::vector<Quantity> summarise_checks(const Outcome& outcome) {
+  std::vector<Quantity> list;
+  for (const Measure& m : checks()) {
+    Quantity q{m.name, worst(outcome, m), nothing, m.unit, m.about};
+    if (!m.worst) {
+      std::vector<double> values;
+      for (const Replicate* r : averaged(outcome)) values.push_back(m.of(outcome.what, *r));
+      combine(q, values);
+    }
+    list.push_back(std::move(q));
+  }
+  return list;
 }
 
 std::vector<Quantity> summarise(const Outcome& outcome) {

@@ -10,7 +10,10 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/checks.hpp"
 #include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/measure.hpp"
+#include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/states.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -28,26 +31,36 @@ double named(const std::vector<Quantity>& list, std::string_view name) {
   return std::ranges::find(list, name, &Quantity::name)->value;
 }
 
-/// Drawn less dissipated power of all replicates, window by window.
-std::vector<double> gains(const std::vector<const Replicate*>& chosen) {
+/// [J] What the charges of all replicates have stored since counting began, at the end of each
+/// window.
+std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
   std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
   for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
   std::vector<double> sums(windows, 0);
-  for (const Replicate* r : chosen)
-    for (std::size_t i = 0; i < windows; ++i)
-      sums[i] += (r->windows[i].wall_work - r->windows[i].lost) / r->windows[i].length;
+  for (std::size_t i = 0; i < windows; ++i) {
+    if (i > 0) sums[i] = sums[i - 1];
+    for (const Replicate* r : chosen) sums[i] += r->windows[i].wall_work - r->windows[i].lost;
+  }
   return sums;
 }
 
-/// Whether the first windows gain or lose energy by more than the scatter of the others explains.
-bool start_differs(const std::vector<double>& gains, std::size_t first) {
-  if (first == 0 || first >= gains.size()) return false;
-  const auto split = gains.begin() + static_cast<std::ptrdiff_t>(first);
-  const std::vector<double> start(gains.begin(), split), rest(split, gains.end());
-  const observe::Estimate later = observe::over_time(rest);
-  const double longer = static_cast<double>(rest.size()) / static_cast<double>(first);
-  return std::abs(observe::estimate(start).mean - later.mean) >
-         later.ci95 * std::sqrt(1 + longer);  // (sta.8)
+/// Whether the charge stored more or less energy when counting began, which is zero here, than it
+/// does at any time after the first windows (sta.8).
+bool start_differs(const std::vector<double>& stored, std::size_t first) {
+  constexpr double far = 3;  // standard deviations
+  if (first == 0 || first + 1 >= stored.size()) return false;
+  const std::vector<double> rest(stored.begin() + static_cast<std::ptrdiff_t>(first), stored.end());
+  const double mean = observe::estimate(rest).mean;
+  double squares = 0;
+  for (const double s : rest) squares += (s - mean) * (s - mean);
+  return std::abs(mean) > far * std::sqrt(squares / static_cast<double>(rest.size() - 1));
+}
+
+double power_imbalance(const std::vector<const Replicate*>& chosen) {
+  double sum = 0;
+  for (const Replicate* r : chosen)
+    sum += per_time(*r, &scene::Account::wall_work) / dissipated_power(*r) - 1;
+  return sum / static_cast<double>(chosen.size());
 }
 
 /// What the start of a run does to its means: the settling that its power shows, and energy that
@@ -56,14 +69,13 @@ void not_steady(const Outcome& outcome, const std::vector<Quantity>& quantities,
   constexpr double much = 0.1, balanced = 0.01;
   constexpr std::size_t fewest = 50;  // windows: ten batches
   const std::vector<const Replicate*> chosen = averaged(outcome);
-  const std::vector<double> gained = gains(chosen);
-  if (gained.size() < fewest) return;
-  const double settling = named(quantities, "settling_time"),
-               time = named(quantities, "simulated_time"),
-               imbalance = named(quantities, "power_imbalance");
+  const std::vector<double> energy = stored(chosen);
+  if (energy.size() < fewest) return;
+  const double settling = settling_time(chosen), time = named(quantities, "simulated_time"),
+               imbalance = power_imbalance(chosen);
   const double windows = settling / chosen.front()->windows.front().length;
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
-      !start_differs(gained, static_cast<std::size_t>(windows + 0.5)))
+      !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
     return;
   list.push_back(warning(
       "not-settled",
@@ -171,7 +183,7 @@ void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, N
 
 Notices warnings(const Outcome& outcome) {
   Notices list;
-  const std::vector<Quantity> quantities = summarise(outcome);
+  const std::vector<Quantity> quantities = summarise_checks(outcome);
   cut_short(outcome, list);
   append(list, cases::jar_warnings(outcome.what));
   append(list, cases::unusual_values(outcome.what));

@@ -209,9 +209,10 @@ TEST_F(StoreTest, a_quantity_that_comes_later_gets_a_column) {
   EXPECT_EQ(list[0].value[1], 5);
   std::ostringstream csv;
   store.write_csv(csv);
-  EXPECT_EQ(csv.str().substr(0, csv.str().find('\n')),
-            "point,mill.speed_rpm,balls.material,status,engine,regime,wall_seconds,cpu_seconds,"
-            "folder,message,rate_per_s,rate_ci95_per_s,energy_J,energy_ci95_J,d50_m,d50_ci95_m");
+  EXPECT_EQ(
+      csv.str().substr(0, csv.str().find('\n')),
+      "point,mill.speed_rpm,balls.material,status,engine,regime,wall_seconds,cpu_seconds,"
+      "folder,message,warnings,rate_per_s,rate_ci95_per_s,energy_J,energy_ci95_J,d50_m,d50_ci95_m");
 }
 
 TEST_F(StoreTest, what_failed_waits_again_only_when_asked) {

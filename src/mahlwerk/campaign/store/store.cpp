@@ -270,19 +270,6 @@ void Store::keep(const Finished& f) {
   }
 }
 
-/// Those of an earlier attempt go.
-void Store::keep_notices(std::string_view hash, const Notices& notices) {
-  database_.prepare("DELETE FROM notices WHERE hash = ?").bind(1, hash).run();
-  if (!notice_) notice_.emplace(database_.prepare("INSERT INTO notices VALUES(?, ?, ?, ?, ?)"));
-  for (std::size_t i = 0; i < notices.size(); ++i)
-    notice_->bind(1, hash)
-        .bind(2, static_cast<std::int64_t>(i))
-        .bind(3, notices[i].code)
-        .bind(4, name_of(notices[i].severity))
-        .bind(5, notices[i].text)
-        .run();
-}
-
 void Store::fail(RunHash hash, std::string_view why) {
   const std::lock_guard lock(mutex_);
   if (!run_failed_)

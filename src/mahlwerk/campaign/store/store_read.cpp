@@ -105,28 +105,6 @@ std::vector<results::Quantity> Store::quantities() const {
   return known_quantities();
 }
 
-results::NoticeCounts Store::notices() const {
-  const std::lock_guard lock(mutex_);
-  Statement asked = database_.prepare(
-      "SELECT n.code, n.severity, n.text, p.point FROM points p JOIN notices n ON n.hash = p.hash "
-      "ORDER BY p.point, n.position");
-  results::NoticeCounts counts;
-  Notices of_point;
-  std::int64_t point = 0;
-  const auto end_point = [&] {
-    results::count(counts, of_point);
-    of_point.clear();
-  };
-  while (asked.step()) {
-    if (asked.whole(3) != point) end_point();
-    point = asked.whole(3);
-    of_point.push_back({asked.text(0), severity_of(asked.text(1)), asked.text(2)});
-  }
-  end_point();
-  results::sort(counts);
-  return counts;
-}
-
 void Store::read(const std::vector<std::string>& quantities,
                  const std::function<void(const StoredPoint&)>& take) const {
   const std::lock_guard lock(mutex_);
