@@ -158,9 +158,9 @@ Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* 
                     percent(contacts.share))));
   if (contacts.share <= most_contact && contacts.withheld <= doubtful) return notes;
   if (stop != nullptr && *stop) return notes;
-  // A tenth of the run's own work, but enough to tell something.
+  // A twentieth of the run's own work, but enough to tell something.
   const std::int64_t work =
-      std::clamp<std::int64_t>(contacts.collisions / 10, 20'000, pilot_collisions);
+      std::clamp<std::int64_t>(contacts.collisions / 20, 20'000, pilot_collisions);
   const ContactTimeEffect effect = contact_time_effect(outcome.what, stop, work);
   const std::string words = in_words(effect, outcome.what);
   if (effect.matters())

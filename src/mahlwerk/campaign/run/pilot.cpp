@@ -46,9 +46,10 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
 
 }  // namespace
 
-Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most) try {
-  constexpr int parts = 100;
-  const double whole = std::min(1.0, what.run.settle + what.run.time);
+Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most,
+            double time) try {
+  constexpr int parts = 400;
+  const double whole = std::min(time, what.run.settle + what.run.time);
   const auto trial = engine(what, 0, 1, stop);
   HitCounter counter(what.observe.threshold);
   std::vector<Sample> samples{{trial->account(), 0}};
@@ -64,10 +65,10 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   }
   samples.erase(samples.begin(), samples.begin() + std::ssize(samples) / 2);
   const scene::Account &middle = samples.front().account, &end = samples.back().account;
-  const double time = (end.time - middle.time) * static_cast<double>(trial->balls().size());
+  const double of_balls = (end.time - middle.time) * static_cast<double>(trial->balls().size());
   const double lost = end.lost() - middle.lost();
   seen.time = end.time;
-  if (time > 0) seen.contact_share = (end.contact_time - middle.contact_time) / time;
+  if (of_balls > 0) seen.contact_share = (end.contact_time - middle.contact_time) / of_balls;
   if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
   seen.power = estimate(samples, [](const Sample& s) { return s.account.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
@@ -80,8 +81,8 @@ ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic
                                       std::int64_t most) {
   cases::Case shorter = what;
   shorter.contact.contact_time *= ContactTimeEffect::shorter;
-  const Pilot with = pilot(what, stop, most), without = pilot(shorter, stop, most);
-  return {change(with.power, without.power), change(with.hits, without.hits)};
+  const Pilot first = pilot(what, stop, most), second = pilot(shorter, stop, 4 * most, first.time);
+  return {change(first.power, second.power), change(first.hits, second.hits)};
 }
 
 }  // namespace mahlwerk::campaign

@@ -23,10 +23,10 @@ struct Pilot {
 /// Collisions of a pilot run at most: half a second or so of work.
 constexpr std::int64_t pilot_collisions = 400'000;
 
-/// At most a second of simulated time or `most` collisions, the same on any machine. `stop` set
+/// At most `time` [s] of simulated time or `most` collisions, the same on any machine. `stop` set
 /// ends it.
 Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop,
-            std::int64_t most = pilot_collisions);
+            std::int64_t most = pilot_collisions, double time = 1);
 
 /// What a shorter t_c changes in a pilot run (man.7). The engine's answer should not depend on it.
 struct ContactTimeEffect {
@@ -46,7 +46,8 @@ struct ContactTimeEffect {
   bool known() const { return power.known(2 * most); }
 };
 
-/// Two pilot runs, with t_c and a quarter of it, of at most `most` collisions each.
+/// Two pilot runs over the same time, with t_c and a quarter of it; `most` collisions of the first
+/// at most, four times as many of the second.
 ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
                                       std::int64_t most = pilot_collisions);
 
