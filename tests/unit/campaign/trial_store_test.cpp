@@ -15,8 +15,9 @@ TEST(TrialStore, notices_are_there_again_when_a_search_goes_on) {
   const Told told{.replicates = {{1.5, 2}, {3, 4}},
                   .failure = "",
                   .notices = {invalid("long-contacts", "it's 77 %"), note("time-step", "1 us")}};
-  TrialStore(file, "power").keep(7, told);
-  TrialStore again(file, "power");
+  const auto trouble = [](const Fault& fault) { ADD_FAILURE() << fault.what; };
+  TrialStore(file, "power", trouble).keep(7, told);
+  TrialStore again(file, "power", trouble);
   const auto found = again.find(7);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->replicates, told.replicates);

@@ -14,13 +14,20 @@
 namespace mahlwerk::campaign {
 namespace {
 
+/// Counts hits, and ends the engine's work once there were enough collisions or the user wants it:
+/// wedged balls may make millions in a short time.
 struct HitCounter final : scene::Observer {
-  explicit HitCounter(double least) : threshold(least) {}
+  HitCounter(double least, std::int64_t collisions, const std::atomic<bool>* user)
+      : threshold(least), left(collisions), stop(user) {}
   void collisions(std::span<const scene::Collision> finished) override {
     hits += std::ranges::count_if(finished, [&](const auto& c) { return c.approach >= threshold; });
+    left -= std::ssize(finished);
+    if (left <= 0 || (stop != nullptr && *stop)) enough = true;
   }
   double threshold;
-  std::int64_t hits = 0;
+  std::int64_t left, hits = 0;
+  const std::atomic<bool>* stop;
+  std::atomic<bool> enough = false;
 };
 
 /// The run at the end of one of its parts.
@@ -51,14 +58,15 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   constexpr int parts = 400;
   const double whole = std::min(time, what.run.settle + what.run.time);
   const auto trial = engine(what, 0, 1, stop);
-  HitCounter counter(what.observe.threshold);
+  HitCounter counter(what.observe.threshold, most, stop);
+  trial->stop_on(&counter.enough);
   std::vector<Sample> samples{{trial->account(), 0}};
   Pilot seen;
   try {
-    for (int i = 1; i <= parts && samples.back().account.collisions < most; ++i) {
-      if (stop != nullptr && *stop) break;
+    for (int i = 1; i <= parts && !counter.enough; ++i) {
       trial->advance(whole * i / parts, counter);
-      samples.push_back({trial->account(), counter.hits});
+      if (trial->account().time > samples.back().account.time)
+        samples.push_back({trial->account(), counter.hits});
     }
   } catch (const RunError&) {  // what it showed until then has to do
     seen.stopped = true;
