@@ -93,13 +93,14 @@ class ManyBalls final : public scene::Engine {
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
   using Bounce = SustainedContact::Result;
-  Bounce bounce(const contact::BounceRule& rule, const Touching& touch, double since);
+  Bounce bounce(const contact::BounceRule& rule, const Touching& touch, double since,
+                StoredEnergy stored);
   void kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
   bool slow(const Touching& touch) const {
-    return touch.approach < SustainedContact{rules_.contact_time}.slowest_rebound(0, touch.press);
+    return touch.approach < sustained_.slowest_rebound(0, touch.press);
   }
   void count_contact(Turning& ball, bool slow);
-  void settle_account(const Touching& touch, const contact::Loss& loss, double gained, double work,
+  void settle_account(const Touching& touch, const Bounce& bounce, double gained, double work,
                       double scale);
   void record(std::int32_t ball, std::int32_t other, const Touching& touch, const Vec3& point,
               double impulse, const contact::Loss& loss);
@@ -121,6 +122,7 @@ class ManyBalls final : public scene::Engine {
 
   std::unique_ptr<const Enclosure> jar_;
   Rules rules_;
+  SustainedContact sustained_;
   contact::BounceTable bounces_;
   Vec3 gravity_, periods_;
   bool walls_, periodic_;

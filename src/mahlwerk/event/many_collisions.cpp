@@ -21,17 +21,17 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double round = squared(across(where.velocity, n)) * std::max(wall.bend, 0.0);
   const Touching touch(n, s.mass, glide, s.radius * turn.spin, press_ + round);
 
-  const auto [j, loss, withheld, raised] =
-      bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last);
-  const Vec3 impulse = touch.impulse(j);
+  const Bounce b = bounce(bounces_.wall(s.kind, face), touch, now_ - turn.last,
+                          {turn.stored, sustained_.room(s.mass, press_)});
+  const Vec3 impulse = touch.impulse(b.impulse);
   const double before = kinetic(ball, now_);
   kick(ball, impulse, s.radius * n);
   const double work =
       dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
   account_.wall_work += work;
-  settle_account(touch, loss, kinetic(ball, now_) - before, work, before);
+  settle_account(touch, b, kinetic(ball, now_) - before, work, before);
   count_contact(turn, slow(touch));
-  record(ball, ~face, touch, wall.point, j.normal, loss);
+  record(ball, ~face, touch, wall.point, b.impulse.normal, b.loss);
   plan(ball);
 }
 
@@ -51,15 +51,18 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
                        sa.radius * ta.spin + sb.radius * tb.spin, press_);
 
   const double since = now_ - std::max(ta.last, tb.last);
-  const auto [j, loss, withheld, raised] = bounce(bounces_.balls(sa.kind, sb.kind), touch, since);
-  const Vec3 impulse = touch.impulse(j);
+  const Bounce bounced = bounce(
+      bounces_.balls(sa.kind, sb.kind), touch, since,
+      {ta.stored, sustained_.room(sa.mass, press_), tb.stored, sustained_.room(sb.mass, press_)});
+  const Vec3 impulse = touch.impulse(bounced.impulse);
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   kick(ball, impulse, sa.radius * n);
   kick(other, -impulse, -sb.radius * n);
-  settle_account(touch, loss, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
+  settle_account(touch, bounced, kinetic(ball, now_) + kinetic(other, now_) - before, 0, before);
   count_contact(ta, slow(touch));
   count_contact(tb, slow(touch));
-  record(ball, tb.name, touch, passing(ball).position + sa.radius * n, j.normal, loss);
+  record(ball, tb.name, touch, passing(ball).position + sa.radius * n, bounced.impulse.normal,
+         bounced.loss);
   plan(ball);
   plan(other);
 }
@@ -76,7 +79,7 @@ void ManyBalls::count_contact(Turning& ball, bool slow) {
 /// `since` [s] is the time since one of the two last collided. By the pair's rule, or by that of
 /// lasting contacts (man.4).
 ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touching& touch,
-                                    double since) {
+                                    double since, StoredEnergy stored) {
   ++account_.collisions;
   // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
   const double approach = std::max(touch.approach, 1e-200);
@@ -84,8 +87,9 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touch
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
     return {j, contact::loss(j, touch.mass, approach, touch.slip)};
   }
-  const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
-  const Bounce b = sustained.collide(rule, {touch.mass, approach, touch.slip, since, touch.press});
+  const Bounce b = sustained_.collide(
+      rule, {touch.mass, approach, touch.slip, since, touch.press, stored.sum()});
+  stored.settle(b);
   if (b.raised) ++account_.tc_collisions;
   account_.withheld += b.withheld;
   if (since < rules_.contact_time) {
@@ -104,9 +108,11 @@ void ManyBalls::kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
   turning(ball).spin += cross(arm, impulse) / s.inertia;
 }
 
-void ManyBalls::settle_account(const Touching& touch, const contact::Loss& loss, double gained,
+void ManyBalls::settle_account(const Touching& touch, const Bounce& bounce, double gained,
                                double work, double scale) {
-  refuse_gain(loss, touch.mass, touch.approach, touch.slip, mill_time() - start_);
+  const contact::Loss& loss = bounce.loss;
+  refuse_gain({loss.normal + bounce.drawn, loss.tangential}, touch.mass, touch.approach, touch.slip,
+              mill_time() - start_);
   account_.lost_normal += loss.normal;
   account_.lost_tangential += loss.tangential;
   const double lost = loss.normal + loss.tangential;

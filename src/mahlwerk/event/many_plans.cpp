@@ -49,6 +49,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
                      const Rules& rules, const contact::BounceTable& bounces, double start)
     : jar_(std::move(jar)),
       rules_(rules),
+      sustained_{rules.contact_time, rules.lasting_friction},
       bounces_(bounces),
       gravity_(jar_->gravity()),
       periods_(jar_->periods()),
@@ -79,7 +80,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<sce
     const Drift d = drift_at(now_);
     line.position = nearest_image(line.position + d.place, periods_);
     line.velocity += d.velocity;
-    turnings_.push_back({ball.spin, -at_no_time, static_cast<std::int32_t>(lines_.size())});
+    turnings_.push_back({ball.spin, -at_no_time, 0, static_cast<std::int32_t>(lines_.size())});
     lines_.push_back(line);
   }
   plans_.resize(lines_.size());

@@ -105,7 +105,7 @@ class OneBall final : public scene::Engine {
   }
 
   void carry(Archive& archive) override {
-    archive(flight_)(spin_)(staying_)(now_)(before_)(reached_)(rebound_)(last_);
+    archive(flight_)(spin_)(staying_)(now_)(before_)(reached_)(stored_)(rebound_)(last_);
     archive(guarded_)(guarded_since_)(account_);
     stay_.carry(archive);
   }
@@ -153,8 +153,8 @@ class OneBall final : public scene::Engine {
     const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
     const double slip = norm(slipping);
 
-    const auto [j, loss] = bounce(face, wall, approach, slip);
-    refuse_gain(loss, m, approach, slip, mill_time() - start_);
+    const auto [j, loss, drawn] = bounce(face, wall, approach, slip);
+    refuse_gain({loss.normal + drawn, loss.tangential}, m, approach, slip, mill_time() - start_);
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
 
     Passing after = now_.ball;
@@ -176,6 +176,7 @@ class OneBall final : public scene::Engine {
   struct Bounce {
     contact::Impulse impulse;
     contact::Loss loss;
+    double drawn = 0;  ///< [J] of what was stored (man.6)
   };
   /// By the wall's rule (evt.6 to evt.8), or that of sustained contacts under the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
@@ -188,14 +189,17 @@ class OneBall final : public scene::Engine {
     const double round =
         squared(across(now_.ball.velocity, wall.inward)) * std::max(wall.bend, 0.0);
     const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
-    const auto b = sustained.collide(rule, {body_.mass, approach, slip, since, field_ + round});
+    StoredEnergy stored(stored_, sustained.room(body_.mass, field_));
+    const auto b =
+        sustained.collide(rule, {body_.mass, approach, slip, since, field_ + round, stored.sum()});
+    stored.settle(b);
     if (b.raised) ++account_.tc_collisions;
     account_.withheld += b.withheld;
     if (since < rules_.contact_time) {
       account_.lost_within += b.loss.normal + b.loss.tangential;
       if (approach >= rules_.threshold) ++account_.hits_within;
     }
-    return {b.impulse, b.loss};
+    return {b.impulse, b.loss, b.drawn};
   }
 
   void check_balance(double gained, double work, double lost, double scale) {
@@ -324,6 +328,7 @@ class OneBall final : public scene::Engine {
   double before_ = 0;                     // [s] mill time = before_ + clock
   double round_ = kinematics::no_period;  // [s] the clock's range
   double reached_ = 0;                    // [s] since the start
+  double stored_ = 0;                     // [J] of earlier losses, for the TC rule (man.6)
   double rebound_ = 0;                    // [m/s] after the last collision
   double last_ = -geometry::never;        // [s] mill time of the last event
   int guarded_ = 0;

@@ -42,6 +42,7 @@ struct Plan {
 struct Turning {
   Vec3 spin;                  ///< [rad/s]
   double last = -at_no_time;  ///< [s] of its last collision
+  double stored = 0;          ///< [J] of earlier losses (man.6)
   std::int32_t name = 0;      ///< the user's number of it; where it is stored changes
 };
 

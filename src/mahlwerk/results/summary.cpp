@@ -145,7 +145,7 @@ const std::vector<Measure>& losses() {
   return list;
 }
 
-/// How far an event run rests on the TC rule (man.6).
+/// How far an event run rests on the TC rule (man.8).
 const std::vector<Measure>& contact_time_shares() {
   static const std::vector<Measure> list{
       {"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",

@@ -26,7 +26,8 @@ SustainedContact::Approach random_approach(Random& random) {
           .normal = from_decade(random, -12, 2),
           .slip = random.uniform(0, 1) < 0.1 ? 0 : from_decade(random, -12, 2),
           .since = random.uniform(0, 1) < 0.2 ? INFINITY : from_decade(random, -12, -2),
-          .field = from_decade(random, -1, 4)};
+          .field = from_decade(random, -1, 4),
+          .stored = random.uniform(0, 1) < 0.5 ? 0 : from_decade(random, -20, 0)};
 }
 
 contact::BounceRule random_rule(Random& random) {
@@ -36,17 +37,46 @@ contact::BounceRule random_rule(Random& random) {
           random.uniform(0, 1) < 0.1 ? INFINITY : random.uniform(0, 1.5)};
 }
 
-TEST(SustainedContact, no_collision_gains_energy) {
+TEST(SustainedContact, no_collision_gains_energy_beyond_what_is_stored) {
   Random random(7, 0);
   double most = -INFINITY;
+  int draws = 0;
   for (int i = 0; i < 1'000'000; ++i) {
     const auto in = random_approach(random);
     const auto out = sustained.collide(random_rule(random), in);
-    const double energy = 0.5 * in.mass * (in.normal * in.normal + in.slip * in.slip);
-    most = std::max(most, -(out.loss.normal + out.loss.tangential) / energy);
+    const double energy = 0.5 * in.mass * (in.normal * in.normal + in.slip * in.slip) + out.drawn;
+    most = std::max(most, -(out.loss.normal + out.loss.tangential + out.drawn) / energy);
+    ASSERT_GE(out.drawn, 0);
+    ASSERT_LE(out.drawn, in.stored);
+    draws += out.drawn > 0 ? 1 : 0;
   }
+  EXPECT_GT(draws, 10'000);
   stays_below("largest gain over the energy of the collision", most, 8 * 0x1p-52,
-              "man.4, man.5: passive, up to a few roundings");
+              "man.4 to man.6: passive, up to a few roundings");
+}
+
+TEST(SustainedContact, what_is_drawn_is_what_the_bodies_gain) {
+  // Sticking, so that nothing slides; the bodies gain what is drawn and no more.
+  const contact::BounceRule rule{0.5, 0, 0.3};
+  const double u = 1e-6, stored = 1e-9;
+  const auto out = sustained.collide(rule, {0.01, u, 0, 0, 9.81, stored});
+  const double rebound = out.impulse.normal / 0.01 - u;
+  states("gain [J]", 0.5 * 0.01 * (rebound * rebound - u * u), out.drawn, 1e-24, "man.6");
+  states("drawn [J]", out.drawn, stored, 0, "the bounce wants more than there is");
+}
+
+TEST(SustainedContact, bodies_store_losses_as_far_as_there_is_room_and_give_no_more) {
+  double one = 0, other = 0;
+  StoredEnergy both(one, 3, other, 1);
+  both.settle({.impulse = {}, .loss = {4, 0}});
+  EXPECT_EQ(one, 2);
+  EXPECT_EQ(other, 1);
+  both.settle({.impulse = {}, .loss = {0, 4}});
+  EXPECT_EQ(one, 3);
+  both.settle({.impulse = {}, .loss = {-3.5, 0}, .drawn = 3.5});
+  EXPECT_EQ(both.sum(), 0.5);
+  both.settle({.impulse = {}, .loss = {-0.5, 0}, .drawn = 0.5});
+  EXPECT_EQ(both.sum(), 0);
 }
 
 TEST(SustainedContact, every_collision_ends_with_bodies_that_part) {

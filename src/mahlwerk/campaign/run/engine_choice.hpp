@@ -13,7 +13,7 @@ namespace mahlwerk::campaign {
 /// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
 /// bounces, and the soft engine is advised (docs/theory/many-balls.md).
 constexpr double most_contact = 0.25;
-/// Above this share of power withheld by the TC rule two pilot runs measure what it does (man.7).
+/// Above this share of power withheld by the TC rule two pilot runs measure what it does (man.8).
 constexpr double doubtful = 0.02;
 /// Balls times steps that the soft engine does in about an hour on one core: "auto" does not ask
 /// for more.

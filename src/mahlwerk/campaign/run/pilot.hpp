@@ -28,7 +28,7 @@ constexpr std::int64_t pilot_collisions = 400'000;
 Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop,
             std::int64_t most = pilot_collisions, double time = 1);
 
-/// What a shorter t_c changes in a pilot run (man.7). The engine's answer should not depend on it.
+/// What a shorter t_c changes in a pilot run (man.8). The engine's answer should not depend on it.
 struct ContactTimeEffect {
   /// A relative change with its 95 % half-width; NaN where it could not be measured.
   struct Change {
