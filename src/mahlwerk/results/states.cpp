@@ -16,6 +16,15 @@ namespace {
 
 constexpr const char* power = "dissipated_power";
 
+/// [W] Below it a power is rounding: of the kinetic energy, over the counted time.
+double rounding_power(const std::vector<const Replicate*>& chosen) {
+  constexpr double rounding = 1e-9;
+  double most = 0;
+  for (const Replicate* r : chosen)
+    for (const Window& w : r->windows) most = std::max(most, rounding * w.kinetic / r->time());
+  return most;
+}
+
 std::vector<Quantity> over(const Outcome& outcome, const std::vector<std::size_t>& numbers) {
   std::vector<std::vector<Quantity>> each;
   for (const std::size_t n : numbers) each.push_back(summarise(outcome, outcome.replicates[n - 1]));
@@ -55,7 +64,7 @@ double TwoStates::share(const State& state) const {
 }
 
 std::optional<TwoStates> two_states(const Outcome& outcome) {
-  constexpr double much = 0.1;  // of the larger power
+  constexpr double much = 0.2;  // of the larger power
   std::vector<double> powers;
   const std::vector<const Replicate*> chosen = averaged(outcome);
   for (const Replicate* r : chosen) powers.push_back(dissipated_power(*r));
@@ -68,7 +77,8 @@ std::optional<TwoStates> two_states(const Outcome& outcome) {
         static_cast<std::size_t>(chosen[i] - outcome.replicates.data()) + 1);
   for (State& state : found.states) state.quantities = over(outcome, state.replicates);
   const double low = found.states[0].named(power).value, high = found.states[1].named(power).value;
-  if (!(high - low > much * std::max(std::abs(low), std::abs(high)))) return std::nullopt;
+  const double larger = std::max(std::abs(low), std::abs(high));
+  if (!(high - low > much * larger) || !(larger > rounding_power(chosen))) return std::nullopt;
   return found;
 }
 

@@ -64,6 +64,14 @@ TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
             "time-step-too-small");
 }
 
+TEST(SoftSettings, work_is_balls_times_steps) {
+  const cases::Case what = soft_case("restitution = 0.5", {{"run.settle", "2 s"}});
+  double balls = 0;
+  for (const cases::BallSet& set : what.balls) balls += static_cast<double>(set.count);
+  EXPECT_DOUBLE_EQ(soft_work(what),
+                   balls * (2 + what.run.time) / soft_settings(what).rules.time_step);
+}
+
 TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {
   EXPECT_EQ(codes(soft_case("restitution = 0.5\nsoftening = 0.001")), "");
   EXPECT_TRUE(warned(soft_case("restitution = 0.5\nsoftening = 0.001")));

@@ -240,6 +240,15 @@ TEST(MatchReport, SaysWhetherTheMillsDoTheSame) {
   EXPECT_TRUE(says(sentences(found), "scatter is not known"));
 }
 
+TEST(MatchReport, TellsOfABestOutsideTheValidityOfItsEngineAndCountsBothMills) {
+  MatchReport found = matched();
+  found.search = invalid_best();
+  found.notices = {{invalid("long-contacts", "They touch."), 1}};
+  EXPECT_TRUE(says(sentences(found), "The optimum is not certain"));
+  EXPECT_TRUE(holds(match_table(found), "Warning: 1 of 2 mills: long-contacts: They touch."));
+  EXPECT_TRUE(holds(match_page(found, "1"), "1 of 2 mills: long-contacts: They touch."));
+}
+
 TEST(MatchReport, ShowsBothMills) {
   const std::string table = match_table(matched());
   EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;

@@ -112,8 +112,17 @@ TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
 }
 
 TEST(TwoStates, ThatHardlyDifferAreOne) {
-  EXPECT_FALSE(two_states(fake_outcome({1000, 1050, 1000, 1050, 1000, 1050, 1000, 1050})));
-  EXPECT_TRUE(two_states(fake_outcome({1000, 1150, 1000, 1150, 1000, 1150, 1000, 1150})));
+  EXPECT_FALSE(two_states(fake_outcome({1000, 1200, 1000, 1200, 1000, 1200, 1000, 1200})));
+  EXPECT_TRUE(two_states(fake_outcome({1000, 1300, 1000, 1300, 1000, 1300, 1000, 1300})));
+}
+
+TEST(TwoStates, AreNoneWhereNothingIsLostButByRounding) {
+  Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
+  for (Replicate& r : o.replicates)
+    r.windows[0].kinetic = 1e6;  // J: a power below 1e-4 W is rounding
+  EXPECT_TRUE(two_states(o));
+  for (Replicate& r : o.replicates) r.windows[0].kinetic = 1e12;
+  EXPECT_FALSE(two_states(o));
 }
 
 TEST(TwoStates, NeedFourReplicates) {
