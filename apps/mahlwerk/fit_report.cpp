@@ -192,7 +192,7 @@ std::string fit_json(const FitReport& fit, std::string_view version) {
                                    {"errors_known", fit.errors_known},
                                    {"evaluations", fit.evaluations},
                                    {"remarks", fit.remarks}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 cases::Case fitted_case(const FitJob& job, const FitReport& fit) {

@@ -146,7 +146,7 @@ std::string match_json(const report::MatchReport& found) {
                          {"within_scatter", found.within_scatter},
                          {"remarks", report::sentences(found)},
                          {"search", ordered_json::parse(optimum_json(found.search, version()))}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void tell(const report::MatchReport& found, const fs::path& place) {

@@ -252,7 +252,7 @@ std::string optimum_json(const report::OptimumReport& found, std::string_view ve
                          {"failed", found.failed},
                          {"runs", found.runs()},
                          {"remarks", report::sentences(found)}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace mahlwerk::app

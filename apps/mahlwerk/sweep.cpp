@@ -62,7 +62,7 @@ void print_json(const campaign::Counts& counts, const fs::path& place, const Wor
                               {"failed", counts.failed},
                               {"waiting", counts.waiting}};
   if (worked != nullptr) said["seconds"] = worked->seconds;
-  fmt::print("{}\n", said.dump(2));
+  fmt::print("{}\n", said.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 /// What there is to say once the work has ended.
