@@ -73,7 +73,7 @@ int list(const Request& request) {
     }
   }
   if (request.json)
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   else
     fmt::print("\nmahlwerk describe NAME shows every value with its unit and source.\n");
   return fine;
@@ -82,7 +82,8 @@ int list(const Request& request) {
 int describe(const Request& request) {
   const cases::CatalogueEntry entry = entry_named(request.target);
   if (request.json) {
-    fmt::print("{}\n", as_json(entry).dump(2));
+    fmt::print("{}\n", as_json(entry).dump(2, ' ', false,
+                                           nlohmann::ordered_json::error_handler_t::replace));
     return fine;
   }
   to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.room, entry.name));

@@ -196,7 +196,8 @@ int check(const Request& request) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
-  if (request.json) fmt::print("{}\n", json.dump(2));
+  if (request.json)
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   return runs ? fine : bad_input;
 }
 

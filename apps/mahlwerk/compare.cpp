@@ -77,7 +77,7 @@ void print_json(const report::Comparison& comparison, const fs::path& place) {
                           {"unit", q.unit}};
   const nlohmann::ordered_json all{
       {"title", comparison.title}, {"results", place.string()}, {"quantities", quantities}};
-  fmt::print("{}\n", all.dump(2));
+  fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 void tell(const report::Comparison& comparison, const fs::path& place, double seconds) {

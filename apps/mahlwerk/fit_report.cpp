@@ -197,7 +197,7 @@ std::string fit_json(const FitReport& fit, std::string_view version) {
       {"evaluations", fit.evaluations},
       {"remarks", fit.remarks},
       {"notices", nlohmann::ordered_json::parse(results::notices_json(fit.notices))}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 cases::Case fitted_case(const FitJob& job, const FitReport& fit) {

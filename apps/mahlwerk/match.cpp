@@ -148,7 +148,7 @@ std::string match_json(const report::MatchReport& found) {
                          {"remarks", report::sentences(found)},
                          {"notices", ordered_json::parse(results::notices_json(found.notices))},
                          {"search", ordered_json::parse(optimum_json(found.search, version()))}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void tell(const report::MatchReport& found, const fs::path& place) {

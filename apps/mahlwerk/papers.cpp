@@ -239,7 +239,8 @@ int papers(const Request& request) {
     for (const auto& [name, one] : run)
       if (const int how = how_it_ended(one.outcomes); how != fine) ended = how;
   }
-  if (request.json) fmt::print("{}\n", list.dump(2));
+  if (request.json)
+    fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   return ended;
 }
 

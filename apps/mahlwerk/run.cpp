@@ -86,7 +86,7 @@ void print_json(const std::vector<Job>& jobs) {
   auto list = nlohmann::ordered_json::array();
   for (const Job& job : jobs)
     list.push_back({{"title", job.what.title}, {"results", job.place.string()}});
-  fmt::print("{}\n", list.dump(2));
+  fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 /// All cases read, and all their places found free, before anything is computed.

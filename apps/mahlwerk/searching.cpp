@@ -271,7 +271,7 @@ std::string optimum_json(const report::OptimumReport& found, std::string_view ve
                          {"runs", found.runs()},
                          {"remarks", report::sentences(found)},
                          {"notices", ordered_json::parse(results::notices_json(found.notices))}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace mahlwerk::app

@@ -67,7 +67,7 @@ void print_json(const campaign::Store& store, const fs::path& place, const Worke
             {"waiting", counts.waiting},
             {"notices", json::parse(results::notices_json(store.notices()))}};
   if (worked != nullptr) said["seconds"] = worked->seconds;
-  fmt::print("{}\n", said.dump(2));
+  fmt::print("{}\n", said.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 std::string table_with_warnings(const report::Campaign& campaign) {

@@ -90,6 +90,14 @@ TEST_F(Output, errors_under_json_are_json) {
   EXPECT_EQ(last_line(stopped.said).at("ended"), "stopped");
 }
 
+TEST_F(Output, names_that_are_no_utf8_are_shown_with_marks_in_json) {
+  const Ended e = script("\"$M\" run " + ball_ +
+                         " --json --set run.time=\"1 ms\" --out \"$(printf "
+                         "'x\\377')\" 2> /dev/null");
+  EXPECT_EQ(e.code, 0) << e.said;
+  EXPECT_EQ(json::parse(e.said).at(0).at("results"), "x\uFFFD");
+}
+
 TEST_F(Output, a_signal_of_any_kind_keeps_what_was_computed) {
   for (const int signal : {SIGHUP, SIGTERM, SIGINT}) {
     const Ended e = mahlwerk_until("out.checkpoint", signal, long_ + "--json --checkpoint 0.01");
