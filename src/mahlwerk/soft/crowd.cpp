@@ -75,7 +75,8 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
     const Species& s = breeds_.species(a);
     for (std::int32_t b = 0; b < species; ++b) {
       const std::int32_t k = breeds_.balls(a, b);
-      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, &breeds_.species(b), rules_.time_step);
+      makes_[static_cast<std::size_t>(k)] =
+          make_of(breeds_[k], s, &breeds_.species(b), rules_.time_step);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
       const std::int32_t k = breeds_.wall(a, face);
