@@ -136,7 +136,8 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
 }
 
 std::string share_of(double share) {
-  constexpr double many = 2;
+  constexpr double many = 2, digits = 100;
+  if (share > digits) return fmt::format("{:.0f} times", share);
   return share > many ? fmt::format("{:.3g} times", share)
                       : fmt::format("{:.0f} % of", 100 * share);
 }

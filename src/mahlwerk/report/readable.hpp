@@ -23,7 +23,7 @@ inline Readable readable(const results::Quantity& q) {
   return readable(q.value, q.ci95, q.unit);
 }
 
-/// "52 % of" something, or "9520 times" it.
+/// "52 % of" something, or "9519 times" it.
 std::string share_of(double share);
 
 /// "0.1 m/s", as the case says it rather than in a multiple.
