@@ -85,6 +85,22 @@ inline Triangles cylinder(int corners, double diameter, double height) {
   return prism(regular(corners, 0.5 * diameter), height);
 }
 
+/// In `rings` from pole to pole and twice as many round it.
+inline Triangles ball_of_triangles(int rings, double radius) {
+  const auto at = [&](int i, int j) {
+    const double a = std::numbers::pi * i / rings, b = std::numbers::pi * (j % (2 * rings)) / rings;
+    if (i == 0 || i == rings) return Vec3{0, 0, i == 0 ? radius : -radius};
+    return radius * Vec3{std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)};
+  };
+  Triangles t;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < 2 * rings; ++j) {
+      if (i + 1 < rings) t.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      if (i > 0) t.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return t;
+}
+
 inline Triangles box(double width, double depth, double height) {
   const double w = 0.5 * width, d = 0.5 * depth;
   return prism({{w, -d, 0}, {w, d, 0}, {-w, d, 0}, {-w, -d, 0}}, height);

@@ -41,6 +41,11 @@ struct AdamsImpact : HertzSpring {
     m[1] = 1 / (k[4] > 0 ? k[4] : usual_depth * deepest);
   }
 
+  /// The damper has grown by then.
+  template <class V>
+  [[gnu::always_inline]] static V abrupt(const V* m) {
+    return 1.0 / m[1];
+  }
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
     const V half = root(overlap), s = smaller(overlap * m[1], V{} + 1.0);

@@ -37,6 +37,10 @@ inline double hertz_energy(double stiffness, double overlap) {
 struct HertzSpring {
   static constexpr bool remembers = false;
   void begin(const LawNumbers&, double*, double) const {}
+  template <class V>
+  [[gnu::always_inline]] static V abrupt(const V*) {
+    return V{};
+  }
   double reach(const Touching&) const { return 0; }
   double secant(const Touching& t) const { return mindlin_secant(t); }
   double stored(const LawNumbers& k, const double*, double overlap) const {

@@ -25,7 +25,7 @@ struct HertzMindlin : HertzSpring {
   [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
     const V half = root(overlap), quarter = root(half);
     const V force = k[0] * overlap * half + k[1] * quarter * rate;
-    return {force, k[2] * half, k[3] * quarter, size_of(force)};
+    return {force, k[2] * half, k[3] * quarter, force};
   }
 };
 

@@ -43,7 +43,7 @@ struct Jkr : HertzSpring {
     // F = 4 E* a^3 / (3 R*) - 2 pi a^2 sqrt(4 gamma E* / (pi a)) = (4/3) E* a (a^2/R* - 1.5 c l)
     const V elastic = k[0] * a * (a * a / k[4] - 1.5 * k[5] * half);
     const V force = elastic + k[1] * half * rate;
-    return {force, k[2] * a, k[3] * half, size_of(force + 2.0 * k[6])};
+    return {force, k[2] * a, k[3] * half, force + 2.0 * k[6]};
   }
 
   /// Two bodies at rest sink in until the spring holds the pull of their surfaces: a^3 is then

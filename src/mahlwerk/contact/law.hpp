@@ -30,7 +30,7 @@ using LawNumbers = std::array<double, law_numbers>;
 constexpr int law_memories = 2;
 
 /// Force along the normal, > 0 repulsive [N]; stiffness [N/m] and damping [N s/m] across it; and
-/// the load [N] under which the bodies rub and roll.
+/// the load [N] under which the bodies rub and roll, < 0 where they pull: its size counts.
 template <class V>
 struct Push {
   V force, stiffness, damping, load;
@@ -39,7 +39,8 @@ struct Push {
 /// A contact law. `remembers` tells whether contacts have a memory. `damping(e)` is the number that
 /// makes a collision end with restitution e; it may take a while and is asked once for each pair.
 /// `begin` sets the memory of a new contact that closes at `approach` [m/s]. `reach` [m] is how far
-/// a contact holds beyond touch. `stored` [J] is the elastic energy of the normal deformation.
+/// a contact holds beyond touch. Within an overlap of `abrupt` [m] a force comes up that steps may
+/// pass over; most laws have none. `stored` [J] is the elastic energy of the normal deformation.
 /// `secant(t)` [1] is the stiffness along the normal, F/overlap of the spring, over that across it.
 /// `largest_overlap` [m], `shortest_time` [s] (that of the swiftest part of a collision) and
 /// `damper_time` [s] (in which the damper alone would stop the bodies, where that may be shorter
@@ -54,6 +55,7 @@ concept Law = requires(const L law, const Touching& t, const LawNumbers& k, doub
   { law.begin(k, m, x) } -> std::same_as<void>;
   { L::push(v, m, x, x) } -> std::same_as<Push<double>>;
   { law.reach(t) } -> std::same_as<double>;
+  { L::abrupt(v) } -> std::same_as<double>;
   { law.secant(t) } -> std::same_as<double>;
   { law.stored(k, v, x) } -> std::same_as<double>;
   { law.largest_overlap(t, x) } -> std::same_as<double>;

@@ -23,6 +23,10 @@ class Spring {
   explicit Spring(const LawChoice& choice) : choice_(choice) {}
 
   double stiffness(const Touching& t) const { return spring_stiffness(choice_, t); }
+  template <class V>
+  [[gnu::always_inline]] static V abrupt(const V*) {
+    return V{};
+  }
   double reach(const Touching&) const { return 0; }
   double secant(const Touching&) const { return 1 / spring_across; }
   double largest_overlap(const Touching& t, double speed) const {
@@ -50,7 +54,7 @@ struct LinearSpring : Spring {
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
     const V force = k[0] * overlap + k[1] * rate;
-    return {force, k[2], k[3], size_of(force)};
+    return {force, k[2], k[3], force};
   }
 
   double stored(const LawNumbers& k, const double*, double overlap) const {

@@ -64,7 +64,8 @@ Extent Mesh::extent() const {
   return wall_ ? wall_->extent() : Extent{};
 }
 const Surface& Mesh::surface() const {
-  return wall_->surface();
+  static const Surface none;
+  return wall_ ? wall_->surface() : none;
 }
 bool Mesh::operator==(const Mesh& o) const {
   if (crease_angle != o.crease_angle || (wall_ == nullptr) != (o.wall_ == nullptr)) return false;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <vector>
 
 #include "mahlwerk/geometry/mesh_wall.hpp"
 
@@ -14,17 +17,45 @@ struct Deep {
   double depth;  // [m]
 };
 
+/// In the middle of a round jar all of the wall is about as near, and looking for what is nearest
+/// would never end. Of the facets only those are kept that may be the nearest where the climb is,
+/// and most places need not know more than that some facet is near.
+class Around {
+ public:
+  Around(const MeshWall& wall, std::span<const std::int32_t> all) : wall_(wall), all_(all) {}
+
+  /// Places at most `reach` from `p` will be asked for.
+  void come_to(const Vec3& p, double reach) {
+    const double roomy = 4 * reach, off = norm(p - centre_);
+    const bool inside = off + reach <= within_;
+    if (inside && within_ <= 4 * roomy) return;
+    near_ = wall_.nearest_around(p, roomy, off + roomy <= within_ ? near_ : all_);
+    centre_ = p;
+    within_ = roomy;
+  }
+  double operator()(const Vec3& p, double beyond) const {
+    return wall_.depth_beyond(beyond, p, near_);
+  }
+
+ private:
+  const MeshWall& wall_;
+  std::span<const std::int32_t> all_;
+  std::vector<std::int32_t> near_;
+  Vec3 centre_;
+  double within_ = -1;  // [m] of the centre: none yet
+};
+
 /// The nearest peak of the depth: the best of the 26 directions as long as one goes up, then in
 /// steps half as long.
-template <class Depth>
-Deep climb(Deep from, double step, double least, Depth depth) {
+Deep climb(Deep from, double step, double least, Around depth) {
   while (step > least) {
+    depth.come_to(from.place, 1.8 * step);  // root 3 of it, and rounding
     Deep best = from;
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = -1; z <= 1; ++z) {
           const Vec3 p = from.place + step * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
-          if (const double d = depth(p); d > best.depth) best = {p, d};
+          if (const double d = depth(p, best.depth); d > best.depth) best = {p, d};
         }
     if (best.depth > from.depth)
       from = best;
@@ -40,7 +71,8 @@ Deep climb(Deep from, double step, double least, Depth depth) {
 void MeshWall::sound() {
   const Vec3 cell = extent_.size() / cells;
   const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and what a float loses
-  const auto depth = [&](const Vec3& p) { return nearest(p).gap.distance; };
+  std::vector<std::int32_t> all(facets_.facets.size());
+  std::iota(all.begin(), all.end(), 0);
   std::vector<float> found;
   std::vector<Deep> deep;
   for (int x = 0; x < cells; ++x)
@@ -48,7 +80,7 @@ void MeshWall::sound() {
       for (int z = 0; z < cells; ++z) {
         const Vec3 p =
             extent_.low + Vec3{(x + 0.5) * cell.x, (y + 0.5) * cell.y, (z + 0.5) * cell.z};
-        const double d = depth(p);
+        const double d = nearest(p).gap.distance;
         found.push_back(static_cast<float>(std::max(0.0, (d - half) * (1 - 1e-6))));
         deep.push_back({p, d});
       }
@@ -58,7 +90,7 @@ void MeshWall::sound() {
   Deep best = deep[0];
   for (std::size_t i = 0; i < tried; ++i) {
     if (deep[i].depth + half < best.depth) break;  // its cell has no deeper place
-    const Deep peak = climb(deep[i], half, 1e-9 * reach_, depth);
+    const Deep peak = climb(deep[i], half, 1e-9 * reach_, Around(*this, all));
     if (peak.depth > best.depth) best = peak;
   }
   inradius_ = std::max(0.0, best.depth);

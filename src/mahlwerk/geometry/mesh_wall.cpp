@@ -205,6 +205,36 @@ MeshWall::Nearest MeshWall::nearest(const Vec3& p) const {
   return best.facet < 0 ? Nearest{0, {-far, {0, 0, 1}, 0}} : seen(best, p);
 }
 
+double MeshWall::depth_beyond(double depth, const Vec3& p,
+                              std::span<const std::int32_t> facets) const {
+  Foot best;
+  double least = never;
+  for (const std::int32_t i : facets) {
+    const Facet& f = facets_.facets[at(i)];
+    const double h = dot(f.normal, p - f.corner[0]);
+    if (!(h * h < least)) continue;
+    Foot foot = foot_on(f, p);
+    if (!(foot.distance2 < least)) continue;
+    if (depth > 0 && foot.distance2 <= depth * depth) return depth;
+    foot.facet = i;
+    best = foot;
+    least = foot.distance2;
+  }
+  return best.facet < 0 ? -far : seen(best, p).gap.distance;
+}
+
+std::vector<std::int32_t> MeshWall::nearest_around(const Vec3& p, double within,
+                                                   std::span<const std::int32_t> facets) const {
+  std::vector<double> distances;
+  for (const std::int32_t i : facets)
+    distances.push_back(std::sqrt(foot_on(facets_.facets[at(i)], p).distance2));
+  const double least = distances.empty() ? 0 : *std::ranges::min_element(distances);
+  std::vector<std::int32_t> near;
+  for (std::size_t k = 0; k < facets.size(); ++k)
+    if (distances[k] <= (least + 2 * within) * (1 + 1e-12)) near.push_back(facets[k]);
+  return near;
+}
+
 double MeshWall::surely(const Vec3& p) const {
   if (surely_.empty()) return 0;
   const Vec3 size = extent_.size(), place = p - extent_.low;

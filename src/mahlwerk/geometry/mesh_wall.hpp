@@ -46,6 +46,11 @@ class MeshWall {
   };
   /// Of the whole wall.
   Nearest nearest(const Vec3& p) const;
+  /// [m] from these facets, < 0 outside, where that is more than `depth`; else no more than it.
+  double depth_beyond(double depth, const Vec3& p, std::span<const std::int32_t> facets) const;
+  /// Those of the facets that may be the nearest to a place `within` [m] of `p`.
+  std::vector<std::int32_t> nearest_around(const Vec3& p, double within,
+                                           std::span<const std::int32_t> facets) const;
 
   /// A distance that p certainly has, inside; 0 if nothing is known at once.
   double surely(const Vec3& p) const;

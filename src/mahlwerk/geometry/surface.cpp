@@ -101,32 +101,66 @@ double height_of(const Surface& s, const Triangle& t) {
   return norm(cross(b - a, c - a)) / norm(b - a);
 }
 
+/// Which triangle has the side from one corner to another; of several the first that was noted.
+class SideMap {
+ public:
+  explicit SideMap(const std::vector<Triangle>& triangles) {
+    of_.reserve(3 * triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) note(triangles[i], i);
+  }
+  std::optional<std::size_t> of(std::int32_t from, std::int32_t to) const {
+    const auto at = of_.find(key(from, to));
+    if (at == of_.end()) return std::nullopt;
+    return at->second;
+  }
+  void note(const Triangle& t, std::size_t number) {
+    for (std::size_t k = 0; k < 3; ++k) of_.emplace(key(t[k], t[(k + 1) % 3]), number);
+  }
+  void forget(const Triangle& t, std::size_t number) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = of_.find(key(t[k], t[(k + 1) % 3]));
+      if (at != of_.end() && at->second == number) of_.erase(at);
+    }
+  }
+
+ private:
+  static std::uint64_t key(std::int32_t from, std::int32_t to) {
+    return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
+  }
+  std::unordered_map<std::uint64_t, std::size_t> of_;
+};
+
 /// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two
 /// that the line from b to the neighbour's own corner makes.
-bool turn_longest_side(Surface& s, std::size_t flat) {
+bool turn_longest_side(Surface& s, SideMap& sides, std::size_t flat) {
   const Triangle t = s.triangles[flat];
   const std::size_t k = longest_side(s, t);
   const std::int32_t c = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
-  for (Triangle& n : s.triangles)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (n[j] == a && n[(j + 1) % 3] == c) {
-        const std::int32_t d = n[(j + 2) % 3];
-        if (d == b) return false;
-        n = {a, b, d};
-        s.triangles[flat] = {b, c, d};
-        return true;
-      }
-  return false;
+  const auto beside = sides.of(a, c);
+  if (!beside) return false;
+  const Triangle n = s.triangles[*beside];
+  const auto j = static_cast<std::size_t>(std::ranges::find(n, a) - n.begin());
+  const std::int32_t d = n[(j + 2) % 3];
+  if (d == b) return false;
+  sides.forget(t, flat);
+  sides.forget(n, *beside);
+  sides.note(s.triangles[*beside] = {a, b, d}, *beside);
+  sides.note(s.triangles[flat] = {b, c, d}, flat);
+  return true;
 }
 
 void take_out_flat_ones(Surface& s) {
   std::erase_if(s.triangles,
                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   const double least = 1e-9 * norm(extent_of(s.points).size());
+  std::optional<SideMap> sides;  // made when the first is found
   for (int rounds = 0; rounds < 8; ++rounds) {
     bool turned = false;
-    for (std::size_t i = 0; i < s.triangles.size(); ++i)
-      if (height_of(s, s.triangles[i]) < least) turned = turn_longest_side(s, i) || turned;
+    for (std::size_t i = 0; i < s.triangles.size(); ++i) {
+      if (!(height_of(s, s.triangles[i]) < least)) continue;
+      if (!sides) sides.emplace(s.triangles);
+      turned = turn_longest_side(s, *sides, i) || turned;
+    }
     if (!turned) return;
   }
 }

@@ -31,7 +31,7 @@ tbody th{font-weight:400}tbody th.group{font-weight:600;padding-top:1.1rem}tbody
 .warn{border-color:var(--warn);background:var(--warnbox);color:var(--warn)}
 figure{margin:1.6rem 0;break-inside:avoid}figure svg{display:block;width:100%;height:auto}
 .panels{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(25rem,100%),1fr));gap:.4rem 1.6rem}.panels figure{margin:.8rem 0;min-width:0}
-.laws{font-size:.82rem;margin:.3rem 0}.laws td,.laws th{padding:.2rem .5rem .2rem 0}.laws .best td{font-weight:600}figcaption p{margin:.2rem 0}
+.laws{font-size:.82rem;margin:.3rem 0}.laws td,.laws th{padding:.2rem .5rem .2rem 0}.laws .best td{font-weight:600}figcaption p{margin:.2rem 0}figcaption summary{font-weight:400}
 #points{font-size:.84rem}#points td,#points th{padding:.3rem .5rem}#points th{cursor:pointer}#points th[aria-sort=ascending]::after{content:" ↑"}#points th[aria-sort=descending]::after{content:" ↓"}td.failed{color:var(--warn)}
 figcaption,footer{color:var(--soft);font-size:.86rem}figcaption{margin-top:.35rem;max-width:48rem}
 pre{overflow-x:auto;background:var(--box);border:1px solid var(--edge);border-radius:6px;padding:.9rem;font:.82rem/1.45 ui-monospace,Menlo,Consolas,monospace}

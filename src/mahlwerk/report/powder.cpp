@@ -36,7 +36,7 @@ std::string beside_the_losses(const cases::Case& what, const Quantities& list) {
   const double gets = 1000 * what.powder->mass * value(list, "captured_dose_rate"),
                lost = value(list, "dissipated_power");
   if (!(gets > 0) || !(lost > 0)) return "";
-  return fmt::format(" That is {:.0f} % of the dissipated power{}", 100 * gets / lost,
+  return fmt::format(" That is {} the dissipated power{}", share_of(gets / lost),
                      gets > lost ? ": more than the mill gives off. Balls with powder between them "
                                    "bounce less than these do; restitution, energy_share or energy "
                                    "= &quot;lost&quot; say so."

@@ -123,7 +123,9 @@ std::string Readable::text() const {
 
 Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
-  const Multiple m = multiple(size > 0 ? size : std::abs(value), unit);
+  // A value that cannot be told from 0 is as fine as its half-width: -1 ± 12 mW, not -773 µW.
+  const double own = std::isfinite(ci95) ? std::max(std::abs(value), ci95) : std::abs(value);
+  const Multiple m = multiple(size > 0 ? size : own, unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
   std::string shown = m.unit;
   for (const auto& [said, sign] : signs)
@@ -133,6 +135,13 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
   const bool plain =
       shown_size == 0 || (shown_size >= 1e-3 && shown_size < 1e7) || ci >= shown_size;
   return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};
+}
+
+std::string share_of(double share) {
+  constexpr double many = 2, digits = 100;
+  if (share > digits) return fmt::format("{:.0f} times", share);
+  return share > many ? fmt::format("{:.3g} times", share)
+                      : fmt::format("{:.0f} % of", 100 * share);
 }
 
 std::string threshold_text(double threshold) {
@@ -200,8 +209,12 @@ std::string with_symbols(std::string_view text) {
 std::string tick_text(double value, bool as_power) {
   if (value == 0) return "0";
   const double size = std::abs(value);
-  if (as_power && (size < 0.0099 || size > 1001))
-    return power_of_ten(static_cast<int>(std::lround(std::log10(size))));
+  if (as_power && (size < 0.0099 || size > 999)) {
+    const int exponent = decade(size * (1 + 1e-9));
+    const double digits = value / std::pow(10, exponent);  // 2 of 2000
+    const std::string power = power_of_ten(exponent);
+    return std::abs(digits - 1) < 1e-9 ? power : fmt::format("{:.3g}·{}", digits, power);
+  }
   if (!as_power && (size < 1e-4 || size >= 1e6)) return fmt::format("{:.3g}", value);
   return fmt::format("{:.7g}", value);
 }

@@ -17,11 +17,14 @@ struct Readable {
   std::string text() const;
 };
 /// The multiple is the one that suits `size`, for numbers shown beside each other; by default the
-/// value.
+/// value, or a half-width larger than it.
 Readable readable(double value, double ci95, std::string_view unit, double size = 0);
 inline Readable readable(const results::Quantity& q) {
   return readable(q.value, q.ci95, q.unit);
 }
+
+/// "52 % of" something, or "9519 times" it.
+std::string share_of(double share);
 
 /// "0.1 m/s", as the case says it rather than in a multiple.
 std::string threshold_text(double threshold);
@@ -48,7 +51,7 @@ std::string escaped(std::string_view text);
 /// The same for a sentence with symbols: u_n^2 gets its index and its power.
 std::string with_symbols(std::string_view text);
 
-/// "10⁻³", "0.1", "250": a tick, shown as a power of ten where the number would be long.
+/// "10⁻³", "2·10⁻³", "0.1", "250": a tick, with a power of ten where the number would be long.
 std::string tick_text(double value, bool as_power);
 
 }  // namespace mahlwerk::report

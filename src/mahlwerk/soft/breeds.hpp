@@ -17,6 +17,9 @@ struct Breed {
   contact::LawNumbers numbers{};
   double reach = 0;   ///< [m]
   double secant = 0;  ///< [1]
+
+  /// [m/N] of the tangential spring in steps of so long (dem.37).
+  double lag(double step) const { return 7.0 / 6.0 * step * step / touching.mass; }
 };
 
 /// Balls that are alike: one size, density and kind.

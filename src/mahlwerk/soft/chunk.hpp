@@ -20,6 +20,7 @@ struct alignas(64) Grip {
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
   std::array<std::int32_t, lanes> breed{};
   std::uint32_t touching = 0, fresh = 0;  ///< bits of lanes; of those that first do in this step
+  std::uint32_t pulling = 0;              ///< where the bodies pulled each other at the last step
   bool alike = true;                      ///< all lanes are of one breed
   Vec<Lanes> spring{};
   Lanes impulse{}, lost_normal{}, lost_across{};  ///< since they began

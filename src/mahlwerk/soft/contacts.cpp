@@ -8,15 +8,15 @@
 
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
-void SoftBalls::change(Packet& p, const LaneMask& touching, const Meeting& m, const Bodies& b) {
-  for (int l = 0; l < lanes; ++l) {
-    if (touching[l] == p.touching[l]) continue;
-    if (touching[l] != 0)
-      begin(p, l, m, b);
-    else
-      end(p, l);
-  }
-  p.touching = touching;
+
+void SoftBalls::begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) {
+  for (int l = 0; l < lanes; ++l)
+    if (begun[l] != 0) begin(p, l, m, b);
+  p.touching |= begun;
+}
+void SoftBalls::end(Packet& p, const LaneMask& ended) {
+  for (int l = 0; l < lanes; ++l)
+    if (ended[l] != 0) end(p, l);
 }
 
 void SoftBalls::touches(std::int64_t body, int more) {
@@ -42,6 +42,7 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   put(p.spring, lane, {});
   put(p.roll, lane, {});
   p.stiffness[lane] = 0;
+  p.pulls[lane] = 0;
   contact::LawNumbers numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = p.numbers[i][lane];
   double memory[contact::law_memories] = {};

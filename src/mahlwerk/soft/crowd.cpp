@@ -25,7 +25,7 @@ int most_helpful(std::size_t balls) {
 }
 
 /// Eight alike.
-Make make_of(const Breed& breed, const Species& a, const Species* b) {
+Make make_of(const Breed& breed, const Species& a, const Species* b, double step) {
   Make m;
   const Lanes none{};
   m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
@@ -39,6 +39,7 @@ Make make_of(const Breed& breed, const Species& a, const Species* b) {
   const double arm = breed.touching.pair.rolling_friction * breed.touching.radius;
   m.rolling = none + arm;
   m.roll_spring = none + 2.25 * arm * arm * breed.secant;
+  m.lag = none + breed.lag(step);
   m.inertia = none + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return m;
 }
@@ -74,11 +75,12 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
     const Species& s = breeds_.species(a);
     for (std::int32_t b = 0; b < species; ++b) {
       const std::int32_t k = breeds_.balls(a, b);
-      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, &breeds_.species(b));
+      makes_[static_cast<std::size_t>(k)] =
+          make_of(breeds_[k], s, &breeds_.species(b), rules_.time_step);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
       const std::int32_t k = breeds_.wall(a, face);
-      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, nullptr);
+      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, nullptr, rules_.time_step);
     }
     const double kick = 0.5 * rules.time_step / s.mass, turn = 0.5 * rules.time_step / s.inertia;
     kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
@@ -93,6 +95,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
   account_.started_with = 0;
   const scene::Account now = reckoned();
   account_.started_with = now.kinetic + now.potential + now.elastic;
+  watch_.begin(now);
 }
 
 /// Rows of step 0, and of step 1 before any contact is known (dem.26).

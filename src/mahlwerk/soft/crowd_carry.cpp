@@ -120,6 +120,7 @@ void Crowd::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i, 
   Grip& g = list.grips[n];
   const Grip& was = from.grips[old];
   g.touching |= bit(l);
+  if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
   list.began[n][static_cast<std::size_t>(l)] = from.began[old][static_cast<std::size_t>(m)];
   put(g.spring, l, sign * one(was.spring, m));

@@ -83,6 +83,7 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
   for (int k = 0; k < lanes; ++k)
     g.alike = g.alike && (!g.touches(k) || g.breed[static_cast<std::size_t>(k)] == breed);
   if (g.alike) g.breed.fill(breed);
+  g.pulling &= ~bit(l);
   put(g.spring, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
   if (remembers_) {
@@ -140,6 +141,7 @@ void Crowd::bend(Grips& grips, std::size_t n, int lane) {
   make.per_radius[lane] = 1 / ball.radius;
   make.friction[lane] = breeds_[g.breed[k]].touching.pair.friction;
   make.reach[lane] = breeds_[g.breed[k]].reach;
+  make.lag[lane] = breeds_[g.breed[k]].lag(rules_.time_step);
   make.inertia[lane] = breeds_.species(species_[static_cast<std::size_t>(g.i[k])]).inertia;
   make.rolling[lane] = bent.rolling;
   make.roll_spring[lane] = bent.roll_spring;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mahlwerk/contact/choice.hpp"
-#include "mahlwerk/soft/packet.hpp"
+#include "mahlwerk/soft/edges.hpp"
 
 // What two bodies that touch do to each other, eight pairs at a time (docs/theory/soft.md).
 namespace mahlwerk::soft {
@@ -78,31 +78,41 @@ struct alignas(64) Meeting {
 }
 
 /// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
-/// dem.21). Returns the force on i.
+/// dem.21, dem.37). The spring is kept half a step ahead, so that it grows by the mean of the slip
+/// of two steps; where the load changes its sign it was at the limit of 0. Returns the force on i.
 [[gnu::always_inline]] inline Vec<Lanes> rub(const Make& make, History& p, Deeds& deeds,
                                              const Frame& frame, const Meeting& m,
-                                             const contact::Push<Lanes>& push, LaneMask touching) {
+                                             const contact::Push<Lanes>& push, LaneMask touching,
+                                             LaneMask turned) {
   if (frame.rescaled) {
     const Lanes kept = push.stiffness / p.stiffness;
     p.spring = choose(less(push.stiffness, p.stiffness), kept, Lanes{} + 1.0) * p.spring;
   }
-  Vec<Lanes> spring = laid_across(p.spring, m.n) + frame.step * m.slip;
-  Vec<Lanes> force = -(push.stiffness * spring) - push.damping * m.slip;
+  const Lanes none{}, one = none + 1.0;
+  const Lanes stiffness = push.stiffness * (1.0 - make.lag * push.stiffness);
+  const Vec<Lanes> half = (0.5 * frame.step) * m.slip;
+  Vec<Lanes> spring = laid_across(p.spring, m.n);
+  const auto against = [&] { return larger(-(push.damping * dot(m.slip, spring)), none); };
+  if (any(turned)) {  // the limit was 0 about half a step ago
+    const Lanes kept = against() / larger(stiffness * dot(spring, spring), none + 1e-150);
+    spring = choose(turned, smaller(kept, one), one) * spring;
+  }
+  spring = spring + half;
+  Vec<Lanes> force = -(stiffness * spring) - push.damping * m.slip;
   const Lanes most = make.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    const Lanes size = root(squared);
-    // What the spring alone can hold: the dashpot stretches no spring, however hard it pulls.
-    const Lanes pull = larger(push.stiffness * root(dot(spring, spring)), Lanes{} + 1e-150);
-    const Lanes both = most / (size * pull), one = Lanes{} + 1.0;
-    force = choose(slides, pull * both, one) * force;
-    const Vec<Lanes> left = choose(less(most, pull), size * both, one) * spring;
+    // The spring keeps what it can hold by itself, and what a dashpot against it holds besides.
+    const Lanes size = root(squared), square = dot(spring, spring);
+    const Lanes pull = larger(stiffness * square, none + 1e-150);
+    const Lanes held = most * root(square) + against(), both = 1.0 / (size * pull);
+    force = choose(slides, most * (pull * both), one) * force;
+    const Vec<Lanes> left = choose(slides & less(held, pull), held * (size * both), one) * spring;
     const Lanes slid = dot(force, left - spring);
-    deeds.sliding += choose(slides, slid, Lanes{});
-    spring = choose<Lanes>(slides, left, spring);
+    deeds.sliding += choose(slides, slid, none);
+    spring = left;
   }
-  p.spring = choose<Lanes>(touching, spring, Vec<Lanes>{});
-  p.stiffness = push.stiffness;
+  p.spring = choose<Lanes>(touching, spring + half, Vec<Lanes>{});
   return choose<Lanes>(touching, force, Vec<Lanes>{});
 }
 
@@ -146,16 +156,30 @@ struct alignas(64) Meeting {
   return choose<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
-/// All that the pairs of a packet do to each other in a step; `walls`: some may be at a wall.
+/// All that the pairs of a packet do to each other in a step; `edges` where contacts begin or end;
+/// `walls`: some may be at a wall.
 template <class Law>
 [[gnu::always_inline]] inline Push push(const Make& p, History& past, Deeds& d, const Frame& frame,
                                         const Bodies& b, const Meeting& m, LaneMask touching,
-                                        bool walls) {
+                                        const Edges* edges, bool walls) {
   const Lanes none{};
   contact::Push<Lanes> f = Law::template push<Lanes>(
       p.numbers, past.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
-  f.force = choose(touching, f.force, none);
-  const Vec<Lanes> friction = rub(p, past, d, frame, m, f, touching);
+  const LaneMask pulls = less(f.load, none) & touching;
+  const LaneMask turned = (pulls ^ past.pulls) & touching;
+  past.pulls = pulls;
+  const Lanes stiffness = f.stiffness;
+  LaneMask live = touching;
+  AtEdges odd;
+  if (edges != nullptr) {
+    odd = at_the_edges<Law>(p, past, *edges, m.overlap, m.rate, frame.step, f);
+    live |= odd.counts;
+    past.spring = choose<Lanes>(edges->begun, odd.lead * m.slip, past.spring);
+  }
+  f.force = choose(live, f.force, none);
+  f.load = size_of(f.load);
+  const Vec<Lanes> friction = rub(p, past, d, frame, m, f, live, turned);
+  past.stiffness = stiffness;
   Push out;
   out.force = friction - f.force * m.n;
   const Vec<Lanes> arm = cross(m.n, friction);
@@ -169,9 +193,16 @@ template <class Law>
     out.torque_j = out.torque_j - torque;
     if (walls) by_wall += dot(torque, b.wj);
   }
+  Lanes rate = m.rate;
+  Vec<Lanes> slip = m.slip;
+  if (edges != nullptr) {  // speeds were predicted from the force a step ago, which this is not
+    const Lanes half = (3.0 / 7.0 * frame.per_step) * p.lag;  // of a step over the mass
+    rate -= choose(odd.counts, half * (f.force - odd.before), none);
+    slip = slip + choose(odd.counts & edges->begun, 3.5 * half, none) * friction;
+  }
   d.impulse += frame.step * f.force;
-  d.normal += frame.step * (f.force * m.rate);
-  d.tangential -= frame.step * dot(friction, m.slip);
+  d.normal += frame.step * (f.force * rate);
+  d.tangential -= frame.step * dot(friction, slip);
   if (walls) d.wall += choose(p.wall, frame.step * by_wall, none);
   d.deepest = larger(d.deepest, choose(touching, m.overlap, none));
   return out;

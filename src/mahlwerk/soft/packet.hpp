@@ -40,6 +40,7 @@ struct alignas(64) Make {
   Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
   Lanes roll_spring{};  ///< [m2] epsd: its stiffness over the contact's stiffness across
   Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
+  Lanes lag{};          ///< [m/N] of the tangential spring (dem.37)
 };
 
 inline Vec3 one(const Vec<Lanes>& a, int lane) {
@@ -60,9 +61,10 @@ inline void copy_lane(const Make& a, int lane, Make& b, int place) {
 /// What eight contacts remember from step to step.
 struct alignas(64) History {
   Lanes memory[contact::law_memories]{};
-  Vec<Lanes> spring{};  ///< [m] xi, the tangential spring
+  Vec<Lanes> spring{};  ///< [m] xi, the tangential spring, half a step ahead
   Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
   Lanes stiffness{};    ///< [N/m] across, at the last step
+  LaneMask pulls{};     ///< where the bodies pulled each other then
 };
 
 /// Eight pairs of bodies that are near each other, side by side, with the history of those that

@@ -16,7 +16,7 @@
 namespace mahlwerk::soft {
 
 /// Lane by lane what their breeds are.
-[[gnu::always_inline]] inline void mixed(const Make* makes, const Grip& g, Make& out) {
+[[gnu::always_inline]] inline void gather(const Make* makes, const Grip& g, Make& out) {
   for (int l = 0; l < lanes; ++l) copy_lane(makes[g.breed[static_cast<std::size_t>(l)]], l, out, l);
 }
 
@@ -37,26 +37,29 @@ template <class Law, bool wide>
     if (!list.makes.empty())
       make = &list.makes[n];
     else if (!g.alike)
-      mixed(s.makes, g, made), make = &made;
+      gather(s.makes, g, made), make = &made;
     const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, touched);
     const LaneMask touching = less(squared, near * near) & touched;
     const Meeting m = meet(*make, b, squared);
+    const Edges edges{mask(g.fresh), touching ^ touched};
+    const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
     if (g.fresh != 0) {
       s.comings->begin(chunk, list, n, m, b);
       if (!list.makes.empty()) make = &list.makes[n];
     }
-    if (any(touching ^ touched)) s.comings->end(chunk, list, n, touching);
-    if (whose == Whose::wall) list.facings[n].normal = m.n;
     History past;
     past.spring = g.spring;
+    past.pulls = mask(g.pulling);
     if (s.remembers) {
       const Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
     Deeds d;
-    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching, whose == Whose::wall);
+    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching, changes ? &edges : nullptr,
+                               whose == Whose::wall);
     g.spring = past.spring;
+    g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
     if (s.remembers) {
       Memory& k = list.memories[n];
       for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
@@ -71,6 +74,8 @@ template <class Law, bool wide>
     sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
     add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
     if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
+    if (ends) s.comings->end(chunk, list, n, touching);
+    if (whose == Whose::wall) list.facings[n].normal = m.n;
   }
 }
 

@@ -11,9 +11,9 @@ namespace {
 /// Calls `f` with every column of a packet.
 template <class F>
 void each_column(Packet& p, const F& f) {
-  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall}) f(*c);
+  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
   for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.reach, &p.friction, &p.rolling,
-                   &p.roll_spring, &p.inertia, &p.stiffness})
+                   &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
     f(*c);
   for (Lanes& c : p.numbers) f(c);
   for (Lanes& c : p.memory) f(c);
@@ -156,6 +156,7 @@ void SoftBalls::give_lane(Packet& p, int lane, const Candidate& c) {
     p.radius_j[lane] = b.radius;
     p.inertia[lane] = a.inertia * b.inertia / (a.inertia + b.inertia);
   }
+  p.lag[lane] = breed.lag(rules_.time_step);
   p.reach[lane] = breed.reach;
   for (std::size_t n = 0; n < breed.numbers.size(); ++n) p.numbers[n][lane] = breed.numbers[n];
   p.friction[lane] = breed.touching.pair.friction;
@@ -173,7 +174,7 @@ void SoftBalls::find_feet() {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k] || p.face[k] < 0) continue;
       p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.near.size());
-      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k], p.radius_i[l] + reach_});
+      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k], (1 + past_touch) * p.radius_i[l] + reach_});
     }
   const std::size_t blocks =
       w.blocks + std::max<std::size_t>(1, (w.near.size() + lanes - 1) / lanes);

@@ -61,6 +61,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
   account_.started_with = 0;
   const scene::Account now = reckoned();
   account_.started_with = now.kinetic + now.potential + now.elastic;
+  watch_.begin(now);
 }
 
 /// Bodies that overlap much at the start would fly apart.

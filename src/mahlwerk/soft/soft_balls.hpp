@@ -58,7 +58,8 @@ class SoftBalls final : public scene::Engine, private Seldom {
   void find_owners();
 
   // Contacts that begin and end (contacts.cpp).
-  void change(Packet& p, const LaneMask& touching, const Meeting& m, const Bodies& b) override;
+  void begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) override;
+  void end(Packet& p, const LaneMask& ended) override;
   void begin(Packet& p, int lane, const Meeting& m, const Bodies& b);
   void end(Packet& p, int lane);
   void settle(Packet& p, int lane);           // its deeds are done

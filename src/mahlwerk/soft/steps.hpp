@@ -115,6 +115,7 @@ template <class Law, bool wide>
                folded(b.apart.z, s.frame.periods.z)};
   const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p, p.touching);
   const LaneMask touching = less(squared, near * near);
+  const Edges edges{touching & ~p.touching, p.touching & ~touching};
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
   b.vj = pick<wide>(w.seen, p.j, w.few);
@@ -122,9 +123,10 @@ template <class Law, bool wide>
   b.wi = pick<wide>(w.seen_spin, p.i, w.few);
   b.wj = pick<wide>(w.seen_spin, p.j, w.few);
   const Meeting m = meet(p, b, squared);
-  if (changes) s.seldom.change(p, touching, m, b);
+  if (changes) s.seldom.begin(p, edges.begun, m, b);
+  out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, changes ? &edges : nullptr, true);
+  if (changes) s.seldom.end(p, edges.ended);
   p.normal = m.n;
-  out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, true);
   return true;
 }
 

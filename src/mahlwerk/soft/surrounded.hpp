@@ -90,7 +90,7 @@ class Surrounded final : public Surroundings {
       const Row& ball = rows[balls[k]];
       const Vec3 place = ball.place();
       const Rotation& q = faces[k] >= turning_from_ ? rotor : own;
-      const double within = touching[l] != 0 ? ball.radius + beyond : 0;
+      const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap =
           geometry::gap_near(jar_.shape(), faces[k], plain ? place : q.back(place), within);
       if (!plain) gap.inward = q * gap.inward;

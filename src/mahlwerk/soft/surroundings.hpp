@@ -20,6 +20,10 @@ struct Beat {
   Vec3 rotor;  ///< [rad/s] of faces that turn by themselves
 };
 
+/// Of a radius: so far beyond touch a wall is looked for under balls that have just left it
+/// (dem.36).
+constexpr double past_touch = 0.01;
+
 /// A ball that is near a face. Its foot may stay where it is while the ball has not moved by
 /// `slack` since nearness was looked at: from a point of the wall it is even farther.
 struct Near {

@@ -69,9 +69,11 @@ class Seldom {
   virtual ~Seldom() = default;
   /// Which pairs are near each other must be looked at anew: a body has moved far.
   virtual void look() = 0;
-  /// Contacts of a packet begin or end.
-  virtual void change(Packet& packet, const LaneMask& touching, const Meeting& meeting,
-                      const Bodies& bodies) = 0;
+  /// Contacts of a packet begin.
+  virtual void begin(Packet& packet, const LaneMask& begun, const Meeting& meeting,
+                     const Bodies& bodies) = 0;
+  /// Contacts end, after their last push.
+  virtual void end(Packet& packet, const LaneMask& ended) = 0;
 };
 
 /// Everything a stretch of steps needs.

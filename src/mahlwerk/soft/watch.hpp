@@ -13,6 +13,7 @@ namespace mahlwerk::soft {
 struct Watch {
   double last_residual = 0, most_energy = 0;  ///< [J] at the last look; ever
 
+  void begin(const scene::Account& a) { most_energy = a.kinetic + a.elastic; }
   /// `wall_energy` is what the wall would give the balls if they moved with it, `least` an energy
   /// that is nothing, both in J.
   bool jumped(const scene::Account& a, double wall_energy, double least) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "mahlwerk/soft/step_error.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign {
@@ -54,6 +56,19 @@ TEST(SoftSettings, what_decides_on_the_step_is_said) {
   EXPECT_TRUE(says(soft_case("law = \"hertz-tsuji\"\nrestitution = 0.05"),
                    "a fifth of the time in which the damper"));
   EXPECT_TRUE(says(soft_case("restitution = 0.5", {{"run.time_step", "0.3 us"}}), "as given"));
+}
+
+TEST(SoftSettings, what_the_step_leaves_a_collision_off_by_is_said_and_is_less_in_shorter_steps) {
+  const auto rebound = [](const char* step) {
+    const cases::Case what = soft_case("restitution = 0.2", {{"run.time_step", step}});
+    const SoftSettings s = soft_settings(what);
+    const auto error =
+        soft::step_error(contact::LawName::hertz_mindlin, 0.2, s.steps.contact / s.rules.time_step);
+    const std::string words = fmt::format("{:.2g} % of its speed of rebound", 100 * error.rebound);
+    EXPECT_TRUE(says(what, "off by at most about " + words)) << words;
+    return error.rebound;
+  };
+  EXPECT_LE(rebound("0.5 us"), rebound("1 us") / 2);
 }
 
 TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {

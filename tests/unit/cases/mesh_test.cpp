@@ -206,6 +206,13 @@ TEST(MeshFile, surfaces_that_enclose_nothing_say_why) {
             "volume as a solid, or flip all normals and export again|mesh-inside-out");
 }
 
+TEST(MeshFile, faults_are_told_also_where_frames_are_wanted) {
+  const std::string framed = meshed + "[observe]\nframes = \"10 ms\"\n";
+  EXPECT_NE(fault_with("", framed).find("|bad-mesh-file"), std::string::npos);
+  const std::string other = with(framed, "file", "file = \"nope.stl\"");
+  EXPECT_NE(fault_with("", other).find("|no-such-file"), std::string::npos);
+}
+
 TEST(MeshFile, a_size_that_cannot_be_meant_asks_for_the_unit) {
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "unit", "unit = \"m\"")),
             "the jar is 50 m wide: is the unit m?|give the unit the file was drawn in; jars are "

@@ -39,6 +39,33 @@ TEST(Readable, RoundsToZeroWithoutASign) {
   EXPECT_EQ(readable(-0.05, 0.14, "").text(), "-0.05 ± 0.14");
 }
 
+TEST(Readable, IsAsFineAsAHalfWidthLargerThanTheValue) {
+  EXPECT_EQ(readable(-773e-6, 12221e-6, "W").text(), "-1 ± 12 mW");
+  EXPECT_EQ(readable(0.769, 1.687, "W").text(), "0.8 ± 1.7 W");
+  EXPECT_EQ(readable(0.000773, 0.0000121, "W").text(), "773 ± 12 µW");
+}
+
+TEST(Readable, SaysSharesFarAboveAllAsTimes) {
+  EXPECT_EQ(share_of(0.52), "52 % of");
+  EXPECT_EQ(share_of(1.31), "131 % of");
+  EXPECT_EQ(share_of(9518.79), "9519 times");
+}
+
+TEST(Ticks, OfLogarithmicAxesSayTheirValue) {
+  for (const auto& [value, text] : std::vector<std::pair<double, std::string>>{{2000, "2·10³"},
+                                                                               {5000, "5·10³"},
+                                                                               {10000, "10⁴"},
+                                                                               {20000, "2·10⁴"},
+                                                                               {1000, "10³"},
+                                                                               {500, "500"},
+                                                                               {0.01, "0.01"},
+                                                                               {0.005, "5·10⁻³"},
+                                                                               {0.001, "10⁻³"},
+                                                                               {2.5e6, "2.5·10⁶"}})
+    EXPECT_EQ(tick_text(value, true), text);
+  EXPECT_EQ(tick_text(2000, false), "2000");
+}
+
 TEST(Readable, KnowsTheWidthOnATerminal) {
   EXPECT_EQ(width("2.4 ± 0.1 µJ"), 12U);
 }

@@ -128,42 +128,79 @@ class PlainSoft {
     pushed_[i].spin_up += torque / balls_[i].inertia();
   }
 
-  /// Force and rolling torque on the first.
-  std::pair<Vec3, Vec3> push(const Meeting& m, int i, int j) {
-    if (m.overlap <= 0) {
-      springs_.erase({i, j});
-      return {};
-    }
-    const double rate = dot(m.u, m.n);
-    const Vec3 slip = m.u - rate * m.n;
-    const auto [at, fresh] = springs_.try_emplace({i, j});
-    if (fresh) touches_.push_back({time(), rate, i, j});
-    const Vec3 last = at->second;
-    // Hertz and Mindlin, damped.
-    const double a = std::sqrt(m.radius * m.overlap), ln = std::log(pair_.restitution);
+  /// What Hertz and Mindlin, damped, make of an overlap; forces < 0 pull.
+  struct Hertz {
+    double force = 0, stiffness = 0, damping = 0;
+  };
+  Hertz hertz(const Meeting& m, double overlap, double rate) const {
+    const double a = std::sqrt(m.radius * overlap), ln = std::log(pair_.restitution);
     const double beta = ln / std::sqrt(ln * ln + std::numbers::pi * std::numbers::pi);
     const double along = 2 * pair_.modulus * a, across = 8 * pair_.shear_modulus * a;
     const double damp = -2 * std::sqrt(5.0 / 6) * beta;
-    const double normal =
-        4.0 / 3 * pair_.modulus * a * m.overlap + damp * std::sqrt(along * m.mass) * rate;
-    // The spring turns with the contact, grows by the slip, and is cut off at Coulomb's limit.
+    return {4.0 / 3 * pair_.modulus * a * overlap + damp * std::sqrt(along * m.mass) * rate, across,
+            damp * std::sqrt(across * m.mass)};
+  }
+  /// What the first push of a contact counts for, `since` of a step after touch (dem.35).
+  static double counted(double since) {
+    const double share =
+        0.31709151755564424 +
+        since * (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
+    return share / std::sqrt(std::sqrt(since));
+  }
+
+  /// Force and rolling torque on the first.
+  std::pair<Vec3, Vec3> push(const Meeting& m, int i, int j) {
+    const bool touching = m.overlap > 0;
+    if (!touching && !springs_.contains({i, j})) return {};
+    const double rate = dot(m.u, m.n), way = std::abs(rate) * dt_;
+    const Vec3 slip = m.u - rate * m.n;
+    const auto [at, fresh] = springs_.try_emplace({i, j});
+    double counts = 1, overlap = m.overlap;
+    if (fresh) {
+      touches_.push_back({time(), rate, i, j});
+      const double since = std::min(overlap / way, 1.0);
+      if (rate > 0 && overlap < 1.5 * way) {
+        counts = counted(since);
+        at->second.spring = (since - 0.5) * dt_ * slip;
+      }
+    }
+    const bool pulls = touching && hertz(m, overlap, rate).force < 0;
+    const bool turned = touching && pulls != at->second.pulls;
+    at->second.pulls = pulls;
+    if (!touching) {
+      const double since = std::clamp((overlap + way) / way, 1e-9, 1.0);
+      const bool made_up_for = rate < 0 && (overlap + way) / way > -0.5;
+      counts = made_up_for ? counted(since) - 1 : 0;
+      overlap = since * way;
+    }
+    Hertz f = hertz(m, overlap, rate);
+    f.force *= counts, f.stiffness *= counts, f.damping *= counts;
+    // The spring turns with the contact, grows by the mean slip of two steps, and is cut off at
+    // Coulomb's limit.
+    const Vec3 half = 0.5 * dt_ * slip, last = at->second.spring;
     const Vec3 laid = last - dot(last, m.n) * m.n;
-    Vec3 spring = norm(laid) > 0 ? norm(last) / norm(laid) * laid : Vec3{};
-    spring += dt_ * slip;
-    Vec3 force = -across * spring - damp * std::sqrt(across * m.mass) * slip;
-    const double most = pair_.friction * std::abs(normal);
+    Vec3 spring = norm(laid) == 0 ? Vec3{} : norm(last) / norm(laid) * laid;
+    const double stiff = f.stiffness * (1 - 7.0 / 6 * dt_ * dt_ / m.mass * f.stiffness);
+    if (turned && norm(spring) > 0)  // the limit was 0 about half a step ago
+      spring *= std::clamp(-f.damping * dot(slip, spring) / (stiff * squared(spring)), 0.0, 1.0);
+    spring += half;
+    Vec3 force = -stiff * spring - f.damping * slip;
+    const double most = pair_.friction * std::abs(f.force);
     if (norm(force) > most) {
       force *= most / norm(force);
-      if (across * norm(spring) > most) spring *= most / (across * norm(spring));
+      const double length = norm(spring);
+      const double held = most + std::max(0.0, -f.damping * dot(slip, spring) / length);
+      if (stiff * length > held) spring *= held / (stiff * length);
     }
-    at->second = spring;
+    at->second.spring = spring + half;
     Vec3 torque{};
     const Vec3 rolling = m.spin - dot(m.spin, m.n) * m.n;
-    if (rolls_ && norm(rolling) > 0)
-      torque = -std::min(pair_.rolling_friction * m.radius * std::abs(normal) / norm(rolling),
+    if (rolls_ && touching && norm(rolling) > 0)
+      torque = -std::min(pair_.rolling_friction * m.radius * std::abs(f.force) / norm(rolling),
                          0.5 * m.inertia / dt_) *
                rolling;
-    return {force - normal * m.n, torque};
+    if (!touching) springs_.erase({i, j});
+    return {force - f.force * m.n, torque};
   }
 
   PlainWorld world_;
@@ -172,7 +209,11 @@ class PlainSoft {
   double dt_;
   bool rolls_;
   std::vector<Pushed> pushed_;
-  std::map<std::pair<int, int>, Vec3> springs_;
+  struct Spring {
+    Vec3 spring;  // half a step ahead
+    bool pulls = false;
+  };
+  std::map<std::pair<int, int>, Spring> springs_;
   std::vector<Touch> touches_;
   long steps_ = 0;
 };

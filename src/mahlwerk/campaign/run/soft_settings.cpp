@@ -13,6 +13,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/soft/step_error.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -58,6 +59,32 @@ std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
              : "a fiftieth of the shortest collision";
 }
 
+/// The largest of what the step leaves collisions off by, over all pairs of the case.
+soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
+  const contact::PairTable pairs = cases::pair_table(what);
+  soft::StepError worst;
+  const auto look = [&](const contact::Pair& pair) {
+    const soft::StepError e =
+        soft::step_error(s.rules.law.law, pair.restitution, s.steps.contact / s.rules.time_step);
+    worst = {std::max(worst.rebound, e.rebound), std::max(worst.across, e.across),
+             std::max(worst.spin, e.spin)};
+  };
+  for (int a = 0; a < pairs.kinds(); ++a) {
+    for (int b = 0; b < pairs.kinds(); ++b) look(pairs.balls(a, b));
+    for (int face = 0; face < pairs.faces(); ++face) look(pairs.wall(a, face));
+  }
+  return worst;
+}
+
+/// What a step means for the shortest collision, in words.
+std::string error_note(const cases::Case& what, const SoftSettings& s) {
+  const soft::StepError e = step_error_of(what, s);
+  return fmt::format(
+      "In that step the shortest collision is off by at most about {:.2g} % of its speed of "
+      "rebound, {:.2g} % of its speed across and {:.2g} % of its spin.",
+      100 * e.rebound, 100 * e.across, 100 * e.spin);
+}
+
 /// To two digits, downwards.
 double rounded_down(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
@@ -95,7 +122,8 @@ Notices soft_notes(const cases::Case& what) {
                "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
                show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
                100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
-               100 * s.steps.overlap))};
+               100 * s.steps.overlap)),
+      note("step-error", error_note(what, s))};
   return notes;
 }
 

@@ -109,13 +109,30 @@ std::string verdict(const std::vector<Law>& laws, const Choice& choice, const Un
   return text;
 }
 
-/// Each law of the only line, and what is to be said of them.
-std::string rows_of(const std::vector<Law>& laws, const Choice& choice, const Units& units) {
+/// Each law of the only line, the best alone or the others.
+std::string rows_of(const std::vector<Law>& laws, const Choice& choice, const Units& units,
+                    bool best) {
   std::string rows;
   for (std::size_t k = 0; k < laws.size(); ++k)
-    rows += (k == choice.best ? "<tr class=\"best\">" : "<tr>") +
-            row("", std::string(name_of(laws[k].form)), laws[k], units);
+    if ((k == choice.best) == best)
+      rows += (best ? "<tr class=\"best\">" : "<tr>") +
+              row("", std::string(name_of(laws[k].form)), laws[k], units);
   return rows;
+}
+
+/// Under a head, where there are rows.
+std::string table_of(const std::string& rows, bool several) {
+  if (rows.empty()) return "";
+  return fmt::format(
+      "<table class=\"laws\"><thead><tr>{}<th>with</th><th class=\"n\">R²</th></tr></thead>\n"
+      "<tbody>\n{}</tbody></table>\n",
+      several ? "<th>line</th><th>nearest law</th>" : "<th>law</th>", rows);
+}
+
+/// For those who ask, so that no table is longer than its plot.
+std::string unfolding(std::string_view head, const std::string& table) {
+  if (table.empty()) return "";
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n", head, table);
 }
 
 /// The nearest law of one line among several, and those that are as good.
@@ -154,24 +171,26 @@ FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t colu
                                                      : m.unit == "1/s" ? "/s"
                                                                        : m.unit};
   const bool several = lines.size() > 1;
-  std::string rows, words;
+  std::string rows, others, words;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::vector<Law> laws = fitted_laws(lines[i].x, lines[i].y, lines[i].error);
     if (laws.empty()) continue;
     const Choice choice = best_of(laws);
     made.curves.push_back(curve_of(laws[choice.best], lines[i], i, over_decades(lines[i].x)));
-    rows += several ? row_of(lines[i].name, laws, choice, units) : rows_of(laws, choice, units);
+    rows +=
+        several ? row_of(lines[i].name, laws, choice, units) : rows_of(laws, choice, units, true);
+    if (!several) others = rows_of(laws, choice, units, false);
     if (!several) words = escaped(verdict(laws, choice, units)) + " ";
     if (several && !choice.by_aicc)
       words = "So few points do not tell the laws apart: the nearest by adjusted R² is given. ";
   }
   if (rows.empty()) return made;
-  made.table = fmt::format(
-      "<p>{}<small>Dashed: the nearest law; x is {}, ± 95 %.</small></p>\n<table "
-      "class=\"laws\"><thead><tr>{}<th>with</th><th class=\"n\">R²</th></tr></thead>\n<tbody>\n{}"
-      "</tbody></table>\n",
-      words, escaped(axis_label(sheet.campaign.swept[axis])),
-      several ? "<th>line</th><th>nearest law</th>" : "<th>law</th>", rows);
+  const std::string table = table_of(rows, several);
+  made.table =
+      fmt::format("<p>{}<small>Dashed: the nearest law; x is {}, ± 95 %.</small></p>\n{}{}", words,
+                  escaped(axis_label(sheet.campaign.swept[axis])),
+                  several ? unfolding("The law of each line", table) : table,
+                  unfolding("The other laws", table_of(others, several)));
   return made;
 }
 
