@@ -272,7 +272,9 @@ TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
     engine->advance(10, recorder);
     FAIL() << "the bounces of a ball on a still floor have a limit in time";
   } catch (const RunError& e) {
-    EXPECT_NE(std::string(e.what()).find("lasting = \"none\". Leave it out: one ball then rolls"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("lasting = \"none\". Leave it out: one ball then rolls"),
+              std::string::npos)
+        << e.what();
   }
   EXPECT_GT(recorder.all.size(), 1000U) << "what was computed is handed over";
 }

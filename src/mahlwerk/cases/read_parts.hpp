@@ -59,7 +59,8 @@ std::vector<std::array<double, 2>> read_sieves(Section& in, std::int64_t most);
 std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count);
 /// Into `c`, which has its jar and balls already; grains become its last ball set.
 void read_powder(const Node* table, Case& c, const Catalogue& catalogue, Findings& findings);
-/// `field` [m/s2] is the strongest of the mill, which contact_time follows from where it is not given.
+/// `field` [m/s2] is the strongest of the mill, which contact_time follows from where it is not
+/// given.
 Contact read_contact(const Node* table, const std::vector<BallSet>& balls, double field,
                      Findings& findings);
 /// How a bounce ends; what is not said is that of `all`, or a default where it is null.

@@ -68,7 +68,7 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
 }
 
 /// The time since a ball's last collision was time in contact if it was short, and the bounce as
-/// slow as those of a sustained contact are (man.6).
+/// slow as those of a sustained contact are (man.7).
 void ManyBalls::count_contact(Turning& ball, bool slow) {
   const double flight = now_ - ball.last;
   if (rules_.lasting == Lasting::tc && slow && flight < 5 * rules_.contact_time)

@@ -29,9 +29,9 @@ struct Account {
   std::int64_t tc_collisions = 0;     ///< made elastic by the TC rule
   double lost_within = 0;  ///< of the losses, in collisions within t_c of another of the same body
   double withheld = 0;     ///< that restitution would have dissipated, kept by the TC rule
-  std::int64_t hits_within = 0;       ///< collisions within t_c, above the threshold
-  std::int64_t search_steps = 0;      ///< of the search of touches
-  std::int64_t time_steps = 0;        ///< computed by the soft engine
+  std::int64_t hits_within = 0;   ///< collisions within t_c, above the threshold
+  std::int64_t search_steps = 0;  ///< of the search of touches
+  std::int64_t time_steps = 0;    ///< computed by the soft engine
 
   double lost() const { return lost_normal + lost_tangential + lost_lasting + lost_rolling; }
   /// Energy that appeared from nowhere (dem.32).

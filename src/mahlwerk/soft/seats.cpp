@@ -174,7 +174,8 @@ void SoftBalls::find_feet() {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k] || p.face[k] < 0) continue;
       p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.near.size());
-      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k], (1 + past_touch) * p.radius_i[l] + reach_});
+      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k],
+                        (1 + past_touch) * p.radius_i[l] + reach_});
     }
   const std::size_t blocks =
       w.blocks + std::max<std::size_t>(1, (w.near.size() + lanes - 1) / lanes);

@@ -15,8 +15,8 @@ namespace mahlwerk::campaign {
 /// One replicate of a case in the making: settles, then counts, stretch by stretch.
 class Replica {
  public:
-  /// `keeper` gets every counted record, `frames` the frames that the case asks for. Once `*stop` is
-  /// set go_on() returns early; throws Interrupted if that is so while balls are placed.
+  /// `keeper` gets every counted record, `frames` the frames that the case asks for. Once `*stop`
+  /// is set go_on() returns early; throws Interrupted if that is so while balls are placed.
   Replica(const cases::Case& what, int index, std::unique_ptr<scene::Observer> keeper = nullptr,
           std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
           const std::atomic<bool>* stop = nullptr);
