@@ -64,10 +64,13 @@ TEST_F(Edges, absurd_values_are_refused) {
 
 TEST_F(Edges, unusual_values_get_a_word) {
   tells("balls.density=7.85 kg/m3", "unusual-density");
-  tells(
-      "mill.kind=planetary;mill.speed=300 rpm;mill.orbit_radius=70 mm;mill.ratio=2;"
-      "run.time=0.01 s",
-      "unusual-ratio");
+  std::string planetary = vial;
+  const auto mill = planetary.find("[mill]"), jar = planetary.find("[jar]");
+  planetary.replace(mill, jar - mill,
+                    "[mill]\nkind = \"planetary\"\nspeed = \"300 rpm\"\n"
+                    "orbit_radius = \"70 mm\"\nratio = 2\n");
+  std::ofstream(here_ / "case.toml") << planetary;
+  tells("run.time=0.01 s", "unusual-ratio");
 }
 
 TEST_F(Edges, a_maker_s_range_holds_beside_a_kind) {

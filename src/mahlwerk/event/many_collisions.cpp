@@ -87,7 +87,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule, const Touch
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
     return {j, contact::loss(j, touch.mass, approach, touch.slip)};
   }
-  const Bounce b = sustained_.collide(
+  Bounce b = sustained_.collide(
       rule, {touch.mass, approach, touch.slip, since, touch.press, stored.sum()});
   stored.settle(b);
   if (b.raised) ++account_.tc_collisions;
@@ -111,12 +111,13 @@ void ManyBalls::kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
 void ManyBalls::settle_account(const Touching& touch, const Bounce& bounce, double gained,
                                double work, double scale) {
   const contact::Loss& loss = bounce.loss;
-  refuse_gain({loss.normal + bounce.drawn, loss.tangential}, touch.mass, touch.approach, touch.slip,
-              mill_time() - start_);
+  refuse_gain(loss, touch.mass, touch.approach, touch.slip, mill_time() - start_);
+  account_.elastic += bounce.kept;
   account_.lost_normal += loss.normal;
   account_.lost_tangential += loss.tangential;
-  const double lost = loss.normal + loss.tangential;
-  const double residual = std::abs(gained - work + lost) / (scale + std::abs(work) + lost + 1e-300);
+  const double lost = loss.normal + loss.tangential + bounce.kept;
+  const double residual =
+      std::abs(gained - work + lost) / (scale + std::abs(work) + std::abs(lost) + 1e-300);
   if (!(residual <= account_.worst_collision)) account_.worst_collision = residual;
 }
 

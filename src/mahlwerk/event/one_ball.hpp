@@ -153,19 +153,20 @@ class OneBall final : public scene::Engine {
     const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
     const double slip = norm(slipping);
 
-    const auto [j, loss, drawn] = bounce(face, wall, approach, slip);
-    refuse_gain({loss.normal + drawn, loss.tangential}, m, approach, slip, mill_time() - start_);
+    const auto [j, loss, kept] = bounce(face, wall, approach, slip);
+    refuse_gain(loss, m, approach, slip, mill_time() - start_);
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
 
     Passing after = now_.ball;
     const double before = kinetic(after.velocity + now_.ride.velocity);
     const double work = push(impulse, wall, after);
     const double gained = kinetic(after.velocity + now_.ride.velocity) - before;
-    check_balance(gained, work, loss.normal + loss.tangential, before);
+    check_balance(gained, work, loss.normal + loss.tangential + kept, before);
 
     account_.wall_work += work;
     account_.lost_normal += loss.normal;
     account_.lost_tangential += loss.tangential;
+    account_.elastic += kept;
     ++account_.collisions;
     record(face, wall, n, approach, slip, norm(gliding), j.normal, loss);
     rebound_ = j.normal / m - approach;
@@ -176,7 +177,7 @@ class OneBall final : public scene::Engine {
   struct Bounce {
     contact::Impulse impulse;
     contact::Loss loss;
-    double drawn = 0;  ///< [J] of what was stored (man.6)
+    double kept = 0;  ///< [J] that is stored after it, more than before (man.6)
   };
   /// By the wall's rule (evt.6 to evt.8), or that of sustained contacts under the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
@@ -190,7 +191,7 @@ class OneBall final : public scene::Engine {
         squared(across(now_.ball.velocity, wall.inward)) * std::max(wall.bend, 0.0);
     const SustainedContact sustained{rules_.contact_time, rules_.lasting_friction};
     StoredEnergy stored(stored_, sustained.room(body_.mass, field_));
-    const auto b =
+    auto b =
         sustained.collide(rule, {body_.mass, approach, slip, since, field_ + round, stored.sum()});
     stored.settle(b);
     if (b.raised) ++account_.tc_collisions;
@@ -199,12 +200,12 @@ class OneBall final : public scene::Engine {
       account_.lost_within += b.loss.normal + b.loss.tangential;
       if (approach >= rules_.threshold) ++account_.hits_within;
     }
-    return {b.impulse, b.loss, b.drawn};
+    return {b.impulse, b.loss, b.kept};
   }
 
   void check_balance(double gained, double work, double lost, double scale) {
     const double residual =
-        std::abs(gained - work + lost) / (scale + std::abs(work) + lost + 1e-300);
+        std::abs(gained - work + lost) / (scale + std::abs(work) + std::abs(lost) + 1e-300);
     if (!(residual <= account_.worst_collision)) account_.worst_collision = residual;
   }
 

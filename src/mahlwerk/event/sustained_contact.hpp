@@ -26,7 +26,8 @@ struct SustainedContact {
   struct Result {
     contact::Impulse impulse;
     contact::Loss loss;
-    double drawn = 0;     ///< [J] of what was stored: the loss is less by it, at least its negative
+    double drawn = 0;     ///< [J] of what was stored; the loss is less by it
+    double kept = 0;      ///< [J] that the bodies store more after it (StoredEnergy::settle)
     double withheld = 0;  ///< [J] that the pair's restitution would have dissipated besides
     bool raised = false;  ///< made more elastic than the pair's restitution says
   };
@@ -101,12 +102,22 @@ class StoredEnergy {
       : one_(&one), other_(&other), one_room_(room), other_room_(other_room) {}
 
   double sum() const { return *one_ + (other_ != nullptr ? *other_ : 0.0); }
-  void settle(const SustainedContact::Result& collision) {
-    const double lost = collision.loss.normal + collision.loss.tangential;
-    if (collision.drawn > 0)
+  /// Takes what was drawn, or puts by what was lost; then the collision's loss is what has really
+  /// been dissipated.
+  void settle(SustainedContact::Result& collision) {
+    const double before = sum();
+    contact::Loss& loss = collision.loss;
+    const double lost = loss.normal + loss.tangential;
+    if (collision.drawn > 0) {
       take(collision.drawn);
-    else if (lost > 0)
+      loss.normal += collision.drawn;
+    } else if (lost > 0) {
       put(lost);
+      const double left = std::max(0.0, 1 - (sum() - before) / lost);
+      loss.normal *= left;
+      loss.tangential *= left;
+    }
+    collision.kept = sum() - before;
   }
 
  private:

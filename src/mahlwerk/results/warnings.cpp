@@ -123,8 +123,7 @@ void energy_gained(const Outcome& outcome, Notices& list) {
   for (const Replicate& r : outcome.replicates) {
     const scene::Account& a = r.account;
     const double turned_over = a.kinetic + std::abs(a.started_with) + std::abs(a.wall_work);
-    // What collisions before counting began have lost, sustained contacts may draw on (man.6).
-    const double lost = soft ? std::min(a.lost(), a.lost() - r.at_settled.lost()) : a.lost();
+    const double lost = std::min(a.lost(), a.lost() - r.at_settled.lost());
     if (!(lost < -rounding * turned_over)) continue;
     const char* const why =
         soft

@@ -169,9 +169,10 @@ TEST_F(StoreTest, columns_are_in_one_order_whichever_run_ends_first) {
     Store store(place, Store::Access::write);
     store.plan(planned({1, 2, 3}));
     for (const std::size_t i : order) store.keep(three_forms()[i]);
-    EXPECT_EQ(heads_of(store),
-              "message,rate_per_s,rate_ci95_per_s,overlap,overlap_ci95,energy_J,energy_ci95_J,"
-              "property,property_ci95");
+    EXPECT_EQ(
+        heads_of(store),
+        "message,warnings,rate_per_s,rate_ci95_per_s,overlap,overlap_ci95,energy_J,energy_ci95_J,"
+        "property,property_ci95");
     EXPECT_EQ(store.quantities().back().about, "colour, after milling");
     const auto list = points(store, {"overlap", "property", "rate"});
     EXPECT_EQ(list[1].value, (std::vector<double>{0.01, 1, 6}));

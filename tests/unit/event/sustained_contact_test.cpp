@@ -68,14 +68,22 @@ TEST(SustainedContact, what_is_drawn_is_what_the_bodies_gain) {
 TEST(SustainedContact, bodies_store_losses_as_far_as_there_is_room_and_give_no_more) {
   double one = 0, other = 0;
   StoredEnergy both(one, 3, other, 1);
-  both.settle({.impulse = {}, .loss = {4, 0}});
+  const auto settle = [&](contact::Loss loss, double drawn) {
+    SustainedContact::Result collision{.impulse = {}, .loss = loss, .drawn = drawn};
+    both.settle(collision);
+    return collision;
+  };
+  const auto first = settle({4, 0}, 0);
   EXPECT_EQ(one, 2);
   EXPECT_EQ(other, 1);
-  both.settle({.impulse = {}, .loss = {0, 4}});
+  EXPECT_EQ(first.kept, 3);
+  EXPECT_EQ(first.loss.normal, 1) << "the rest is dissipated";
+  EXPECT_EQ(settle({0, 4}, 0).loss.tangential, 3);
   EXPECT_EQ(one, 3);
-  both.settle({.impulse = {}, .loss = {-3.5, 0}, .drawn = 3.5});
+  const auto drawn = settle({-3.5, 0}, 3.5);
   EXPECT_EQ(both.sum(), 0.5);
-  both.settle({.impulse = {}, .loss = {-0.5, 0}, .drawn = 0.5});
+  EXPECT_EQ(drawn.loss.normal, 0) << "what is drawn was not dissipated before";
+  EXPECT_EQ(settle({-0.5, 0}, 0.5).kept, -0.5);
   EXPECT_EQ(both.sum(), 0);
 }
 

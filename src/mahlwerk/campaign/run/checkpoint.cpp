@@ -91,6 +91,11 @@ void Checkpoint::load() {
   loaded_ = true;
 }
 
+bool Checkpoint::holds(std::size_t job) const {
+  const std::lock_guard lock(mutex_);
+  return !states_[job].empty();
+}
+
 void Checkpoint::restore(std::size_t job, Replica& replica) {
   const std::lock_guard lock(mutex_);
   if (states_[job].empty()) return;

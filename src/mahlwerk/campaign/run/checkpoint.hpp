@@ -33,6 +33,7 @@ class Checkpoint {
   void load();
   bool loaded() const { return loaded_; }
 
+  bool holds(std::size_t job) const;                ///< whether there is a kept state of it
   void restore(std::size_t job, Replica& replica);  ///< to its kept state, if there is one
   bool due(std::size_t job) const;
   /// Into the file if `now`, or if that is due; else it waits for the next that is, or for flush().

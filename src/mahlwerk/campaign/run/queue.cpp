@@ -233,11 +233,14 @@ class Crew {
 
   results::Replicate simulate(const Open& point, std::size_t replicate) {
     const int r = static_cast<int>(replicate);
-    Replica replica(point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
-                    options_.frames ? options_.frames(point.index, r) : nullptr,
-                    queue_.threads_each, options_.stop);
     const Kept kept = queue_.kept ? queue_.kept(point.index) : Kept{};
     const std::size_t job = kept.from + replicate;
+    // What an earlier process computed is there again, even if nobody waits for more.
+    const bool begun = kept.in != nullptr && kept.in->holds(job);
+    Replica replica(point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
+                    options_.frames ? options_.frames(point.index, r) : nullptr,
+                    queue_.threads_each, begun ? nullptr : options_.stop);
+    replica.stop_on(options_.stop);
     if (kept.in != nullptr) kept.in->restore(job, replica);
     const double weight = queue_.weight ? queue_.weight(point.index) : 1;
     teller_.add(weight * replica.account().time, 0, 0);  // what was done by an earlier process

@@ -21,6 +21,8 @@ class Replica {
           std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
           const std::atomic<bool>* stop = nullptr);
 
+  /// Once `*stop` is set go_on() returns early.
+  void stop_on(const std::atomic<bool>* stop) { engine_->stop_on(stop); }
   bool done() const;
   /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
   void go_on();
