@@ -60,9 +60,10 @@ class Charge {
 
   void place() {
     if (place_one_by_one()) return;
+    dense_ = true;
     if (hopeless()) throw full();
     const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
-    left_ = sweeps(3000, std::min(4e8, 2e5 * static_cast<double>(count_)));
+    left_ = sweeps(3000, std::min(4e8, 6e4 * static_cast<double>(count_)));
     for (int start = 0; start < starts && left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
@@ -149,7 +150,7 @@ class Charge {
   }
   /// Many where there are few balls; few once it is clear that pushing must follow.
   int tries_left(std::size_t crowded) const {
-    if (crowded > 0) return 20;
+    if (crowded > 0 || dense_) return 20;
     return static_cast<int>(std::clamp(2e7 / static_cast<double>(count_), 200.0, 1e5));
   }
   bool free(const Vec3& p, double radius, const std::vector<Grid>& grids) const {
@@ -238,6 +239,7 @@ class Charge {
   Room room_;
   std::vector<Places> places_;  // for each portion, in that order
   std::vector<Placed> placed_;
+  bool dense_ = false;     // placing one by one has failed
   std::int64_t left_ = 0;  // of the work
   double largest_ = 0, typical_ = 0;
 };
