@@ -173,10 +173,9 @@ Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* 
     notes.push_back(note("contact-time", words));
   else
     notes.push_back(
-        warning("contact-time",
-                fmt::format("Whether the result depends on contact.contact_time is not known "
-                            "well. {}",
-                            words)));
+        {"contact-time", contacts.share > most_contact ? Severity::invalid : Severity::warning,
+         fmt::format("Whether the result depends on contact.contact_time is not known well. {}",
+                     words)});
   return notes;
 }
 
