@@ -133,9 +133,7 @@ void ManyBalls::renew() {
 /// A run whose events pile up without end stops with the reason, rather than hang.
 void ManyBalls::guard() {
   // A ball at rest makes some thirty in t_c; deep in a bed, several times as many.
-  // Balls that are wedged for a moment pass through some hundred thousand.
-  constexpr std::int64_t each = 2'000;
-  const std::int64_t many = rules_.lasting == Lasting::tc ? 1'000'000 : 100'000;
+  constexpr std::int64_t many = 100'000, each = 2'000;
   constexpr double soon = 1e-4;  // [s]
   const std::int64_t events = events_ - guarded_;
   if (events < many + each * std::ssize(lines_)) return;
