@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
+#include <stdexcept>
+#include <thread>
 
 #include "mahlwerk/base/error.hpp"
 #include "unit/cases/sample.hpp"
@@ -17,13 +20,6 @@ using cases::sample::read_sample;
 using cases::sample::vial;
 using cases::sample::with;
 
-/// So full that some replicates find no place for all balls, and others do.
-cases::Case crowded() {
-  std::string text =
-      with(with(vial, "count", "count = 38"), "diameter = \"8", "diameter = \"5 mm\"");
-  return read_sample(with(text, "time", "time = \"0.2 s\"\nreplicates = 6"), {{"seed", "5"}});
-}
-
 TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
   struct Watch : scene::Observer {
     explicit Watch(std::atomic<int>& count) : alive(count) { ++alive; }
@@ -34,7 +30,9 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
   std::atomic<int> alive = 0, failed = 0, done = 0, at_work = -1;
   Queue queue;
   queue.size = 1;
-  queue.open = [](std::size_t) { return crowded(); };
+  queue.open = [](std::size_t) {  // far longer than a test: only the failure ends it
+    return read_sample(with(vial, "time", "time = \"1 Ms\"\nreplicates = 6"));
+  };
   queue.done = [&](std::size_t, results::Outcome&&) { ++done; };
   queue.failed = [&](std::size_t, const std::exception&) {
     ++failed;
@@ -42,7 +40,13 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
   };
   Options options;
   options.threads = 4;
-  options.records = [&](std::size_t, int) { return std::make_unique<Watch>(alive); };
+  options.records = [&](std::size_t, int replicate) {
+    if (replicate == 3) {  // fails while the first three are at work
+      while (alive < 3) std::this_thread::yield();
+      throw std::runtime_error("this replicate cannot begin");
+    }
+    return std::make_unique<Watch>(alive);
+  };
   work_off(queue, options);
   EXPECT_EQ(failed, 1);
   EXPECT_EQ(done, 0);
