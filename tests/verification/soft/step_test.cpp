@@ -21,7 +21,7 @@ namespace {
 using contact::LawName;
 
 /// v_t/(mu v_n) from sticking to gross slip, which begins at 7 for e = 1.
-constexpr std::array slopes{0.25, 0.5, 1.0, 1.5, 2.5, 4.0, 7.0, 12.0};
+constexpr std::array slopes{0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.5, 3.5, 4.0, 5.0, 7.0, 12.0};
 constexpr std::array phases{0.06, 0.31, 0.56, 0.81};  // of a step, where in it the touch falls
 
 scene::Ball steel(double along, double towards) {
@@ -35,11 +35,13 @@ double usual_share(LawName name, const contact::Pair& pair, const scene::Ball& b
   return std::min(1.0 / 50, steps.damper / 5 / steps.contact);
 }
 
-/// The largest over slopes and phases, with `shorter` times more steps than usual.
-soft::StepError largest_error(LawName name, double e, double mu, double shorter = 1) {
+/// The largest over slopes and phases, with `shorter` times more steps than usual; `nu` is
+/// Poisson's ratio.
+soft::StepError largest_error(LawName name, double e, double mu, double shorter = 1,
+                              double nu = 0.3) {
   soft::StepError worst;
   for (const double slope : slopes) {
-    contact::Pair pair = pair_of({210e9, 0.3}, {210e9, 0.3}, e, mu);
+    contact::Pair pair = pair_of({210e9, nu}, {210e9, nu}, e, mu);
     if (name == LawName::jkr) pair.surface_energy = 0.05;
     if (name == LawName::sjkr) pair.cohesion = 1e6;
     const scene::Ball ball = steel(slope * mu, 1);
@@ -81,6 +83,23 @@ TEST(TimeStep, usual_leaves_every_collision_off_by_a_hundredth_at_most_and_says_
       EXPECT_LE(told.rebound + told.spin, 0.01 + 2 * (found.rebound + found.spin))
           << what << ": told far more than there is";
     }
+}
+
+TEST(TimeStep, what_is_told_of_the_usual_one_holds_for_any_poisson_ratio) {
+  for (const LawName name : {LawName::hertz_mindlin, LawName::hertz_tsuji})
+    for (const double e : {0.2, 0.7, 0.8})
+      for (const double nu : {0.0, 0.2, 0.25, 0.45}) {
+        const soft::StepError found = largest_error(name, e, 0.4, 1, nu);
+        const contact::Pair pair = pair_of({210e9, nu}, {210e9, nu}, e, 0.4);
+        const soft::StepError told =
+            soft::step_error(name, e, 1 / usual_share(name, pair, steel(1, 1)));
+        const std::string what = fmt::format(
+            "{}, e {}, nu {}", contact::law_words[static_cast<std::size_t>(name)], e, nu);
+        std::printf("    %-28s %s\n", what.c_str(), row_of(found).c_str());
+        EXPECT_LE(found.rebound, told.rebound) << what;
+        EXPECT_LE(found.across, told.across) << what;
+        EXPECT_LE(found.spin, told.spin) << what;
+      }
 }
 
 TEST(TimeStep, errors_fall_with_it_and_undamped_with_its_square) {
