@@ -50,7 +50,7 @@ std::string slurm_path(const fs::path& path) {
 }
 
 /// In quotes, as in a line of options.
-std::string quoted(const std::string& text) {
+std::string option_string(const std::string& text) {
   std::string made = "\"";
   for (const char c : text)
     made += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
@@ -111,7 +111,7 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
       "exec {5} sweep {6} --out {7} --shard \"$SLURM_ARRAY_TASK_ID\"/{0} --jobs "
       "\"${{SLURM_CPUS_PER_TASK:-1}}\"{8}\n",
       request.slurm, request.threads > 0 ? request.threads : 1,
-      quoted(slurm_path(place) + "/slurm-%A_%a.out"), more_options(request), environment,
+      option_string(slurm_path(place) + "/slurm-%A_%a.out"), more_options(request), environment,
       shell_path(this_program()), shell_path(case_file), shell_path(place), set);
 }
 

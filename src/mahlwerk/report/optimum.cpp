@@ -108,7 +108,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
   std::vector<std::string> all;
   const std::string quantity = label(found.quantity);
   if (!found.best) {
-    all.push_back(found.failed == static_cast<int>(found.settings.size())
+    all.emplace_back(found.failed == static_cast<int>(found.settings.size())
                       ? "No setting that was tried could be run"
                       : "No setting that was tried is likely to keep the limits");
   } else {

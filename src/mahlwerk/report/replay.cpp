@@ -30,7 +30,7 @@ std::string packed(const std::vector<T>& list) {
   return base64({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
 }
 
-std::string quoted(std::string_view text) {
+std::string json_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -97,8 +97,8 @@ std::string meshes(const cases::Case& c, const Ways& w) {
     std::vector<float> vertices;
     for (const Vec3& v : mesh.vertices) append(vertices, v);
     list += fmt::format("{}{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{}}}",
-                        list.empty() ? "" : ",", quoted(mesh.name), packed(vertices),
-                        packed(mesh.triangles), mesh.rotor ? quoted(packed(w.rotor)) : "null");
+                        list.empty() ? "" : ",", json_string(mesh.name), packed(vertices),
+                        packed(mesh.triangles), mesh.rotor ? json_string(packed(w.rotor)) : "null");
   }
   return list;
 }
@@ -119,7 +119,7 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
   std::string times, names;
   for (const double t : film.times()) times += fmt::format("{}{:.9g}", times.empty() ? "" : ",", t);
   for (std::size_t i = 0; i < c.balls.size(); ++i)
-    names += (i > 0 ? "," : "") + quoted(cases::set_name(c, i));
+    names += (i > 0 ? "," : "") + json_string(cases::set_name(c, i));
   const bool planetary = std::holds_alternative<kinematics::Planetary>(c.mill.motion);
   const Ways w = ways(c, film.times());
   return fmt::format(
@@ -127,7 +127,7 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
       "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
       "\"carrier_turn\":\"{}\",\"carrier\":{},\"meshes\":[{}]}}",
-      quoted(c.title), times, radius.size(), balls.size(), packed(radius), packed(species), names,
+      json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species), names,
       film.place_unit(), packed(film.places()), fastest / most, packed(speeds), packed(w.centre),
       packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null", meshes(c, w));
 }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
 namespace mahlwerk::scene {
@@ -26,11 +26,12 @@ struct Wall {
   double bend;    ///< [1/m] its largest curvature there, > 0 concave
 };
 
-/// A chamber with its types known, so that the search is straight arithmetic.
+/// A chamber whose shape is known when it is compiled, so that the search is straight arithmetic;
+/// `M` has what a motion has (tests count how often it is asked).
 ///
 /// A jar that does not turn, or turns about the axis it is symmetric to, looks the same at all
 /// times: its geometry is that of the mounted jar, and only its wall moves along itself.
-template <geometry::Shape S, kinematics::Motion M>
+template <geometry::Shape S, class M = kinematics::ChosenMotion>
 class Jar {
  public:
   Jar(const S& shape, const M& motion, const scene::Chamber& chamber)

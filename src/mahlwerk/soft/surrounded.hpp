@@ -10,12 +10,12 @@
 
 namespace mahlwerk::soft {
 
-template <class S, class M>
+template <class S>
 class Surrounded final : public Surroundings {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
 
  public:
-  explicit Surrounded(const scene::Jar<S, M>& jar) : jar_(jar) {
+  explicit Surrounded(const scene::Jar<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
     faces_ = turning_from_ = jar.shape().faces;
@@ -146,16 +146,13 @@ class Surrounded final : public Surroundings {
     }
   }
 
-  scene::Jar<S, M> jar_;
+  scene::Jar<S> jar_;
 };
 
 template <class S>
 std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber) {
-  return std::visit(
-      [&]<class M>(const M& motion) -> std::unique_ptr<const Surroundings> {
-        return std::make_unique<Surrounded<S, M>>(scene::Jar<S, M>(shape, motion, chamber));
-      },
-      chamber.motion);
+  const kinematics::ChosenMotion motion(chamber.motion);
+  return std::make_unique<Surrounded<S>>(scene::Jar<S>(shape, motion, chamber));
 }
 
 }  // namespace mahlwerk::soft

@@ -238,7 +238,7 @@ void allow_for(double width, const FreeParameter& number, FittedParameter& p) {
   p.open_high = p.open_high || high >= 1;
   p.determined = p.determined && !(p.open_low && p.open_high);
   if (width > 0.5 * (below + above))
-    p.remarks.push_back(
+    p.remarks.emplace_back(
         "it is the scatter of the simulated mill that makes it unsure: a longer "
         "run or more replicates make it surer");
 }
