@@ -63,7 +63,7 @@ class Charge {
     dense_ = true;
     if (hopeless()) throw full();
     const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
-    left_ = sweeps(3000, std::min(4e8, 6e4 * static_cast<double>(count_)));
+    left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
     for (int start = 0; start < starts && left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
@@ -225,7 +225,7 @@ class Charge {
     std::vector<Placed> smaller = placed_;
     for (Placed& b : smaller) b.radius *= size;
     return push_apart(smaller, shape_, room_, 1e-6,
-                      sweeps(300, std::min(5e7, 2e4 * static_cast<double>(count_))), stop_)
+                      sweeps(300, std::min(5e7, 1.5e3 * static_cast<double>(count_))), stop_)
         .free;
   }
 

@@ -38,7 +38,8 @@ pre{overflow-x:auto;background:var(--box);border:1px solid var(--edge);border-ra
 code{font:.88em ui-monospace,Menlo,Consolas,monospace}
 summary{cursor:pointer;font-weight:600}a{color:inherit}
 footer{margin-top:2.5rem;border-top:1px solid var(--edge);padding-top:.8rem}
-@media (max-width:36rem){.stacked thead{display:none}.stacked tr{display:block;border-bottom:1px solid var(--edge);padding:.3rem 0}.stacked th,.stacked td{display:flex;justify-content:space-between;gap:1rem;border:0;padding:.15rem 0}.stacked td:empty{display:none}.stacked td::before{content:attr(data-head);color:var(--soft)}}
+@media (max-width:36rem){.stacked thead{display:none}.stacked tr{display:block;border-bottom:1px solid var(--edge);padding:.3rem 0}.stacked th,.stacked td{display:flex;justify-content:space-between;gap:1rem;border:0;padding:.15rem 0}.stacked td:empty{display:none}.stacked td::before{content:attr(data-head);color:var(--soft)}
+ .quantities tr{display:grid;grid-template-columns:1fr 1fr;border-bottom:1px solid var(--edge)}.quantities th,.quantities td{border:0}.quantities tbody th,.quantities thead th:first-child{grid-column:1/-1}.quantities thead th:first-child{display:none}.quantities th{padding-bottom:.1rem}.quantities td{padding-top:.1rem}.quantities td.n{white-space:normal}}
 @media print{:root{--ink:#000;--soft:#444;--grid:#ddd;--paper:#fff;--box:#fff;--edge:#bbb}
  .panels{grid-template-columns:1fr 1fr}.wide{overflow:visible}#points{font-size:7pt}#points td,#points th{padding:.15rem .25rem}
  body{font-size:10.5pt}main{max-width:none;padding:0}tr{break-inside:avoid}h2{break-after:avoid}}

@@ -45,25 +45,56 @@ std::string number_cell(const Quantity* q, const std::string& text) {
                      shortest(q->value), escaped(text));
 }
 
-std::string quantity_table(const Outcome& outcome, const std::vector<Quantity>& list) {
-  std::string body;
+/// The rows of a group of quantities, under its heading.
+struct Group {
+  std::string lines;
+  int rows = 0;
+};
+
+std::vector<Group> groups(const std::vector<Quantity>& list) {
+  std::vector<Group> all;
   for (const Row& row : rows(list)) {
-    if (!row.group.empty())
-      body += fmt::format("<tr><th class=\"group\" colspan=\"3\">{}</th></tr>\n", row.group);
+    if (!row.group.empty() || all.empty())
+      all.push_back(
+          {fmt::format("<tr><th class=\"group\" colspan=\"3\">{}</th></tr>\n", row.group)});
     const std::string title = label(*row.all);
-    body += fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
-                        with_symbols(row.all->about),
-                        number_cell(row.only_above ? nullptr : row.all, row.all_text()),
-                        number_cell(row.only_above ? row.all : row.above, row.above_text()));
+    all.back().lines +=
+        fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
+                    with_symbols(row.all->about),
+                    number_cell(row.only_above ? nullptr : row.all, row.all_text()),
+                    number_cell(row.only_above ? row.all : row.above, row.above_text()));
+    ++all.back().rows;
   }
-  return fmt::format(
-      "<h2>Results</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">all "
-      "collisions</th><th class=\"n\">u<sub>n</sub> ≥ {}</th></tr></thead>\n<tbody>\n{}</tbody>\n"
-      "</table></div>\n<p><small>± is the 95 % confidence half-width over independent replicates "
-      "(Student's t), or of one alone over time (batch means). u<sub>n</sub> is the normal speed "
-      "at "
-      "first touch.</small></p>\n",
-      threshold_text(outcome.what.observe.threshold), body);
+  return all;
+}
+
+/// The tables above and below the plots: those groups stand above that come first and are together
+/// no longer than two screens.
+struct QuantityTables {
+  std::string above, below;
+};
+
+QuantityTables quantity_tables(const Outcome& outcome, const std::vector<Quantity>& list) {
+  constexpr int most = 40;
+  const std::string threshold = threshold_text(outcome.what.observe.threshold);
+  const auto table = [&](const std::string& body) {
+    return fmt::format(
+        "<div class=\"wide\"><table class=\"quantities\">\n<thead><tr><th></th><th "
+        "class=\"n\">all collisions</th><th class=\"n\">u<sub>n</sub> ≥ {}</th></tr></thead>\n"
+        "<tbody>\n{}</tbody>\n</table></div>\n",
+        threshold, body);
+  };
+  std::string above, below;
+  int count = 0;
+  for (const Group& group : groups(list)) {
+    count += group.rows;
+    (count <= most ? above : below) += group.lines;
+  }
+  return {"<h2>Results</h2>\n" + table(above) +
+              "<p><small>± is the 95 % confidence half-width over independent replicates "
+              "(Student's t), or of one alone over time (batch means). u<sub>n</sub> is the normal "
+              "speed at first touch.</small></p>\n",
+          below.empty() ? "" : "<h2>More results</h2>\n" + table(below)};
 }
 
 /// Collisions by kind of pair; empty where there is one kind.
@@ -211,12 +242,14 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
       body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(one.text));
   if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
-  body += quantity_table(outcome, list);
+  const QuantityTables tables = quantity_tables(outcome, list);
+  body += tables.above;
   body += states_section(outcome);
   body += pairs_table(outcome);
   if (!results::averaged(outcome).empty())
     body += how_hard(outcome) + where(outcome) + how_steady(outcome) + wear_and_heat(outcome);
   body += powder_sections(outcome);
+  body += tables.below;
   body += methods_box(outcome, version);
   body += "<h2>What it rests on</h2>\n";
   body += origin_box(

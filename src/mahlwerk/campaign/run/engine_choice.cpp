@@ -48,7 +48,7 @@ Contacts contacts_of(const results::Outcome& outcome) {
 
 std::string percent(const ContactTimeEffect::Change& change) {
   if (!std::isfinite(change.share) || !std::isfinite(change.ci95)) return "an unknown amount";
-  return fmt::format("{:+.2g} % (+- {:.2g} %)", 100 * change.share, 100 * change.ci95);
+  return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.share, 100 * change.ci95);
 }
 
 /// "With a contact_time of 25 us instead of 0.1 ms the power of a pilot run changes by ...".
