@@ -109,8 +109,8 @@ std::vector<std::string> sentences(const OptimumReport& found) {
   const std::string quantity = label(found.quantity);
   if (!found.best) {
     all.emplace_back(found.failed == static_cast<int>(found.settings.size())
-                      ? "No setting that was tried could be run"
-                      : "No setting that was tried is likely to keep the limits");
+                         ? "No setting that was tried could be run"
+                         : "No setting that was tried is likely to keep the limits");
   } else {
     all = validity_sentences(found);
     all.push_back(chance_sentence(found));

@@ -127,9 +127,10 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
       "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
       "\"carrier_turn\":\"{}\",\"carrier\":{},\"meshes\":[{}]}}",
-      json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species), names,
-      film.place_unit(), packed(film.places()), fastest / most, packed(speeds), packed(w.centre),
-      packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null", meshes(c, w));
+      json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
+      names, film.place_unit(), packed(film.places()), fastest / most, packed(speeds),
+      packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
+      meshes(c, w));
 }
 
 }  // namespace
