@@ -31,6 +31,14 @@ class Archive {
   requires std::is_trivially_copyable_v<T> Archive& operator()(T& value) {
     return raw(&value, sizeof value);
   }
+  /// Read, a byte that is neither 0 nor 1 is damage.
+  Archive& operator()(bool& value) {
+    std::uint8_t byte = value ? 1 : 0;
+    raw(&byte, sizeof byte);
+    if (byte > 1) throw broken();
+    value = byte == 1;
+    return *this;
+  }
   /// A vector or string of plain values.
   template <class List>
   requires requires(List& list) { list.resize(1); }
