@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace mahlwerk {
 namespace {
+
+/// Not inlined: GCC 12 sees bytes that were not written in the string's own buffer, a false alarm.
+[[gnu::noinline]] Archive reader(const std::string& bytes) { return Archive(bytes); }
 
 TEST(Archive, gives_back_what_was_written) {
   Archive out;
@@ -13,7 +18,7 @@ TEST(Archive, gives_back_what_was_written) {
   double x = 0.1;
   std::string text = "ball";
   out(yes)(no)(x)(text);
-  Archive in(out.bytes());
+  Archive in = reader(out.bytes());
   bool first = false, second = true;
   double y = 0;
   std::string read;
@@ -27,14 +32,14 @@ TEST(Archive, gives_back_what_was_written) {
 
 TEST(Archive, refuses_a_byte_that_is_neither_true_nor_false) {
   bool value = false;
-  EXPECT_THROW(Archive(std::string("e"))(value), RunError);
+  EXPECT_THROW(reader("e")(value), RunError);
   EXPECT_FALSE(value);
 }
 
 TEST(Archive, refuses_too_few_and_too_many_bytes) {
   double x = 0;
-  EXPECT_THROW(Archive(std::string(7, 'x'))(x), RunError);
-  Archive more(std::string(9, '\0'));
+  EXPECT_THROW(reader(std::string(7, 'x'))(x), RunError);
+  Archive more = reader(std::string(9, '\0'));
   more(x);
   EXPECT_THROW(more.finish(), RunError);
 }
