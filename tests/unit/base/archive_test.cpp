@@ -10,7 +10,9 @@ namespace mahlwerk {
 namespace {
 
 /// Not inlined: GCC 12 sees bytes that were not written in the string's own buffer, a false alarm.
-[[gnu::noinline]] Archive reader(const std::string& bytes) { return Archive(bytes); }
+[[gnu::noinline]] Archive reader(const std::string& bytes) {
+  return Archive(bytes);
+}
 
 TEST(Archive, gives_back_what_was_written) {
   Archive out;
