@@ -1,5 +1,5 @@
-# Headers that most files include are compiled once: they are two thirds of what a file costs. Every
-# file includes what it needs all the same; -DMAHLWERK_PCH=OFF builds without.
+# Headers that most files include are compiled once. Every file includes what it needs all the same;
+# -DMAHLWERK_PCH=OFF builds without.
 #
 #   standard   the standard library and {fmt}: the rooms below cases
 #   case       these, a case and an outcome: cases and what uses it

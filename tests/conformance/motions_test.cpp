@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every motion of the register keeps the promises of kinematics/motion.hpp.
-#include "mahlwerk/kinematics/motions.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -95,6 +94,34 @@ TYPED_TEST_SUITE(Motions, AsTypes<AnyMotion>::type);
 template <class F>
 auto slope(const F& f, double t, double h) {
   return (f(t + h) - f(t - h)) / (2 * h);
+}
+
+bool same(const Vec3& a, const Vec3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+TYPED_TEST(Motions, chosen_at_run_time_or_remembered_say_the_same_to_the_bit) {
+  const auto& m = this->motion;
+  const ChosenMotion chosen{AnyMotion(m)};
+  const RememberedMotion remembered{AnyMotion(m)};
+  const auto agrees = [&](const auto& other, double t) {
+    const Ride r = m.ride(t), o = other.ride(t);
+    return same(r.centre, o.centre) && same(r.velocity, o.velocity) &&
+           same(r.acceleration, o.acceleration) && other.turn(t) == m.turn(t) &&
+           same(other.spin(t), m.spin(t)) && same(other.spin_rate(t), m.spin_rate(t));
+  };
+  double before = 0;
+  int differ = 0;
+  for (int i = 0; i < 1000; ++i) {  // each instant again after another
+    const double t = this->some_time();
+    for (const double at : {t, before, t, t})
+      if (!agrees(chosen, at) || !agrees(remembered, at)) ++differ;
+    before = t;
+  }
+  EXPECT_EQ(differ, 0);
+  EXPECT_EQ(chosen.period(), m.period());
+  EXPECT_EQ(remembered.period(), m.period());
+  EXPECT_TRUE(same(remembered.fixed_axis(), m.fixed_axis()));
 }
 
 TYPED_TEST(Motions, velocity_and_acceleration_are_the_derivatives_of_the_centre) {

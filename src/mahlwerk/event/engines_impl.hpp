@@ -7,7 +7,7 @@
 
 namespace mahlwerk::event {
 
-// One ball shaken has the shortest search of all, which a call would slow by a tenth: its motion is
+// One ball shaken has the shortest search of all, which a call would slow by a sixth: its motion is
 // known when it is compiled.
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,

@@ -42,10 +42,10 @@ class RememberedMotion {
  public:
   explicit RememberedMotion(AnyMotion motion) : motion_(std::move(motion)) {}
 
-  const Ride& ride(double t) const { return at(t).ride; }
-  const Rotation& turn(double t) const { return at(t).turn; }
-  const Vec3& spin(double t) const { return at(t).spin; }
-  const Vec3& spin_rate(double t) const { return at(t).spin_rate; }
+  Ride ride(double t) const { return at(t).ride; }
+  Rotation turn(double t) const { return at(t).turn; }
+  Vec3 spin(double t) const { return at(t).spin; }
+  Vec3 spin_rate(double t) const { return at(t).spin_rate; }
   Bounds bounds() const { return motion_.bounds(); }
   double period() const { return motion_.period(); }
   Vec3 fixed_axis() const { return motion_.fixed_axis(); }

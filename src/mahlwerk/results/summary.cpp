@@ -14,6 +14,7 @@
 #include "mahlwerk/results/measure.hpp"
 #include "mahlwerk/results/milling.hpp"
 #include "mahlwerk/results/motion.hpp"
+#include "mahlwerk/results/power.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/series.hpp"
 #include "mahlwerk/results/wear.hpp"
@@ -106,74 +107,6 @@ const std::vector<Measure>& partners() {
        "those with a normal speed u_n of at least the threshold",
        [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.above, r); }},
   };
-  return list;
-}
-
-const std::vector<Measure>& powers() {
-  static const std::vector<Measure> list{
-      {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
-       [](const cases::Case&, const Replicate& r) { return dissipated_power(r); }},
-      {"drawn_power", "W", "work of the jar on the balls per time",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::wall_work); }},
-      {"contact_time_share", "1", "share of the balls' time spent in lasting contact",
-       [](const cases::Case& c, const Replicate& r) {
-         return per_time(r, &Account::contact_time) / count_of_balls(c);
-       }},
-      {"lasting_contacts_rate", "1/s", "lasting contacts begun per second",
-       [](const cases::Case&, const Replicate& r) {
-         const auto begun = r.account.lasting_contacts - r.at_settled.lasting_contacts;
-         return share(static_cast<double>(begun), r.time());
-       }},
-  };
-  return list;
-}
-
-/// Where the soft engine's power goes. Their sum is the dissipated power.
-const std::vector<Measure>& losses() {
-  static const std::vector<Measure> list{
-      {"dissipated_power_normal", "W", "of it along the normal: dampers, hysteresis, cohesion",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_normal); }},
-      {"dissipated_power_tangential", "W", "of it across the normal: sliding and dampers",
-       [](const cases::Case&, const Replicate& r) {
-         return per_time(r, &Account::lost_tangential);
-       }},
-      {"dissipated_power_sliding", "W", "of that, by slip at the Coulomb limit",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::slid); }},
-      {"dissipated_power_rolling", "W", "of the dissipated power, by rolling resistance",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_rolling); }},
-  };
-  return list;
-}
-
-/// How far an event run rests on the TC rule (man.8).
-const std::vector<Measure>& contact_time_shares() {
-  static const std::vector<Measure> list{
-      {"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
-       [](const cases::Case&, const Replicate& r) {
-         return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
-                      static_cast<double>(r.account.collisions - r.at_settled.collisions));
-       }},
-      {"power_share_within_contact_time", "1",
-       "share of the dissipated power in collisions within contact_time of another of the same "
-       "body",
-       [](const cases::Case&, const Replicate& r) {
-         return share(r.account.lost_within - r.at_settled.lost_within,
-                      r.account.lost() - r.at_settled.lost());
-       }},
-      {"hit_share_within_contact_time", "1",
-       "share of the collisions above the threshold within contact_time of another of the same "
-       "body",
-       [](const cases::Case&, const Replicate& r) {
-         return share(static_cast<double>(r.account.hits_within - r.at_settled.hits_within),
-                      static_cast<double>(r.tally.above.count));
-       }},
-      {"withheld_power_share", "1",
-       "power that restitution would have dissipated but for the TC rule, over the dissipated "
-       "power",
-       [](const cases::Case&, const Replicate& r) {
-         return share(r.account.withheld - r.at_settled.withheld,
-                      r.account.lost() - r.at_settled.lost());
-       }}};
   return list;
 }
 
@@ -296,9 +229,9 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   gathering.add(rates());
   if (count_of_balls(outcome.what) > 1) gathering.add(partners());
   for (const CollisionMean& m : collision_means()) gathering.add(m);
-  gathering.add(powers());
-  if (outcome.what.run.engine == "soft") gathering.add(losses());
-  if (has_tc(outcome)) gathering.add(contact_time_shares());
+  gathering.add(power_measures());
+  if (outcome.what.run.engine == "soft") gathering.add(loss_measures());
+  if (has_tc(outcome)) gathering.add(contact_time_measures());
   gathering.add(mill_measures(outcome.what));
   gathering.add(ledger_measures());
   gathering.add(dose_measures(outcome.what));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string_view>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/methods.hpp"
@@ -18,6 +19,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
@@ -115,6 +117,26 @@ TEST(PowderReport, CatchesOfOneKindOfPairNeedNoLegendAndSharesAddUp) {
     for (const double s : share.y) sum += s;
     states("shares " + share.name + " (%)", sum, 100, 1e-9, "all collisions");
     EXPECT_EQ(share.x.size(), share.y.size() + 1);
+  }
+}
+
+TEST(PowderReport, HasAtMostFortyRowsOfResultsBeforeItsPlotsAndEveryRowOnce) {
+  const std::string html = report_page(ground_outcome(), "1");
+  const auto rows = [](std::string_view part) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = part.find("<th scope=\"row\">", at)) != part.npos; ++at) ++count;
+    return count;
+  };
+  const std::string_view results = std::string_view(html).substr(html.find("<h2>Results</h2>"));
+  const std::size_t plot = results.find("<svg"), more = results.find("<h2>More results</h2>");
+  ASSERT_LT(plot, more);
+  ASSERT_NE(more, results.npos);
+  EXPECT_LE(rows(results.substr(0, plot)), 40U);
+  EXPECT_GT(rows(results), 40U) << "there is something to put below";
+  for (const results::Quantity& q : results::summarise(ground_outcome())) {
+    const std::string cell = "data-quantity=\"" + q.name + "\"";
+    const std::size_t first = html.find(cell);
+    EXPECT_TRUE(first == html.npos || html.find(cell, first + 1) == html.npos) << q.name;
   }
 }
 

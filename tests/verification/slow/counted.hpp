@@ -18,38 +18,13 @@ struct Hang final : std::runtime_error {
 
 /// Any motion, that counts how often it is asked where the jar is: every look of the search asks,
 /// so a run that hangs is found out.
-struct Counted {
-  kinematics::AnyMotion motion;
+struct Counted : kinematics::ChosenMotion {
+  using ChosenMotion::ChosenMotion;
   std::shared_ptr<std::int64_t> left = std::make_shared<std::int64_t>(1'000'000);
 
-  static constexpr std::string_view name = "counted", about = "any motion, counted";
-  static constexpr Vec3 jar_axis = kinematics::upright;
-
-  template <class Question>
-  auto ask(Question question) const {
-    return std::visit(question, motion);
-  }
   kinematics::Ride ride(double t) const {
     if (--*left < 0) throw Hang("too many looks");
-    return ask([t](const auto& m) { return m.ride(t); });
-  }
-  Rotation turn(double t) const {
-    return ask([t](const auto& m) -> Rotation { return m.turn(t); });
-  }
-  Vec3 spin(double t) const {
-    return ask([t](const auto& m) -> Vec3 { return m.spin(t); });
-  }
-  Vec3 spin_rate(double t) const {
-    return ask([t](const auto& m) -> Vec3 { return m.spin_rate(t); });
-  }
-  kinematics::Bounds bounds() const {
-    return ask([](const auto& m) { return m.bounds(); });
-  }
-  double period() const {
-    return ask([](const auto& m) { return m.period(); });
-  }
-  Vec3 fixed_axis() const {
-    return ask([](const auto& m) -> Vec3 { return m.fixed_axis(); });
+    return ChosenMotion::ride(t);
   }
 };
 
