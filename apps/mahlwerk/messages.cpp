@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool as_json = false;
+bool errors_as_json = false;
 
 Json object(const Fault& fault) {
   return {
@@ -52,11 +52,11 @@ bool is_plain(char c) {
 }  // namespace
 
 void set_json_messages() {
-  as_json = true;
+  errors_as_json = true;
 }
 
 bool json_messages() {
-  return as_json;
+  return errors_as_json;
 }
 
 void to_stderr(std::string_view text) {
@@ -65,8 +65,8 @@ void to_stderr(std::string_view text) {
 }
 
 void tell_warning(const Fault& warning) {
-  to_stderr(as_json ? line({{"warning", object(warning)}})
-                    : "warning: " + mahlwerk::describe({warning}) + '\n');
+  to_stderr(errors_as_json ? line({{"warning", object(warning)}})
+                           : "warning: " + mahlwerk::describe({warning}) + '\n');
 }
 
 void TroubleTeller::operator()(const Fault& trouble) {
@@ -82,7 +82,7 @@ void TroubleTeller::tell_again() const {
 }
 
 int tell_end(int code, std::string_view words, const std::vector<Fault>& faults) {
-  if (!as_json) {
+  if (!errors_as_json) {
     to_stderr(printable(words) + '\n');
     return code;
   }

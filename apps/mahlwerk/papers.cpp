@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A paper with the cases of its campaigns.
-struct Job {
+struct PaperJob {
   report::Paper paper;
   std::map<std::string, cases::Case> whole;                ///< with [sweep], by campaign
   std::map<std::string, std::vector<cases::Case>> points;  ///< each
@@ -63,9 +63,9 @@ std::string name_of(const fs::path& folder) {
   return fs::weakly_canonical(folder).filename().string();
 }
 
-Job prepare(const Request& request, const fs::path& folder, bool several,
-            const cases::Catalogue& catalogue) {
-  Job job;
+PaperJob prepare_paper(const Request& request, const fs::path& folder, bool several,
+                       const cases::Catalogue& catalogue) {
+  PaperJob job;
   job.paper = report::read_paper(folder / "paper.toml");
   const std::vector<cases::Override> set = overrides(request);
   std::vector<Fault> wrong;
@@ -136,7 +136,7 @@ class Shared {
 };
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
-std::map<std::string, report::RunCampaign> run_all(const Request& request, const Job& job,
+std::map<std::string, report::RunCampaign> run_all(const Request& request, const PaperJob& job,
                                                    KeptRuns& kept) {
   Shared shared;
   Streams streams;
@@ -165,7 +165,7 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
   return run;
 }
 
-void write(const Job& job, const std::map<std::string, report::RunCampaign>& run,
+void write(const PaperJob& job, const std::map<std::string, report::RunCampaign>& run,
            const report::PaperResult& result) {
   for (const auto& [name, one] : run) {
     for (std::size_t i = 0; i < one.outcomes.size(); ++i)
@@ -181,7 +181,7 @@ void write(const Job& job, const std::map<std::string, report::RunCampaign>& run
   job.folder->commit();
 }
 
-void tell(const Job& job, const report::PaperResult& result, double seconds) {
+void tell(const PaperJob& job, const report::PaperResult& result, double seconds) {
   const fs::path place = job.folder->wanted();
   to_stdout(fmt::format("{}\n{}\n\n{}\n", job.paper.title, job.paper.source,
                         report::claims_text(result)));
@@ -191,7 +191,7 @@ void tell(const Job& job, const report::PaperResult& result, double seconds) {
   fmt::print("done in {:.2g} s\n", seconds);
 }
 
-nlohmann::ordered_json as_json(const Job& job, const report::PaperResult& result) {
+nlohmann::ordered_json as_json(const PaperJob& job, const report::PaperResult& result) {
   auto claims = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < result.judged.size(); ++i)
     claims.push_back({{"figure", job.paper.claims[i].figure},
@@ -209,13 +209,13 @@ nlohmann::ordered_json as_json(const Job& job, const report::PaperResult& result
 int papers(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> places = folders(request.target);
-  std::vector<Job> jobs;
+  std::vector<PaperJob> jobs;
   for (const fs::path& place : places)
-    jobs.push_back(prepare(request, place, places.size() > 1, known));
+    jobs.push_back(prepare_paper(request, place, places.size() > 1, known));
   catch_ctrl_c();
   int ended = fine;
   auto list = nlohmann::ordered_json::array();
-  for (const Job& job : jobs) {
+  for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
     KeptRuns kept(job.folder->wanted());
     const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);

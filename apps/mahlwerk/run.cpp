@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A case file with where its result goes.
-struct Job {
+struct RunJob {
   cases::Case what;
   fs::path file, place;
   std::unique_ptr<results::Folder> folder;  ///< none of a campaign, which keeps its own
@@ -41,9 +41,9 @@ struct Job {
   bool sweeps() const { return !what.sweep.empty(); }
 };
 
-Job prepare(const Request& request, const fs::path& file, bool several,
-            const cases::Catalogue& catalogue) {
-  Job job;
+RunJob prepare_run(const Request& request, const fs::path& file, bool several,
+                   const cases::Catalogue& catalogue) {
+  RunJob job;
   job.file = file;
   job.what = cases::read(file, catalogue, overrides(request));
   job.place = !request.out ? default_place(request.target, file, several)
@@ -65,7 +65,7 @@ std::string uncalibrated(const cases::Case& what) {
   return line.empty() ? "" : "assumed, not calibrated: " + line + "\n\n";
 }
 
-void tell(const Job& job, const results::Outcome& outcome) {
+void tell(const RunJob& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
                         report::table(results::summarise(outcome), job.what.observe.threshold)));
   to_stdout(report::states_table(outcome));
@@ -82,21 +82,21 @@ void tell(const Job& job, const results::Outcome& outcome) {
   fmt::print("numbers:  {}\n\n", (job.place / "summary.json").string());
 }
 
-void print_json(const std::vector<Job>& jobs) {
+void print_json(const std::vector<RunJob>& jobs) {
   auto list = nlohmann::ordered_json::array();
-  for (const Job& job : jobs)
+  for (const RunJob& job : jobs)
     list.push_back({{"title", job.what.title}, {"results", job.place.string()}});
   fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 /// All cases read, and all their places found free, before anything is computed.
-std::vector<Job> prepare_all(const Request& request) {
+std::vector<RunJob> prepare_all(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> files = case_files(request.target);
-  std::vector<Job> jobs;
+  std::vector<RunJob> jobs;
   std::vector<Fault> wrong;
   for (const fs::path& file : files) try {
-      jobs.push_back(prepare(request, file, files.size() > 1, known));
+      jobs.push_back(prepare_run(request, file, files.size() > 1, known));
     } catch (const InputError& e) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
@@ -106,11 +106,11 @@ std::vector<Job> prepare_all(const Request& request) {
 
 /// Where the states of a run are kept: beside its results. Nothing if nobody asked for it.
 std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
-                                                 const std::vector<Job>& jobs) {
+                                                 const std::vector<RunJob>& jobs) {
   if (!request.checkpoint && !request.resume) return nullptr;
   std::string what = fmt::format("version {}\n", version());
   std::size_t replicates = 0;
-  for (const Job& job : jobs) {
+  for (const RunJob& job : jobs) {
     if (job.what.observe.collisions || job.what.observe.frames)
       throw InputError(Fault{job.what.file,
                              fmt::format("a run that keeps {} cannot be gone on with",
@@ -133,11 +133,11 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
 }
 
 /// All cases that do not sweep, together.
-int run_cases(const Request& request, const std::vector<Job>& jobs) {
+int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const auto kept = checkpoint(request, jobs);
   std::vector<cases::Case> points;
   Streams streams;
-  for (const Job& job : jobs) {
+  for (const RunJob& job : jobs) {
     points.push_back(job.what);
     streams.add(job.what, *job.folder, "");
   }
@@ -162,11 +162,11 @@ int run_cases(const Request& request, const std::vector<Job>& jobs) {
 }  // namespace
 
 int run(const Request& request) {
-  std::vector<Job> plain, campaigns;
-  for (Job& job : prepare_all(request))
+  std::vector<RunJob> plain, campaigns;
+  for (RunJob& job : prepare_all(request))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));
   int worst = plain.empty() ? fine : run_cases(request, plain);
-  for (const Job& job : campaigns) {
+  for (const RunJob& job : campaigns) {
     if (worst == interrupted) break;
     worst = std::max<int>(worst, sweep_case(request, job.file, overrides(request), job.place));
   }

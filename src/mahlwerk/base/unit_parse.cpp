@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/unit_table.hpp"
 
 namespace mahlwerk {
@@ -96,12 +97,6 @@ void multiply_factor(Measure& m, std::string_view factor, int sign) {
   if (symbol.empty()) unknown_unit(factor);
   if (symbol == "degC") throw UnitError("\"degC\" cannot be part of a compound unit; use \"K\"");
   multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
 }
 
 /// "J/(kg K)" as "J/kg/K": what a bracket that is divided by multiplies, divides.

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/unit_table.hpp"
 
 namespace mahlwerk {
@@ -17,12 +18,6 @@ namespace {
 
 constexpr double ice_point = 273.15;  // [K]
 constexpr std::size_t longest_text = 200;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
 
 /// A text cut into its number and what follows.
 struct Parts {
@@ -210,10 +205,14 @@ std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? shortest(value) : fmt::format("{} {}", shortest(value), unit);
 }
 
-/// How far `value` is from the sizes people like to read, in decades.
+constexpr int unreadable = 1000;  // farther than any number is
+
+/// How far `value` is from the sizes people like to read, in decades; unreadable in a unit so small
+/// that it is infinite.
 int strain(double value) {
   const double size = std::abs(value);
   if (size == 0) return 0;
+  if (!std::isfinite(size)) return unreadable;
   if (size < 0.1) return static_cast<int>(std::ceil(-1 - std::log10(size)));
   return size < 1000 ? 0 : static_cast<int>(std::floor(std::log10(size))) - 2;
 }
@@ -221,7 +220,7 @@ int strain(double value) {
 /// One way to write a value.
 struct Way {
   std::string text;
-  int cost = 1000;
+  int cost = unreadable;
 };
 
 /// Fewest digits in `as` that read back as `value` in `unit`; an empty text if none do.
@@ -253,7 +252,7 @@ std::string show(double value, std::string_view unit) {
 std::string show_rounded(double value, std::string_view unit, int digits) {
   if (!std::isfinite(value)) return with_unit(value, unit);
   std::string_view best = unit;
-  int least = 1000;
+  int least = unreadable;
   for (const std::string_view as : shown_in(unit)) {
     const int cost = strain(converted(value, parse_unit(unit).scale, parse_unit(as).scale));
     if (cost < least) {

@@ -12,7 +12,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a radius: balls may touch
+constexpr double touch_rounding = 1e-9;  // of a radius: balls may touch
 
 /// A ball whose place the case gives.
 struct Given {
@@ -68,7 +68,7 @@ class PlaceCheck {
  private:
   bool in_jar(const Given& ball) {
     const double room = room_at(c_.jar.shape, ball);
-    if (room >= ball.radius * (1 - rounding)) return true;
+    if (room >= ball.radius * (1 - touch_rounding)) return true;
     fault(ball, "outside-jar",
           room < 0 ? fmt::format("{} starts outside the jar", name_of(ball))
                    : fmt::format("{} reaches {} into the wall", name_of(ball),
@@ -82,7 +82,7 @@ class PlaceCheck {
       const Given& other = balls_[static_cast<std::size_t>(i)];
       const double gap =
           norm(room_.between(ball.place, other.place)) - (ball.radius + other.radius);
-      if (gap >= -rounding * ball.radius) return true;
+      if (gap >= -touch_rounding * ball.radius) return true;
       fault(ball, "overlapping-balls",
             fmt::format("{} and {} overlap by {}", name_of(other), name_of(ball),
                         show_rounded(-gap, "m")),

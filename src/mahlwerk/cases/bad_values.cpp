@@ -128,7 +128,7 @@ void check_run(ValueCheck& check, const Run& run) {
 
 void check_heat(ValueCheck& check, const Heat& heat) {
   check.fields("heat.", heat, heat_fields());
-  check.fields("heat.", heat, std::array{milling_time, pause_time});
+  check.fields("heat.", heat, std::array{cycle_milling, pause_time});
   check.whole("heat.cycles", heat.cycles, most_cycles);
 }
 

@@ -27,7 +27,7 @@ std::string_view thing(std::string_view room) {
 }
 
 /// "Fritsch P7" as {"fritsch", "p7"}.
-std::vector<std::string> parts_of(std::string_view word) {
+std::vector<std::string> words_of(std::string_view word) {
   std::vector<std::string> parts;
   bool inside = false;
   for (const char c : word) {
@@ -47,7 +47,7 @@ std::vector<std::string> near_names(std::string_view word, const std::vector<std
   constexpr std::size_t shortest = 3, most = 4;
   std::vector<std::string> near;
   if (const std::string best = nearest_word(word, known); !best.empty()) near.push_back(best);
-  const std::vector<std::string> parts = parts_of(word);
+  const std::vector<std::string> parts = words_of(word);
   for (const std::string& name : known) {
     const bool holds_all = word.size() >= shortest && !parts.empty() &&
                            std::ranges::all_of(parts, [&](const std::string& part) {

@@ -14,7 +14,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr double g = 9.81;  // [m/s2] the maker's unit of acceleration
+constexpr double standard_gravity = 9.81;  // [m/s2] the maker's unit of acceleration
 constexpr double pi = std::numbers::pi;
 
 InputError missing(const CatalogueEntry& entry, std::string_view key) {
@@ -53,7 +53,7 @@ Swing fastest(const CatalogueEntry& e) {
 
 double acceleration_number(const CatalogueEntry& e) {
   const Swing s = fastest(e);
-  return s.omega * s.omega * s.amplitude / g;
+  return s.omega * s.omega * s.amplitude / standard_gravity;
 }
 
 double peak_wall_speed(const CatalogueEntry& e) {
@@ -100,7 +100,7 @@ struct Row {
   double (*value)(const CatalogueEntry&);
 };
 
-constexpr Row rows[] = {
+constexpr Row derived_rows[] = {
     {{"relative_centrifugal_acceleration", "",
       "largest acceleration on the circle of the jar's centre over 9.81 m/s2: the maker's g "
       "figure"},
@@ -119,7 +119,7 @@ constexpr Row rows[] = {
 const std::vector<CheckQuantity>& check_quantities() {
   static const std::vector<CheckQuantity> quantities = [] {
     std::vector<CheckQuantity> all;
-    for (const Row& row : rows) all.push_back(row.quantity);
+    for (const Row& row : derived_rows) all.push_back(row.quantity);
     return all;
   }();
   return quantities;
@@ -127,7 +127,7 @@ const std::vector<CheckQuantity>& check_quantities() {
 
 double derived(const CatalogueEntry& entry, std::string_view quantity) {
   std::vector<std::string> known;
-  for (const Row& row : rows) {
+  for (const Row& row : derived_rows) {
     if (row.quantity.name == quantity) return row.value(entry);
     known.emplace_back(row.quantity.name);
   }

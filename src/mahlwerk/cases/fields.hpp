@@ -196,13 +196,13 @@ constexpr auto heat_fields() {
                   Heat().share_in_balls, "contacts of bodies alike; uncalibrated"}};
 }
 /// Times of [heat]; without any of them and without cycles the mill mills for an hour.
-constexpr Field<Heat> milling_time{"milling",
-                                   "s",
-                                   &Heat::milling,
-                                   positive,
-                                   "how long the mill mills in each cycle",
-                                   Heat().milling,
-                                   "an hour without a pause"};
+constexpr Field<Heat> cycle_milling{"milling",
+                                    "s",
+                                    &Heat::milling,
+                                    positive,
+                                    "how long the mill mills in each cycle",
+                                    Heat().milling,
+                                    "an hour without a pause"};
 constexpr Field<Heat> pause_time{
     "pause", "s", &Heat::pause, not_negative, "rest after each milling", Heat().pause, "none"};
 constexpr std::int64_t most_cycles = 10'000;

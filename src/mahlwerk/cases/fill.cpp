@@ -19,7 +19,7 @@ namespace mahlwerk::cases {
 namespace {
 
 constexpr std::size_t large = 10000;  // a charge for which memory has an order that pays
-constexpr double gap = 1e-3;          // between balls placed one by one, of the distance at touch
+constexpr double least_gap = 1e-3;    // between balls placed one by one, of the distance at touch
 
 /// Balls of one size of one set.
 struct Portion {
@@ -68,7 +68,7 @@ class Charge {
     for (int start = 0; start < starts && left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
-      for (const double smaller : {gap, 0.1 * gap, 1e-3 * gap})
+      for (const double smaller : {least_gap, 0.1 * least_gap, 1e-3 * least_gap})
         if (pushed(smaller)) return;
     }
     throw full();
@@ -103,7 +103,7 @@ class Charge {
       if (!sets_[portion.set].positions.empty()) continue;
       if (widest == 0 || portion.diameter <= 0.5 * widest) {
         widest = portion.diameter;
-        grids.emplace_back(room_, widest * (1 + gap), alike(k));
+        grids.emplace_back(room_, widest * (1 + least_gap), alike(k));
       }
       crowded = place(portion, places_[k], grids, crowded);
     }
@@ -140,7 +140,7 @@ class Charge {
     std::size_t given = 0;
     for (const BallSet& set : sets_) given += set.positions.size();
     if (given == 0) return;
-    Grid& grid = grids.emplace_back(room_, largest_ball(sets_) * (1 + gap), given);
+    Grid& grid = grids.emplace_back(room_, largest_ball(sets_) * (1 + least_gap), given);
     for (const Portion& portion : portions_) {
       std::size_t next = portion.from;
       for (const Vec3& p : sets_[portion.set].positions) {
@@ -158,7 +158,7 @@ class Charge {
     return std::ranges::all_of(grids, [&](const Grid& grid) {
       return grid.around(p, [&](int i) {
         const Placed& o = placed_[static_cast<std::size_t>(i)];
-        return norm(room_.between(p, o.place)) >= (1 + gap) * (radius + o.radius);
+        return norm(room_.between(p, o.place)) >= (1 + least_gap) * (radius + o.radius);
       });
     });
   }

@@ -25,7 +25,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-std::string unit_of(const Dimension& d) {
+std::string unit_name(const Dimension& d) {
   std::string above, below;
   for (std::size_t i = 0; i < exponents.size(); ++i) {
     const int n = d.*exponents[i];
@@ -44,7 +44,7 @@ Dimension raised(const Dimension& d, double power) {
   for (const auto exponent : exponents) {
     const double n = power * d.*exponent;
     if (std::abs(n - std::round(n)) > 1e-9 || std::abs(n) > 100)
-      throw FormulaError(fmt::format("a power {} of {} has no unit", power, unit_of(d)));
+      throw FormulaError(fmt::format("a power {} of {} has no unit", power, unit_name(d)));
     result.*exponent = static_cast<std::int8_t>(std::lround(n));
   }
   return result;
@@ -95,7 +95,7 @@ class Parser {
   static void same(const Quantity& a, const Quantity& b) {
     if (a.dimension == b.dimension) return;
     const auto words = [](const Quantity& q) {
-      const std::string unit = unit_of(q.dimension);
+      const std::string unit = unit_name(q.dimension);
       return unit.empty() ? "a pure number" : unit;
     };
     throw FormulaError(fmt::format("{} and {} cannot be added or compared", words(a), words(b)));
@@ -235,7 +235,7 @@ Quantity evaluate(std::string_view formula, const ValueOf& value_of) {
 
 std::string text_of(const Quantity& quantity) {
   if (!std::isfinite(quantity.value)) throw FormulaError("the value is not finite");
-  const std::string unit = unit_of(quantity.dimension);
+  const std::string unit = unit_name(quantity.dimension);
   return unit.empty() ? shortest(quantity.value)
                       : fmt::format("{} {}", shortest(quantity.value), unit);
 }

@@ -11,12 +11,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-Wanted with_default(Wanted wanted, double standard, std::string_view source) {
-  wanted.standard = standard;
-  wanted.source = source;
-  return wanted;
-}
-
 /// What becomes of bounces without end; several balls have one answer only.
 Lasting read_lasting(Section& in, bool several) {
   const std::string word =
@@ -57,9 +51,9 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, doubl
   for (const auto& one : contact_fields()) {
     Wanted wanted(one);
     if (one.value == &Contact::lasting_friction && std::isfinite(contact.rule.friction))
-      wanted = with_default(wanted, contact.rule.friction, "the friction of bounces");
+      wanted = wanted.with_default(contact.rule.friction, "the friction of bounces");
     if (one.value == &Contact::contact_time && strength > 1)
-      wanted = with_default(wanted, *wanted.standard / std::sqrt(strength), source);
+      wanted = wanted.with_default(*wanted.standard / std::sqrt(strength), source);
     contact.*one.value = in.value(wanted);
   }
   read_touch(in, contact, law, nullptr);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
@@ -15,13 +16,6 @@ namespace {
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
 constexpr std::size_t most_faults = 10;  // one wrong column would name every row
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.back() == '\r' || text.back() == ' ' || text.back() == '\t'))
-    text.remove_suffix(1);
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  return text;
-}
 
 /// The numbers of a row; nothing if one is none.
 std::optional<std::vector<double>> numbers(std::string_view row) {

@@ -16,15 +16,9 @@ namespace {
 
 using contact::BounceRule;
 using contact::Restitution;
-using Law = Restitution::Law;
+using RestitutionLaw = Restitution::Law;
 
 constexpr std::string_view inherited = "as [contact] says";
-
-Wanted with_default(Wanted wanted, double standard, std::string_view source) {
-  wanted.standard = standard;
-  wanted.source = source;
-  return wanted;
-}
 
 const Wanted& restitution_value() {
   static const Wanted wanted("restitution", "", restitution_range,
@@ -72,19 +66,21 @@ Restitution read_table(Section& in, const Node& at) {
 }
 
 /// The word under `restitution_law`; what is given decides where it is not said.
-Law read_law(Section& in, std::string_view given, const Restitution* all) {
+RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* all) {
   Choice choice{"restitution_law", restitution_laws(), "constant", "the same at every speed"};
   if (given == "restitution_table") {
     choice.standard = "tabulated";
     choice.source = "a restitution_table is given";
-  } else if (all != nullptr && !(given == "restitution" && all->law() == Law::tabulated)) {
+  } else if (all != nullptr &&
+             !(given == "restitution" && all->law() == RestitutionLaw::tabulated)) {
     choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
     choice.source = inherited;
   }
   const std::string word = in.choice(choice);
   const auto at = std::ranges::find(restitution_laws(), word);
-  return at == restitution_laws().end() ? Law::constant
-                                        : static_cast<Law>(at - restitution_laws().begin());
+  return at == restitution_laws().end()
+             ? RestitutionLaw::constant
+             : static_cast<RestitutionLaw>(at - restitution_laws().begin());
 }
 
 /// A key that a law has no use for.
@@ -97,7 +93,7 @@ void refuse(Section& in, std::string_view key, std::string_view law, std::string
 Restitution read_tabulated(Section& in, const Restitution* all) {
   refuse(in, "restitution_speed", "tabulated", "remove it");
   if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
-  if (all != nullptr && all->law() == Law::tabulated) {
+  if (all != nullptr && all->law() == RestitutionLaw::tabulated) {
     in.note_default("restitution_table", table_text(*all), inherited);
     return *all;
   }
@@ -109,8 +105,8 @@ Restitution read_tabulated(Section& in, const Restitution* all) {
 Restitution read_viscoelastic(Section& in, double value, const Restitution* all) {
   refuse(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
   Wanted speed("restitution_speed", "m/s", positive, "the speed at which `restitution` holds");
-  if (all != nullptr && all->law() == Law::viscoelastic)
-    speed = with_default(speed, all->speed(), inherited);
+  if (all != nullptr && all->law() == RestitutionLaw::viscoelastic)
+    speed = speed.with_default(all->speed(), inherited);
   const double at = in.value(speed);
   if (const Node* zero = in.find("restitution"); value == 0 && zero != nullptr)
     in.fault(*zero, "a viscoelastic restitution is above 0", "give a restitution above 0",
@@ -123,17 +119,17 @@ Restitution read_viscoelastic(Section& in, double value, const Restitution* all)
 
 Restitution read_restitution(Section& in, const Restitution* all) {
   const std::string_view given = in.one_of({"restitution", "restitution_table"});
-  const Law law = read_law(in, given, all);
-  if (law == Law::tabulated) {
+  const RestitutionLaw law = read_law(in, given, all);
+  if (law == RestitutionLaw::tabulated) {
     if (given == "restitution") refuse(in, given, "tabulated", "remove it, or restitution_law");
     return read_tabulated(in, all);
   }
-  Wanted wanted = with_default(restitution_value(), 0.8,
-                               "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
-  if (all != nullptr && all->law() != Law::tabulated)
-    wanted = with_default(wanted, all->value(), inherited);
+  Wanted wanted = restitution_value().with_default(
+      0.8, "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
+  if (all != nullptr && all->law() != RestitutionLaw::tabulated)
+    wanted = wanted.with_default(all->value(), inherited);
   const double value = in.value(wanted);
-  if (law == Law::viscoelastic) return read_viscoelastic(in, value, all);
+  if (law == RestitutionLaw::viscoelastic) return read_viscoelastic(in, value, all);
   if (given == "restitution_table")
     refuse(in, given, "constant", "write restitution_law = \"tabulated\"");
   refuse(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
@@ -163,11 +159,11 @@ BounceRule read_rule(Section& in, const BounceRule* all) {
   BounceRule rule;
   rule.restitution = read_restitution(in, all ? &all->restitution : nullptr);
   const std::string bounce = read_bounce(in, all);
-  Wanted tangential = with_default(
-      {"tangential_restitution", "", tangential_range,
-       "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough"},
+  Wanted tangential("tangential_restitution", "", tangential_range,
+                    "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
+  tangential = tangential.with_default(
       0, bounce == "constant" ? "no slip after a bounce" : "no slip below the Coulomb limit");
-  if (all != nullptr) tangential = with_default(tangential, all->tangential_restitution, inherited);
+  if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
   rule.tangential_restitution = in.value(tangential);
   if (bounce == "constant") {
     if (const Node* friction = in.find("friction"))
@@ -175,11 +171,10 @@ BounceRule read_rule(Section& in, const BounceRule* all) {
                "remove friction, or write bounce = \"walton\"", "too-much");
     return rule;
   }
-  Wanted friction =
-      with_default({"friction", "", not_negative, "Coulomb's friction coefficient mu"}, 0.3,
-                   "uncalibrated, 0.1-0.6");
+  Wanted friction = Wanted("friction", "", not_negative, "Coulomb's friction coefficient mu")
+                        .with_default(0.3, "uncalibrated, 0.1-0.6");
   if (all != nullptr && std::isfinite(all->friction))
-    friction = with_default(friction, all->friction, inherited);
+    friction = friction.with_default(all->friction, inherited);
   rule.friction = in.value(friction);
   return rule;
 }

@@ -14,10 +14,10 @@
 namespace mahlwerk::cases {
 namespace {
 
-using Law = Distribution::Law;
+using SizeLaw = Distribution::Law;
 
 /// Keys that a law has no use for.
-void refuse(Section& in, Law law, std::initializer_list<std::string_view> keys) {
+void refuse(Section& in, SizeLaw law, std::initializer_list<std::string_view> keys) {
   const std::string& word = distribution_words()[static_cast<std::size_t>(law)];
   in.refuse(keys, fmt::format("under distribution = \"{}\"", word),
             "remove it, or choose another distribution");
@@ -25,7 +25,7 @@ void refuse(Section& in, Law law, std::initializer_list<std::string_view> keys) 
 
 /// The numbers of normal, lognormal or uniform. False after a fault.
 bool read_numbers(Section& in, Distribution& d) {
-  if (d.law == Law::uniform) {
+  if (d.law == SizeLaw::uniform) {
     d.smallest = in.value({"smallest", "m", positive, "diameter of the smallest balls"});
     d.largest = in.value({"largest", "m", positive, "diameter of the largest balls"});
     if (d.largest <= d.smallest)
@@ -35,7 +35,7 @@ bool read_numbers(Section& in, Distribution& d) {
                "exchange them, or write distribution = \"equal\"", "out-of-range");
     return d.largest > d.smallest;
   }
-  const bool normal = d.law == Law::normal;
+  const bool normal = d.law == SizeLaw::normal;
   d.diameter = in.value({"diameter", "m", positive,
                          normal ? "mean diameter, by number" : "median diameter, by number"});
   constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
@@ -46,12 +46,12 @@ bool read_numbers(Section& in, Distribution& d) {
   return !std::isnan(d.diameter) && !std::isnan(d.spread);
 }
 
-Law read_distribution_word(Section& in) {
-  if (!in.gives("distribution")) return Law::equal;
+SizeLaw read_distribution_word(Section& in) {
+  if (!in.gives("distribution")) return SizeLaw::equal;
   const std::string word = in.choice({"distribution", distribution_words(), ""});
   const auto at = std::ranges::find(distribution_words(), word);
-  return at == distribution_words().end() ? Law::equal
-                                          : static_cast<Law>(at - distribution_words().begin());
+  return at == distribution_words().end() ? SizeLaw::equal
+                                          : static_cast<SizeLaw>(at - distribution_words().begin());
 }
 
 }  // namespace
@@ -59,17 +59,17 @@ Law read_distribution_word(Section& in) {
 bool read_distribution(Section& in, Distribution& d) {
   d.law = read_distribution_word(in);
   bool sound = true;
-  if (d.law == Law::equal) {
+  if (d.law == SizeLaw::equal) {
     refuse(in, d.law, {"spread", "smallest", "largest", "passing", "retained", "classes"});
     return true;
   }
-  if (d.law == Law::sieves) {
+  if (d.law == SizeLaw::sieves) {
     refuse(in, d.law, {"diameter", "spread", "smallest", "largest", "classes"});
     d.passing = read_sieves(in, most_classes);
     sound = !d.passing.empty();
   } else {
     refuse(in, d.law, {"passing", "retained"});
-    if (d.law == Law::uniform)
+    if (d.law == SizeLaw::uniform)
       refuse(in, d.law, {"diameter", "spread"});
     else
       refuse(in, d.law, {"smallest", "largest"});
@@ -83,7 +83,7 @@ bool read_distribution(Section& in, Distribution& d) {
 }
 
 std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count) {
-  if (d.classes == 0 && d.law != Law::sieves) {
+  if (d.classes == 0 && d.law != SizeLaw::sieves) {
     d.classes = classes_that_fill(d, count);
     in.note_default("classes", std::to_string(d.classes),
                     fmt::format("{} at most, and a ball in each", usual_classes));
@@ -98,8 +98,8 @@ std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t c
     in.fault(*at,
              fmt::format("none of the {} balls falls between {} and {}", count,
                          show_rounded(shares[i].low, "m"), show_rounded(shares[i].high, "m")),
-             d.law == Law::sieves ? "give more balls, or join this sieve with the next"
-                                  : "give more balls, or fewer classes",
+             d.law == SizeLaw::sieves ? "give more balls, or join this sieve with the next"
+                                      : "give more balls, or fewer classes",
              "empty-size-class");
     break;
   }

@@ -26,8 +26,6 @@ const std::vector<std::string>& spacing_words() {
 
 namespace {
 
-using Places = KeyReader::Places;
-
 std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep& sweep,
                                                     Findings& findings) {
   std::vector<std::vector<std::string>> groups;
@@ -72,7 +70,8 @@ std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep&
 }
 
 /// What a design asks of its keys.
-void check_design(const Node& table, const Sweep& sweep, const Places& places, Findings& findings) {
+void check_design(const Node& table, const Sweep& sweep, const KeyReader::Places& places,
+                  Findings& findings) {
   const std::string& word = design_words()[static_cast<std::size_t>(sweep.design)];
   for (const SweptKey& key : sweep.keys) {
     if (needs_ranges(sweep.design) && !key.range)
@@ -113,7 +112,7 @@ void check_design(const Node& table, const Sweep& sweep, const Places& places, F
 
 }  // namespace
 
-Sweep read_sweep(const Node* table, Places& places, Findings& findings) {
+Sweep read_sweep(const Node* table, KeyReader::Places& places, Findings& findings) {
   Sweep sweep;
   if (table == nullptr || table->kind != Node::Kind::table) return sweep;
   Section in(table, "sweep", findings);

@@ -25,7 +25,7 @@ namespace {
 /// How long the mill mills and rests. Who says one of the times of a cycle must say all.
 void read_cycles(Section& in, Heat& heat) {
   const bool pauses = in.gives("pause"), cycles = in.gives("cycles");
-  Wanted milling(milling_time);
+  Wanted milling(cycle_milling);
   if (pauses || cycles) milling.standard.reset();
   heat.milling = in.value(milling);
   heat.pause = in.value(Wanted(pause_time));

@@ -45,6 +45,13 @@ struct Wanted {
         about(f.about),
         standard(f.standard),
         source(f.source) {}
+
+  Wanted with_default(double value, std::string_view from) const {
+    Wanted made = *this;
+    made.standard = value;
+    made.source = from;
+    return made;
+  }
 };
 
 /// A word a section may give, one of a few.

@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-using Law = Distribution::Law;
+using SizeLaw = Distribution::Law;
 
 /// Number and third moment of the diameter between two bounds, up to a common factor.
 struct Moments {
@@ -85,22 +85,22 @@ std::vector<SizeShare> of_sieves(const Distribution& d) {  // (chg.5, chg.6)
 }  // namespace
 
 std::vector<SizeShare> size_shares(const Distribution& of) {
-  if (of.law == Law::sieves) return of_sieves(of);
-  const double log_spread = of.law == Law::lognormal ? std::pow(of.spread, cut_off) : 1;
+  if (of.law == SizeLaw::sieves) return of_sieves(of);
+  const double log_spread = of.law == SizeLaw::lognormal ? std::pow(of.spread, cut_off) : 1;
   const double wide = cut_off * of.spread;
-  const double low = of.law == Law::normal      ? of.diameter * (1 - wide)
-                     : of.law == Law::lognormal ? of.diameter / log_spread
-                                                : of.smallest;
-  const double high = of.law == Law::normal      ? of.diameter * (1 + wide)
-                      : of.law == Law::lognormal ? of.diameter * log_spread
-                                                 : of.largest;
-  const std::vector<double> edge = edges(low, high, of.classes, of.law == Law::lognormal);
+  const double low = of.law == SizeLaw::normal      ? of.diameter * (1 - wide)
+                     : of.law == SizeLaw::lognormal ? of.diameter / log_spread
+                                                    : of.smallest;
+  const double high = of.law == SizeLaw::normal      ? of.diameter * (1 + wide)
+                      : of.law == SizeLaw::lognormal ? of.diameter * log_spread
+                                                     : of.largest;
+  const std::vector<double> edge = edges(low, high, of.classes, of.law == SizeLaw::lognormal);
   std::vector<SizeShare> found;
   for (std::size_t i = 1; i < edge.size(); ++i) {
     const double a = edge[i - 1], b = edge[i];
-    const Moments m = of.law == Law::normal      ? of_normal(of, a, b)
-                      : of.law == Law::lognormal ? of_lognormal(of, a, b)
-                                                 : of_uniform(a, b);
+    const Moments m = of.law == SizeLaw::normal      ? of_normal(of, a, b)
+                      : of.law == SizeLaw::lognormal ? of_lognormal(of, a, b)
+                                                     : of_uniform(a, b);
     found.push_back({a, b, std::cbrt(m.cube / m.number), m.number});  // (chg.1)
   }
   return normalised(std::move(found));

@@ -95,7 +95,7 @@ void set_place(Node& node, const std::string& where, Rank rank) {
 }
 
 /// The parts between the dots; a quoted TOML key has none inside, so plain cutting will do.
-std::vector<std::string_view> parts_of(std::string_view key) {
+std::vector<std::string_view> key_parts(std::string_view key) {
   std::vector<std::string_view> parts;
   for (std::size_t from = 0;;) {
     const std::size_t to = std::min(key.find('.', from), key.size());
@@ -206,7 +206,7 @@ Node loose_value(std::string_view text, const std::string& where, Rank rank) {
 }
 
 const Node* value_at(const Node& root, std::string_view key) {
-  std::vector<std::string_view> parts = parts_of(key);
+  std::vector<std::string_view> parts = key_parts(key);
   const Node* table = &root;
   if (parts.size() > 1) {
     table = root.find(parts.front());
@@ -219,7 +219,7 @@ const Node* value_at(const Node& root, std::string_view key) {
 }
 
 std::string put(Node& root, std::string_view key, Node value) {
-  std::vector<std::string_view> parts = parts_of(key);
+  std::vector<std::string_view> parts = key_parts(key);
   if (std::ranges::any_of(parts, &std::string_view::empty))
     return fmt::format("\"{}\" is not a key", key);
   Node* table = &root;

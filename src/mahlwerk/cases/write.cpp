@@ -171,7 +171,7 @@ void write_wear(Writer& out, const Wear& wear) {
 
 void write_heat(Writer& out, const Heat& heat) {
   out.section("[heat]", "heat.");
-  out.fields(heat, std::array{milling_time, pause_time});
+  out.fields(heat, std::array{cycle_milling, pause_time});
   out.line("cycles", std::to_string(heat.cycles));
   out.fields(heat, heat_fields());
 }

@@ -7,14 +7,12 @@
 #include <limits>
 #include <numeric>
 
+#include "mahlwerk/base/index.hpp"
+
 namespace mahlwerk::event {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 
@@ -40,8 +38,8 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
       after_[axis].push_back(i < n - 1 ? i + 1 : round && n > 2 ? 0 : -1);
     }
   }
-  filled_.assign(at(this->count() + 1), 0);
-  slots_.assign(at((this->count() + 1) * capacity_ + 4), -1);
+  filled_.assign(as_index(this->count() + 1), 0);
+  slots_.assign(as_index((this->count() + 1) * capacity_ + 4), -1);
 }
 
 Cell Cells::cell_at(const Vec3& spot) const {
@@ -59,32 +57,32 @@ void Cells::clear() {
 
 void Cells::insert(std::int32_t ball, Cell cell) {
   const std::int32_t where = place(cell);
-  std::int32_t& n = filled_[at(where)];
+  std::int32_t& n = filled_[as_index(where)];
   if (n == capacity_) grow();
-  slots_[at(where * capacity_ + n)] = ball;
+  slots_[as_index(where * capacity_ + n)] = ball;
   ++n;
 }
 
 void Cells::remove(std::int32_t ball, Cell cell) {
   const std::int32_t where = place(cell);
-  std::int32_t* const first = &slots_[at(where * capacity_)];
-  std::int32_t& n = filled_[at(where)];
+  std::int32_t* const first = &slots_[as_index(where * capacity_)];
+  std::int32_t& n = filled_[as_index(where)];
   *std::find(first, first + n, ball) = first[n - 1];
   --n;
 }
 
 void Cells::grow() {
-  RoomyVector<std::int32_t> roomy(at((count() + 1) * 2 * capacity_ + 4), -1);
+  RoomyVector<std::int32_t> roomy(as_index((count() + 1) * 2 * capacity_ + 4), -1);
   for (std::int32_t place = 0; place <= count(); ++place)
-    std::copy_n(&slots_[at(place * capacity_)], filled_[at(place)],
-                &roomy[at(place * 2 * capacity_)]);
+    std::copy_n(&slots_[as_index(place * capacity_)], filled_[as_index(place)],
+                &roomy[as_index(place * 2 * capacity_)]);
   slots_ = std::move(roomy);
   capacity_ *= 2;
 }
 
 int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
-  const std::int32_t* const from = &slots_[at(place * capacity_)];
-  const std::int32_t many = filled_[at(place)];
+  const std::int32_t* const from = &slots_[as_index(place * capacity_)];
+  const std::int32_t many = filled_[as_index(place)];
   std::copy_n(from, 4, out + n);  // without asking how many: four places are one move
   for (std::int32_t i = 4; i < many; ++i) out[n + i] = from[i];
   return n + many;
@@ -92,22 +90,22 @@ int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
 
 void Cells::fetch(Cell cell) const {
   const auto [x, y, z] = split(cell);
-  for (const std::int32_t layer : {before_[2][at(z)], z, after_[2][at(z)]})
-    for (const std::int32_t row : {before_[1][at(y)], y, after_[1][at(y)]}) {
+  for (const std::int32_t layer : {before_[2][as_index(z)], z, after_[2][as_index(z)]})
+    for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
       if (layer < 0 || row < 0) continue;
       const std::int32_t middle = place(x, row, layer);
-      __builtin_prefetch(&filled_[at(middle)]);
-      __builtin_prefetch(&slots_[at(middle * capacity_)]);
+      __builtin_prefetch(&filled_[as_index(middle)]);
+      __builtin_prefetch(&slots_[as_index(middle * capacity_)]);
     }
 }
 
 int Cells::near(Cell cell, std::int32_t* out) const {
   const auto [x, y, z] = split(cell);
-  const std::int32_t left = before_[0][at(x)], right = after_[0][at(x)];
+  const std::int32_t left = before_[0][as_index(x)], right = after_[0][as_index(x)];
   int n = 0;
-  for (const std::int32_t layer : {before_[2][at(z)], z, after_[2][at(z)]}) {
+  for (const std::int32_t layer : {before_[2][as_index(z)], z, after_[2][as_index(z)]}) {
     if (layer < 0) continue;
-    for (const std::int32_t row : {before_[1][at(y)], y, after_[1][at(y)]}) {
+    for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
       if (row < 0) continue;
       const std::int32_t first = place(0, row, layer);
       n = copy(left < 0 ? 0 : first + left, out, n);
@@ -123,7 +121,8 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   std::array<std::array<std::int32_t, 3>, 3> along{};
   int moves = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int32_t down = before_[axis][at(now[axis])], up = after_[axis][at(now[axis])];
+    const std::int32_t down = before_[axis][as_index(now[axis])],
+                       up = after_[axis][as_index(now[axis])];
     along[axis] = {down, now[axis], up};
     if (now[axis] == was[axis]) continue;
     ++moves;
@@ -161,7 +160,7 @@ void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>&
       for (std::int32_t i = x; i < x + xs; ++i) {
         const std::int32_t where = place(i % counts_[0], j % counts_[1], k % counts_[2]);
         const auto first = slots_.begin() + where * capacity_;
-        out.insert(out.end(), first, first + filled_[at(where)]);
+        out.insert(out.end(), first, first + filled_[as_index(where)]);
       }
 }
 
@@ -180,7 +179,7 @@ bool Cells::holds(std::int32_t ball, Cell cell) const {
   const auto [x, y, z] = split(cell);
   if (cell < 0 || x >= counts_[0] || y >= counts_[1] || z >= counts_[2]) return false;
   const auto first = slots_.begin() + std::int64_t{place(cell)} * capacity_;
-  return std::count(first, first + filled_[at(place(cell))], ball) == 1;
+  return std::count(first, first + filled_[as_index(place(cell))], ball) == 1;
 }
 
 std::int64_t Cells::held() const {

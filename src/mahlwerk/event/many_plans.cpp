@@ -7,15 +7,12 @@
 #include <tuple>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/index.hpp"
 #include "mahlwerk/event/many_balls.hpp"
 #include "mahlwerk/kinematics/strongest_field.hpp"
 
 namespace mahlwerk::event {
 namespace {
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 Feeler feeler(const Enclosure& jar, double radius) {
   const auto& limits = jar.limits();
@@ -226,11 +223,11 @@ void ManyBalls::sort() {
   std::ranges::stable_sort(order, {}, [&](std::int32_t i) {
     return std::pair{level(i), plan_of(i).cell};
   });
-  for (std::size_t i = 0; i < count; ++i) place[at(order[i])] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < count; ++i) place[as_index(order[i])] = static_cast<std::int32_t>(i);
   const auto permute = [&](auto& list) {
     std::remove_reference_t<decltype(list)> sorted;
     sorted.reserve(count);
-    for (const std::int32_t i : order) sorted.push_back(list[at(i)]);
+    for (const std::int32_t i : order) sorted.push_back(list[as_index(i)]);
     list = std::move(sorted);
   };
   permute(lines_);
@@ -239,7 +236,7 @@ void ManyBalls::sort() {
   neighbours_->clear();
   for (std::int32_t ball = 0; ball < std::ssize(lines_); ++ball) {
     Plan& p = plan_of(ball);
-    if (p.partner >= 0) p.partner = place[at(p.partner)];
+    if (p.partner >= 0) p.partner = place[as_index(p.partner)];
     neighbours_->insert(level(ball), ball, p.cell);
   }
 }

@@ -8,18 +8,16 @@
 #include <numeric>
 #include <utility>
 
+#include "mahlwerk/base/index.hpp"
+
 namespace mahlwerk::geometry {
 namespace {
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Plane and sides. The normal of a triangle without area is none.
 Facet facet_of(const Surface& s, const std::array<std::int32_t, 3>& t) {
   Facet f;
   f.vertex = t;
-  for (std::size_t k = 0; k < 3; ++k) f.corner[k] = s.points[at(t[k])];
+  for (std::size_t k = 0; k < 3; ++k) f.corner[k] = s.points[as_index(t[k])];
   const Vec3 area = cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]);
   const double size = norm(area);
   const Vec3 outward = size > 0 ? area / size : Vec3{};
@@ -41,9 +39,9 @@ void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides)
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     for (const auto& [mine, other] :
          {std::pair(sides[i], sides[i + 1]), std::pair(sides[i + 1], sides[i])}) {
-      Facet& f = facets[at(mine.triangle)];
-      f.neighbour[at(mine.k)] = other.triangle;
-      f.neighbour_side[at(mine.k)] = static_cast<std::int8_t>(other.k);
+      Facet& f = facets[as_index(mine.triangle)];
+      f.neighbour[as_index(mine.k)] = other.triangle;
+      f.neighbour_side[as_index(mine.k)] = static_cast<std::int8_t>(other.k);
     }
 }
 
@@ -58,10 +56,10 @@ int divide(std::vector<Facet>& facets, double crease_angle) {
     facets[i].face = faces;
     open.assign(1, static_cast<std::int32_t>(i));
     while (!open.empty()) {
-      const Facet& f = facets[at(open.back())];
+      const Facet& f = facets[as_index(open.back())];
       open.pop_back();
       for (const std::int32_t n : f.neighbour) {
-        Facet& other = facets[at(n)];
+        Facet& other = facets[as_index(n)];
         if (other.face >= 0 || !(dot(f.normal, other.normal) > smooth)) continue;
         other.face = faces;
         open.push_back(n);
@@ -86,7 +84,7 @@ Vec3 unit(const Vec3& a) {
 void gather_vertices(Facets& all, std::size_t points) {
   all.vertices.assign(points, {});
   for (const Facet& f : all.facets)
-    for (const std::int32_t v : f.vertex) all.vertices[at(v)].last += 2;  // both its sides
+    for (const std::int32_t v : f.vertex) all.vertices[as_index(v)].last += 2;  // both its sides
   std::int32_t count = 0;
   for (Vertex& v : all.vertices) {
     v.first = count;
@@ -94,17 +92,18 @@ void gather_vertices(Facets& all, std::size_t points) {
     v.last = v.first;
     v.owner = std::numeric_limits<std::int32_t>::max();
   }
-  all.spokes.resize(at(count));
+  all.spokes.resize(as_index(count));
   for (std::size_t i = 0; i < all.facets.size(); ++i) {
     const Facet& f = all.facets[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      Vertex& v = all.vertices[at(f.vertex[k])];
+      Vertex& v = all.vertices[as_index(f.vertex[k])];
       v.crease = v.crease || (v.last > v.first && v.owner != f.face);
       v.owner = std::min(v.owner, f.face);
       v.normal += angle_at(f, k) * f.normal;
       for (const std::size_t side : {k, (k + 2) % 3})
-        all.spokes[at(v.last++)] = {static_cast<std::int32_t>(i), static_cast<std::int8_t>(side),
-                                    at(f.start[side]) == k};
+        all.spokes[as_index(v.last++)] = {static_cast<std::int32_t>(i),
+                                          static_cast<std::int8_t>(side),
+                                          as_index(f.start[side]) == k};
     }
   }
   for (Vertex& v : all.vertices) v.normal = unit(v.normal);
@@ -112,11 +111,11 @@ void gather_vertices(Facets& all, std::size_t points) {
 
 /// At a corner, of the facets there that belong to its own face. Each has two spokes.
 Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
-  const Vertex& v = all.vertices[at(f.vertex[k])];
+  const Vertex& v = all.vertices[as_index(f.vertex[k])];
   if (!v.crease) return v.normal;
   Vec3 sum;
   for (std::int32_t n = v.first; n < v.last; n += 2) {
-    const Facet& other = all.facets[at(all.spokes[at(n)].facet)];
+    const Facet& other = all.facets[as_index(all.spokes[as_index(n)].facet)];
     if (other.face != f.face) continue;
     const auto mine = std::ranges::find(other.vertex, f.vertex[k]) - other.vertex.begin();
     sum += angle_at(other, static_cast<std::size_t>(mine)) * other.normal;
@@ -155,13 +154,14 @@ Facets facets_of(const Surface& surface, double crease_angle) {
 
 void reorder(Facets& all, const std::vector<std::int32_t>& order) {
   std::vector<std::int32_t> now(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) now[at(order[i])] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    now[as_index(order[i])] = static_cast<std::int32_t>(i);
   std::vector<Facet> facets;
   facets.reserve(order.size());
-  for (const std::int32_t i : order) facets.push_back(all.facets[at(i)]);
+  for (const std::int32_t i : order) facets.push_back(all.facets[as_index(i)]);
   for (Facet& f : facets)
-    for (std::int32_t& n : f.neighbour) n = now[at(n)];
-  for (Spoke& s : all.spokes) s.facet = now[at(s.facet)];
+    for (std::int32_t& n : f.neighbour) n = now[as_index(n)];
+  for (Spoke& s : all.spokes) s.facet = now[as_index(s.facet)];
   all.facets = std::move(facets);
 }
 

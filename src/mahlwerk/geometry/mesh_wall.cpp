@@ -6,12 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/index.hpp"
+
 namespace mahlwerk::geometry {
 namespace {
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 double across_side(const Facet& f, std::size_t k, const Vec3& p) {
   return dot(f.inner[k], p - f.start_of(k));
@@ -43,7 +41,7 @@ std::vector<std::int32_t> MeshWall::plant() {
   for (std::size_t i = 0; i < facets_.facets.size(); ++i) {
     BoxTree::Item item{~static_cast<std::int32_t>(i), BoxTree::Box::empty()};
     for (const Vec3& c : facets_.facets[i].corner) item.box.add(c);
-    of_face[at(facets_.facets[i].face)].push_back(item);
+    of_face[as_index(facets_.facets[i].face)].push_back(item);
   }
   std::vector<BoxTree::Item> all;
   for (std::size_t face = 0; face < faces; ++face) {
@@ -93,37 +91,38 @@ MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
 }
 
 MeshWall::Part MeshWall::part_of(const Foot& foot) const {
-  const Facet& f = facets_.facets[at(foot.facet)];
+  const Facet& f = facets_.facets[as_index(foot.facet)];
   if (foot.part == 0) return {f.normal, f.face};
   if (foot.part > 3) {
-    const Vertex& v = facets_.vertices[at(f.vertex[at(foot.part - 4)])];
+    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(foot.part - 4)])];
     return {v.normal, v.owner};
   }
-  const Facet& other = facets_.facets[at(f.neighbour[at(foot.part - 1)])];
+  const Facet& other = facets_.facets[as_index(f.neighbour[as_index(foot.part - 1)])];
   const Vec3 sum = f.normal + other.normal;
   const double size = norm(sum);
-  return {size > 0 ? sum / size : f.inner[at(foot.part - 1)] * -1.0,  // a fin without thickness
-          std::min(f.face, other.face)};
+  return {
+      size > 0 ? sum / size : f.inner[as_index(foot.part - 1)] * -1.0,  // a fin without thickness
+      std::min(f.face, other.face)};
 }
 
 /// Whether no point of the wall around the foot is nearer, and p is before it (geo.10). Next to
 /// each other the parts of the wall ask the same of the same numbers: what one declines another
 /// takes.
 bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
-  const Facet& f = facets_.facets[at(foot.facet)];
+  const Facet& f = facets_.facets[as_index(foot.facet)];
   if (foot.part > 3) {
-    const Vertex& v = facets_.vertices[at(f.vertex[at(foot.part - 4)])];
+    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(foot.part - 4)])];
     for (std::int32_t n = v.first; n < v.last; ++n) {
-      const Spoke& spoke = facets_.spokes[at(n)];
-      const Facet& g = facets_.facets[at(spoke.facet)];
-      const bool beside =
-          spoke.starts ? from_start(g, at(spoke.side), p) > 0 : from_end(g, at(spoke.side), p) < 0;
+      const Spoke& spoke = facets_.spokes[as_index(n)];
+      const Facet& g = facets_.facets[as_index(spoke.facet)];
+      const bool beside = spoke.starts ? from_start(g, as_index(spoke.side), p) > 0
+                                       : from_end(g, as_index(spoke.side), p) < 0;
       if (beside) return false;
     }
   } else if (foot.part > 0) {
-    const std::size_t k = at(foot.part - 1);
-    const Facet& other = facets_.facets[at(f.neighbour[k])];
-    if (across_side(other, at(f.neighbour_side[k]), p) > 0) return false;
+    const std::size_t k = as_index(foot.part - 1);
+    const Facet& other = facets_.facets[as_index(f.neighbour[k])];
+    if (across_side(other, as_index(f.neighbour_side[k]), p) > 0) return false;
   }
   return dot(part_of(foot).normal, p - foot.point) >= 0;
 }
@@ -131,8 +130,8 @@ bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
 Gap MeshWall::gap(int face, const Vec3& p, double within) const {
   double within2 = within * within;
   Foot best;
-  tree_.near(roots_[at(face)], p, within2, [&](std::int32_t facet, double& least) {
-    const Facet& f = facets_.facets[at(facet)];
+  tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
+    const Facet& f = facets_.facets[as_index(facet)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) return;
     Foot foot = foot_on(f, p);
@@ -155,8 +154,8 @@ MeshWall::Nearest MeshWall::seen(const Foot& foot, const Vec3& p) const {
 }
 
 void MeshWall::nearest_on(int face, const Vec3& p, double& within2, Foot& best) const {
-  tree_.near(roots_[at(face)], p, within2, [&](std::int32_t facet, double& least) {
-    const Facet& f = facets_.facets[at(facet)];
+  tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
+    const Facet& f = facets_.facets[as_index(facet)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) return;
     const Foot foot = foot_on(f, p);
@@ -177,7 +176,7 @@ void MeshWall::distances(const Vec3& p, double within, std::span<double> out) co
     double within2 = within * within;
     nearest_on(face, p, within2, best);
     if (best.facet < 0) return;
-    out[at(face)] = std::sqrt(best.distance2);
+    out[as_index(face)] = std::sqrt(best.distance2);
     if (best.distance2 < least) least = best.distance2, first = best;
   });
   if (first.facet < 0) {
@@ -187,7 +186,7 @@ void MeshWall::distances(const Vec3& p, double within, std::span<double> out) co
     return;
   }
   const Nearest wall = seen(first, p);
-  if (wall.gap.distance < 0) out[at(wall.face)] = wall.gap.distance;
+  if (wall.gap.distance < 0) out[as_index(wall.face)] = wall.gap.distance;
 }
 
 double MeshWall::distance(int face, const Vec3& p, double within) const {
@@ -210,7 +209,7 @@ double MeshWall::depth_beyond(double depth, const Vec3& p,
   Foot best;
   double least = never;
   for (const std::int32_t i : facets) {
-    const Facet& f = facets_.facets[at(i)];
+    const Facet& f = facets_.facets[as_index(i)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) continue;
     Foot foot = foot_on(f, p);
@@ -227,7 +226,7 @@ std::vector<std::int32_t> MeshWall::nearest_around(const Vec3& p, double within,
                                                    std::span<const std::int32_t> facets) const {
   std::vector<double> distances;
   for (const std::int32_t i : facets)
-    distances.push_back(std::sqrt(foot_on(facets_.facets[at(i)], p).distance2));
+    distances.push_back(std::sqrt(foot_on(facets_.facets[as_index(i)], p).distance2));
   const double least = distances.empty() ? 0 : *std::ranges::min_element(distances);
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < facets.size(); ++k)

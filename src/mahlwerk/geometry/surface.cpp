@@ -8,14 +8,12 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "mahlwerk/base/index.hpp"
+
 namespace mahlwerk::geometry {
 namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
-
-std::size_t at(std::int32_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Points in cells a little larger than the distance at which two are one.
 class Joiner {
@@ -87,7 +85,7 @@ std::size_t longest_side(const Surface& s, const Triangle& t) {
   std::size_t longest = 0;
   double most = -1;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double length = squared(s.points[at(t[(k + 1) % 3])] - s.points[at(t[k])]);
+    const double length = squared(s.points[as_index(t[(k + 1) % 3])] - s.points[as_index(t[k])]);
     if (length > most) most = length, longest = k;
   }
   return longest;
@@ -96,8 +94,8 @@ std::size_t longest_side(const Surface& s, const Triangle& t) {
 /// Its height over the longest side [m].
 double height_of(const Surface& s, const Triangle& t) {
   const std::size_t k = longest_side(s, t);
-  const Vec3 a = s.points[at(t[k])], b = s.points[at(t[(k + 1) % 3])],
-             c = s.points[at(t[(k + 2) % 3])];
+  const Vec3 a = s.points[as_index(t[k])], b = s.points[as_index(t[(k + 1) % 3])],
+             c = s.points[as_index(t[(k + 2) % 3])];
   return norm(cross(b - a, c - a)) / norm(b - a);
 }
 
@@ -167,7 +165,7 @@ void take_out_flat_ones(Surface& s) {
 
 /// Middle of a side [m].
 Vec3 middle(const Surface& s, const Side& side) {
-  return 0.5 * (s.points[at(side.low)] + s.points[at(side.high)]);
+  return 0.5 * (s.points[as_index(side.low)] + s.points[as_index(side.high)]);
 }
 
 /// A number for each triangle, the same for those that hang together.
@@ -175,12 +173,12 @@ std::vector<std::int32_t> shells(const Surface& s, const std::vector<Side>& side
   std::vector<std::int32_t> of(s.triangles.size());
   std::iota(of.begin(), of.end(), 0);
   const auto root = [&](std::int32_t i) {
-    while (of[at(i)] != i) i = of[at(i)] = of[at(of[at(i)])];
+    while (of[as_index(i)] != i) i = of[as_index(i)] = of[as_index(of[as_index(i)])];
     return i;
   };
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
     const std::int32_t a = root(sides[i].triangle), b = root(sides[i + 1].triangle);
-    of[at(std::max(a, b))] = std::min(a, b);
+    of[as_index(std::max(a, b))] = std::min(a, b);
   }
   for (std::size_t i = 0; i < of.size(); ++i) of[i] = root(static_cast<std::int32_t>(i));
   return of;
@@ -215,8 +213,8 @@ double volume_of(const Surface& s) {
   const Vec3 origin = extent_of(s.points).middle();  // where differences are smallest
   double sixfold = 0;
   for (const Triangle& t : s.triangles)
-    sixfold += dot(s.points[at(t[0])] - origin,
-                   cross(s.points[at(t[1])] - origin, s.points[at(t[2])] - origin));
+    sixfold += dot(s.points[as_index(t[0])] - origin,
+                   cross(s.points[as_index(t[1])] - origin, s.points[as_index(t[2])] - origin));
   return sixfold / 6;
 }
 
@@ -259,7 +257,7 @@ std::optional<Flaw> flaw_of(const Surface& s) {
   std::optional<Vec3> second;
   for (std::size_t i = 0; i < shell.size(); ++i) {
     if (shell[i] != static_cast<std::int32_t>(i)) continue;
-    if (++count == 2) second = s.points[at(s.triangles[i][0])];
+    if (++count == 2) second = s.points[as_index(s.triangles[i][0])];
   }
   if (second) return Flaw{Flaw::Kind::several, count, *second};
   if (!(volume_of(s) > 0)) return Flaw{Flaw::Kind::inside_out, 0, {}};

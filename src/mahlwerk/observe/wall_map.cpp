@@ -6,11 +6,6 @@
 #include <numbers>
 
 namespace mahlwerk::observe {
-namespace {
-
-constexpr double round = 2 * std::numbers::pi;
-
-}  // namespace
 
 WallGrid::Part WallGrid::part(int cell) {
   if (cell < side_cells) return Part::side;
@@ -23,10 +18,11 @@ WallGrid::Bounds WallGrid::bounds(int cell) const {
     return std::array{from + at * step, from + (at + 1) * step};
   };
   if (part(cell) == Part::side)
-    return {between(cell % around, around, 0, round), between(cell / around, along, bottom, top)};
+    return {between(cell % around, around, 0, 2 * std::numbers::pi),
+            between(cell / around, along, bottom, top)};
   const int in_disc = (cell - side_cells) % disc_cells;
   const auto squares = between(in_disc / sectors, rings, 0, radius * radius);
-  return {between(in_disc % sectors, sectors, 0, round),
+  return {between(in_disc % sectors, sectors, 0, 2 * std::numbers::pi),
           {std::sqrt(squares[0]), std::sqrt(squares[1])}};
 }
 

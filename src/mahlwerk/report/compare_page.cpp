@@ -16,8 +16,8 @@ namespace mahlwerk::report {
 namespace {
 
 /// Both numbers in the same multiple of the unit, the ratio, and the sign.
-using Line = std::array<std::string, 5>;
-Line line_of(std::string title, const Beside& b, std::string_view unit) {
+using CompareLine = std::array<std::string, 5>;
+CompareLine line_of(std::string title, const Beside& b, std::string_view unit) {
   const double size = std::fmax(std::abs(b.event.mean), std::abs(b.soft.mean));
   const double ratio = b.ratio();
   return {std::move(title), readable(b.event.mean, b.event.ci95, unit, size).text(),
@@ -32,21 +32,21 @@ std::string bin_text(const ComparedBin& b, std::string_view unit) {
   return fmt::format("{:.3g} to {:.3g} {}", b.low / m.factor, b.high / m.factor, m.unit);
 }
 
-std::vector<Line> lines_of(const std::vector<ComparedBin>& bins, std::string_view unit) {
-  std::vector<Line> lines;
+std::vector<CompareLine> lines_of(const std::vector<ComparedBin>& bins, std::string_view unit) {
+  std::vector<CompareLine> lines;
   for (auto b = bins.rbegin(); b != bins.rend(); ++b)  // the hardest first
     lines.push_back(line_of(bin_text(*b, unit), b->rate, "1/s"));
   return lines;
 }
 
 /// Columns under their heads, numbers to the right.
-std::string aligned(std::vector<Line> lines, const char* title) {
+std::string aligned_lines(std::vector<CompareLine> lines, const char* title) {
   lines.insert(lines.begin(), {title, "event", "soft", "soft/event", ""});
   std::array<std::size_t, 5> widths{};
-  for (const Line& line : lines)
+  for (const CompareLine& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
   std::string text;
-  for (const Line& line : lines) {
+  for (const CompareLine& line : lines) {
     std::string row = line[0] + std::string(widths[0] - width(line[0]), ' ');
     for (std::size_t i = 1; i < line.size(); ++i) {
       const std::string room(widths[i] - width(line[i]), ' ');
@@ -58,10 +58,11 @@ std::string aligned(std::vector<Line> lines, const char* title) {
   return text + '\n';
 }
 
-std::string html_rows(const std::vector<Line>& lines, const std::vector<std::string>& abouts) {
+std::string html_rows(const std::vector<CompareLine>& lines,
+                      const std::vector<std::string>& abouts) {
   std::string rows;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Line& l = lines[i];
+    const CompareLine& l = lines[i];
     const std::string about = i < abouts.size() && !abouts[i].empty()
                                   ? "<small>" + with_symbols(abouts[i]) + "</small>"
                                   : "";
@@ -73,7 +74,7 @@ std::string html_rows(const std::vector<Line>& lines, const std::vector<std::str
   return rows;
 }
 
-std::string html_table(std::string_view title, const std::vector<Line>& lines,
+std::string html_table(std::string_view title, const std::vector<CompareLine>& lines,
                        const std::vector<std::string>& abouts = {}) {
   return fmt::format(
       "<h2>{}</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">event</th><th "
@@ -137,8 +138,8 @@ std::string boxes(const char* engine, const Side& side) {
   return text;
 }
 
-std::vector<Line> quantity_lines(const Comparison& c) {
-  std::vector<Line> lines;
+std::vector<CompareLine> quantity_lines(const Comparison& c) {
+  std::vector<CompareLine> lines;
   for (const Compared& q : c.quantities) lines.push_back(line_of(label(q.name), q.both, q.unit));
   return lines;
 }
@@ -146,9 +147,9 @@ std::vector<Line> quantity_lines(const Comparison& c) {
 }  // namespace
 
 std::string compare_table(const Comparison& c) {
-  std::string text = aligned(quantity_lines(c), "");
-  text += aligned(lines_of(c.speeds, "m/s"), "collisions by normal speed");
-  text += aligned(lines_of(c.energies, "J"), "collisions by normal energy");
+  std::string text = aligned_lines(quantity_lines(c), "");
+  text += aligned_lines(lines_of(c.speeds, "m/s"), "collisions by normal speed");
+  text += aligned_lines(lines_of(c.energies, "J"), "collisions by normal energy");
   for (const auto& [name, side] : {std::pair{"event", &c.event}, std::pair{"soft", &c.soft}})
     for (const Notice& one : side->notices)
       text += fmt::format("{} engine: {}\n\n", name, one.text);

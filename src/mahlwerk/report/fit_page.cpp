@@ -54,16 +54,16 @@ std::string remarks(const FitReport& fit) {
 }
 
 /// What is drawn together: all of one kind, and how its axes are called.
-struct Drawn {
+struct DrawnQuantity {
   std::string what;
   bool over_size = false, over_time = false;
 };
 
-std::vector<Drawn> drawn(const FitReport& fit) {
-  std::vector<Drawn> all;
+std::vector<DrawnQuantity> drawn_quantities(const FitReport& fit) {
+  std::vector<DrawnQuantity> all;
   for (const FitPoint& p : fit.points) {
-    if (std::ranges::find(all, p.what, &Drawn::what) != all.end()) continue;
-    Drawn d{p.what, p.what == "passing", false};
+    if (std::ranges::find(all, p.what, &DrawnQuantity::what) != all.end()) continue;
+    DrawnQuantity d{p.what, p.what == "passing", false};
     for (const FitPoint& other : fit.points)
       d.over_time = d.over_time || (other.what == p.what && other.time != p.time);
     all.push_back(d);
@@ -102,7 +102,7 @@ std::string axis_of(const std::string& what, const Multiple& m) {
 
 /// Dots where it was measured, lines as the models say; a colour for each condition, and of
 /// distributions for each time.
-Plot curves(const FitReport& fit, const Drawn& d) {
+Plot curves(const FitReport& fit, const DrawnQuantity& d) {
   const Multiple across = d.over_size ? multiple_of(fit, d.what, true) : of_times(fit);
   const Multiple up = multiple_of(fit, d.what, false);
   std::map<std::pair<std::size_t, double>, std::size_t> colours;
@@ -135,7 +135,7 @@ Plot curves(const FitReport& fit, const Drawn& d) {
 }
 
 /// Measured beside fitted, one condition after the other, where nothing is told over time.
-Plot beside(const FitReport& fit, const Drawn& d) {
+Plot beside(const FitReport& fit, const DrawnQuantity& d) {
   const Multiple up = multiple_of(fit, d.what, false);
   Series measured{.name = "measured", .mark = Mark::dots}, fitted{.name = "fitted"};
   fitted.mark = Mark::points;
@@ -160,7 +160,7 @@ Plot residuals(const FitReport& fit) {
             .y = {fit.errors_known ? "residual (measurement errors)" : "residual"},
             .series = {},
             .height = 280};
-  for (const Drawn& d : drawn(fit)) {
+  for (const DrawnQuantity& d : drawn_quantities(fit)) {
     Series series{.name = d.what, .mark = Mark::dots};
     for (const FitPoint& p : fit.points)
       if (p.what == d.what) {
@@ -221,7 +221,7 @@ std::string condition_list(const FitReport& fit) {
 
 std::string figures(const FitReport& fit) {
   std::string text;
-  for (const Drawn& d : drawn(fit)) {
+  for (const DrawnQuantity& d : drawn_quantities(fit)) {
     const bool over = d.over_size || d.over_time || fit.conditions.size() < 2;
     text += figure(over ? curves(fit, d) : beside(fit, d),
                    fit.errors_known ? "Bars are 95 % of the measurement errors."

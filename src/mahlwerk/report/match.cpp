@@ -16,9 +16,9 @@
 namespace mahlwerk::report {
 namespace {
 
-using Row = std::array<std::string, 4>;  // what, a, b, b over a
+using MatchRow = std::array<std::string, 4>;  // what, a, b, b over a
 
-std::vector<Row> rows(const MatchReport& found) {
+std::vector<MatchRow> match_rows(const MatchReport& found) {
   const auto text = [](const Told& t, const char* unit, double size) {
     return readable(t.value, t.ci95, unit, size).text();
   };
@@ -93,8 +93,8 @@ std::string match_table(const MatchReport& found) {
     for (const OptimumKey& k : found.search.keys)
       text += fmt::format("{} = {}   ({})\n", k.key, k.best, k.lies());
     text += '\n';
-    std::vector<Row> lines = rows(found);
-    lines.insert(lines.begin(), Row{"", "A", "B as found", "B/A"});
+    std::vector<MatchRow> lines = match_rows(found);
+    lines.insert(lines.begin(), MatchRow{"", "A", "B as found", "B/A"});
     text += aligned(lines);
     text += '\n';
   }
@@ -132,7 +132,7 @@ std::string match_page(const MatchReport& found, std::string_view version) {
   std::string extra;
   if (found.search.best) {
     std::string lines;
-    for (const Row& r : rows(found))
+    for (const MatchRow& r : match_rows(found))
       lines += fmt::format(
           "<tr><th scope=\"row\">{}</th><td class=\"n\" data-head=\"A\">{}</td><td class=\"n\" "
           "data-head=\"B as found\">{}</td><td class=\"n\" data-head=\"B / A\">{}</td></tr>\n",

@@ -21,7 +21,7 @@ using results::Outcome;
 using results::Quantity;
 using Quantities = std::vector<Quantity>;
 
-std::string shown(const Quantities& list, std::string_view name) {
+std::string shown_text(const Quantities& list, std::string_view name) {
   const auto found = std::ranges::find(list, name, &Quantity::name);
   return found == list.end() ? "-" : readable(*found).text();
 }
@@ -68,8 +68,8 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
   return fmt::format(
              "<h2>What collisions catch</h2>\n<p>Collisions catch {} of powder: a grain is caught "
              "{:.3g} times a second and gets {} each time, {} in all.{}</p>\n",
-             shown(list, "captured_mass_rate"), value(list, "captured_share_rate"),
-             shown(list, "captured_energy_mean"), shown(list, "captured_dose_rate"),
+             shown_text(list, "captured_mass_rate"), value(list, "captured_share_rate"),
+             shown_text(list, "captured_energy_mean"), shown_text(list, "captured_dose_rate"),
              beside_the_losses(what, list)) +
          figure(catch_plot(outcome),
                 fmt::format("Of grains of {}, the median of the feed, by the model {}: {}. {} "
@@ -100,8 +100,8 @@ std::string how_fine(const Outcome& outcome, const Quantities& list) {
              "<h2>How fine it gets</h2>\n<p>After {} of milling D10, D50 and D90 are {}, {} and "
              "{}; "
              "the specific surface is {}.</p>\n",
-             show_rounded(g.time, "s"), shown(list, "d10"), shown(list, "d50"), shown(list, "d90"),
-             shown(list, "specific_surface")) +
+             show_rounded(g.time, "s"), shown_text(list, "d10"), shown_text(list, "d50"),
+             shown_text(list, "d90"), shown_text(list, "specific_surface")) +
          figure(sizes_plot(outcome),
                 fmt::format("{} Breakage by {}, fragments by {}, with the numbers of the case: the "
                             "sizes are as sure as those and the share of the energy that gets to "
@@ -120,9 +120,9 @@ std::string by_dose(const Outcome& outcome, const Quantities& list) {
   const std::string basis = fmt::format(
       "By energy {} by mass of powder, {} after {}; the constants are the case's.",
       k.dose == cases::Kinetics::Dose::captured ? "that caught grains get" : "dissipated",
-      shown(list, "milling_dose"), show_rounded(k.time, "s"));
+      shown_text(list, "milling_dose"), show_rounded(k.time, "s"));
   return fmt::format("<h2>Dose</h2>\n<p>After {} of milling the conversion is {}.</p>\n",
-                     show_rounded(k.time, "s"), shown(list, "conversion")) +
+                     show_rounded(k.time, "s"), shown_text(list, "conversion")) +
          figure(conversion_plot(outcome), basis + " conversion.csv has the numbers.") +
          (k.property.empty() ? "" : figure(property_plot(outcome), "As conversion goes."));
 }

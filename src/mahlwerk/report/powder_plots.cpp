@@ -105,7 +105,7 @@ Plot over_log_time(const results::Outcome& outcome) {
 }
 
 /// The names before which "sample_" stands where the sample is beside a balance.
-constexpr std::array<std::string_view, 2> methods{"", "sample_"};
+constexpr std::array<std::string_view, 2> method_prefixes{"", "sample_"};
 
 /// A colour, dashed where it is of the sample.
 std::size_t drawn(std::size_t colour, std::string_view method) {
@@ -198,7 +198,7 @@ Plot sizes_plot(const results::Outcome& outcome) {
   const Table table = results::grinding(outcome);
   const std::vector<double> times =
       column(table, "time", time_unit(largest(column(table, "time"))).factor);
-  for (const std::string_view method : methods) {
+  for (const std::string_view method : method_prefixes) {
     std::size_t colour = 0;
     for (const std::string_view name : {"d90", "d50", "d10"}) {
       const auto sizes = column(table, fmt::format("{}{}", method, name), micrometre);
@@ -223,7 +223,7 @@ Plot passing_plot(const results::Outcome& outcome) {
             .y = {.label = "finer (%)", .least = 0, .most = 100},
             .series = {}};
   show_what_there_is(table, plot.x);
-  for (const std::string_view method : methods) {
+  for (const std::string_view method : method_prefixes) {
     std::size_t colour = grey;
     for (const Moment& moment : moments(table)) {
       std::vector<double> sizes = column(moment.rows, "size_high", micrometre),
@@ -253,7 +253,7 @@ Plot density_plot(const results::Outcome& outcome) {
             .series = {}};
   show_what_there_is(table, plot.x);
   double feed = 0, milled = 0;
-  for (const std::string_view method : methods) {
+  for (const std::string_view method : method_prefixes) {
     std::size_t colour = grey;
     for (const Moment& moment : moments(table)) {
       const std::vector<double> low = column(moment.rows, "size_low", micrometre),
@@ -286,7 +286,7 @@ Plot surface_plot(const results::Outcome& outcome) {
   plot.height = 280;
   const Table table = results::grinding(outcome);
   const double longest = largest(column(table, "time"));
-  for (const std::string_view method : methods)
+  for (const std::string_view method : method_prefixes)
     if (const auto surface = column(table, fmt::format("{}specific_surface", method));
         !surface.empty())
       plot.series.push_back({method.empty() ? "of the balance" : "of the sample",

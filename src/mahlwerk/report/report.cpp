@@ -33,7 +33,7 @@ const Quantity& named(const std::vector<Quantity>& list, std::string_view name) 
   return *std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
 }
 
-std::string shown(const std::vector<Quantity>& list, std::string_view name) {
+std::string text_of(const std::vector<Quantity>& list, std::string_view name) {
   return readable(named(list, name)).text();
 }
 
@@ -46,13 +46,13 @@ std::string number_cell(const Quantity* q, const std::string& text) {
 }
 
 /// The rows of a group of quantities, under its heading.
-struct Group {
+struct RowGroup {
   std::string lines;
   int rows = 0;
 };
 
-std::vector<Group> groups(const std::vector<Quantity>& list) {
-  std::vector<Group> all;
+std::vector<RowGroup> row_groups(const std::vector<Quantity>& list) {
+  std::vector<RowGroup> all;
   for (const Row& row : rows(list)) {
     if (!row.group.empty() || all.empty())
       all.push_back(
@@ -86,7 +86,7 @@ QuantityTables quantity_tables(const Outcome& outcome, const std::vector<Quantit
   };
   std::string above, below;
   int count = 0;
-  for (const Group& group : groups(list)) {
+  for (const RowGroup& group : row_groups(list)) {
     count += group.rows;
     (count <= most ? above : below) += group.lines;
   }
@@ -227,9 +227,9 @@ std::string sentence(const Outcome& outcome) {
                       threshold_text(outcome.what.observe.threshold));
   if (std::isfinite(named(list, "energy_normal_mean_above_threshold").value))
     text += fmt::format(", of {} each along the normal and {} with the motion along the wall",
-                        shown(list, "energy_normal_mean_above_threshold"),
-                        shown(list, "energy_contact_point_mean_above_threshold"));
-  return text + fmt::format("; {} were dissipated in all.", shown(list, "dissipated_power"));
+                        text_of(list, "energy_normal_mean_above_threshold"),
+                        text_of(list, "energy_contact_point_mean_above_threshold"));
+  return text + fmt::format("; {} were dissipated in all.", text_of(list, "dissipated_power"));
 }
 
 std::string report_page(const Outcome& outcome, std::string_view version, bool film) {

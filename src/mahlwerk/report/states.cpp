@@ -13,8 +13,8 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::array shown{"dissipated_power", "collision_rate_above_threshold",
-                           "energy_normal_mean_above_threshold", "contact_time_share"};
+constexpr std::array state_quantities{"dissipated_power", "collision_rate_above_threshold",
+                                      "energy_normal_mean_above_threshold", "contact_time_share"};
 
 using Line = std::array<std::string, 3>;
 
@@ -27,7 +27,7 @@ std::vector<Line> lines(const results::TwoStates& found) {
     list[0][i + 1] =
         fmt::format("{} of {} replicates ({:.0f} %)", found.states[i].replicates.size(), all,
                     100 * found.share(found.states[i]));
-  for (const char* name : shown)
+  for (const char* name : state_quantities)
     list.push_back({label(one->named(name)), readable(one->named(name)).text(),
                     readable(other->named(name)).text()});
   return list;

@@ -49,7 +49,7 @@ double size_of(const Row& row) {
   return row.above == nullptr ? all : std::fmax(all, std::abs(row.above->value));
 }
 
-std::string trimmed(std::string text) {
+std::string without_blanks_behind(std::string text) {
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
 }
@@ -91,8 +91,8 @@ std::string table(const std::vector<results::Quantity>& quantities, double thres
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
   std::string text;
   for (const Line& line : lines)
-    text += trimmed(padded(line[0], widths[0] + 2) + padded(line[1], widths[1] + 2) +
-                    padded(line[2], widths[2])) +
+    text += without_blanks_behind(padded(line[0], widths[0] + 2) + padded(line[1], widths[1] + 2) +
+                                  padded(line[2], widths[2])) +
             '\n';
   return text;
 }
@@ -136,7 +136,7 @@ std::string pair_table(const std::vector<results::PairSummary>& pairs, double th
   for (const auto& line : lines) {
     std::string one;
     for (std::size_t i = 0; i < line.size(); ++i) one += padded(line[i], widths[i] + 2);
-    text += trimmed(std::move(one)) + '\n';
+    text += without_blanks_behind(std::move(one)) + '\n';
   }
   return text;
 }

@@ -20,34 +20,20 @@ namespace {
 
 using powder::Milling;
 
-/// The replicates that have ground.
-std::vector<const Replicate*> ground_ones(const Outcome& outcome) {
-  std::vector<const Replicate*> chosen = averaged(outcome);
-  std::erase_if(chosen, [](const Replicate* r) { return !r->ground; });
-  return chosen;
-}
-
-template <class Of>
-double mean(const std::vector<const Replicate*>& chosen, const Of& of) {
-  double sum = 0;
-  for (const Replicate* r : chosen) sum += of(*r);
-  return sum / static_cast<double>(chosen.size());
-}
-
-using Chosen = std::optional<Milling> Ground::*;
-const Milling& milling(const Replicate& r, Chosen method) {
+using MillingOf = std::optional<Milling> Ground::*;
+const Milling& milling(const Replicate& r, MillingOf method) {
   return *((*r.ground).*method);
 }
 
-std::vector<Chosen> methods(const Replicate& r) {
-  std::vector<Chosen> list;
-  for (const Chosen method : {&Ground::balance, &Ground::sample})
+std::vector<MillingOf> methods(const Replicate& r) {
+  std::vector<MillingOf> list;
+  for (const MillingOf method : {&Ground::balance, &Ground::sample})
     if (((*r.ground).*method).has_value()) list.push_back(method);
   return list;
 }
 
 /// What stands before the names of columns of the sample where there is a balance, too.
-std::string prefix(const Replicate& r, Chosen method) {
+std::string prefix(const Replicate& r, MillingOf method) {
   return methods(r).size() == 2 && method == &Ground::sample ? "sample_" : "";
 }
 
@@ -64,7 +50,7 @@ Table capture(const Outcome& outcome) {
            {"energy_per_grain", "J", "that each gets"},
            {"specific_energy", "J/kg", "that by its mass"}})
     table.columns.push_back(c);
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
   const powder::Process process = cases::process(outcome.what);
   const powder::Grain grain = process.grain(*outcome.what.powder->size);
@@ -88,7 +74,7 @@ Table captured_grains(const Outcome& outcome) {
                {"rate", "1/s", "collisions per second"},
                {"power", "W", "the sum of their energy per second"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
   const powder::Process process = cases::process(outcome.what);
   const powder::StressSpectrum all = stresses(outcome.what, chosen);
@@ -111,12 +97,12 @@ Table grinding(const Outcome& outcome) {
   Table table{{{"time", "s", "of milling"},
                {"specific_energy", "J/g", "that caught grains got until then"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
   if (!outcome.what.grinding || chosen.empty()) return table;
   constexpr std::array<std::pair<double, const char*>, 3> shares{
       {{0.1, "d10"}, {0.5, "d50"}, {0.9, "d90"}}};
   const Replicate& first = *chosen.front();
-  for (const Chosen method : methods(first)) {
+  for (const MillingOf method : methods(first)) {
     for (const auto& [share, name] : shares)
       table.columns.push_back(
           {prefix(first, method) + name, "m",
@@ -125,19 +111,19 @@ Table grinding(const Outcome& outcome) {
     table.columns.push_back(
         {prefix(first, method) + "specific_surface", "m2/kg", "of spheres of these sizes"});
   }
-  const double power = mean(chosen, [&](const Replicate& r) {
+  const double power = mean_over(chosen, [&](const Replicate& r) {
     return caught_rates(outcome.what, r.ground->stresses).power;
   });
   const std::vector<double>& times = milling(first, methods(first).front()).time;
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<double> row{times[i], power * times[i] / (1000 * outcome.what.powder->mass)};
-    for (const Chosen method : methods(first)) {
+    for (const MillingOf method : methods(first)) {
       for (const auto& [share, name] : shares)
-        row.push_back(mean(chosen, [&, part = share](const Replicate& r) {
+        row.push_back(mean_over(chosen, [&, part = share](const Replicate& r) {
           const Milling& m = milling(r, method);
           return powder::quantile(m.grid, m.shares[i], part);
         }));
-      row.push_back(mean(chosen, [&](const Replicate& r) {
+      row.push_back(mean_over(chosen, [&](const Replicate& r) {
         const Milling& m = milling(r, method);
         return powder::specific_surface(m.grid, m.shares[i], *outcome.what.powder->density);
       }));
@@ -152,10 +138,10 @@ Table size_distribution(const Outcome& outcome) {
                {"size_low", "m", "lower edge of the class"},
                {"size_high", "m", "upper edge of the class"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
   if (!outcome.what.grinding || chosen.empty()) return table;
   const Replicate& first = *chosen.front();
-  for (const Chosen method : methods(first)) {
+  for (const MillingOf method : methods(first)) {
     const std::string before = prefix(first, method);
     table.columns.push_back({before + "share", "1", "of the mass in the class"});
     table.columns.push_back({before + "density", "1", "share per unit of the logarithm of size"});
@@ -167,7 +153,7 @@ Table size_distribution(const Outcome& outcome) {
   for (const double part : times) {
     const double time = part * outcome.what.grinding->time;
     std::vector<std::vector<double>> shares;  // of each method
-    for (const Chosen method : methods(first)) {
+    for (const MillingOf method : methods(first)) {
       std::vector<double>& sum = shares.emplace_back(static_cast<std::size_t>(grid.classes()));
       for (const Replicate* r : chosen) {
         const std::vector<double> one = milling(*r, method).at(time);
@@ -194,7 +180,7 @@ Table conversion(const Outcome& outcome) {
                {"dose", "J/g", "energy by mass of powder until then"},
                {"conversion", "1", "by that dose"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_ones(outcome);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
   if (!outcome.what.kinetics || chosen.empty()) return table;
   const cases::Kinetics& kinetics = *outcome.what.kinetics;
   if (!kinetics.property.empty()) table.columns.push_back({"property", "1", kinetics.property});
@@ -202,8 +188,8 @@ Table conversion(const Outcome& outcome) {
   for (int i = 0; i <= points; ++i) {
     const double time = kinetics.time * i / points;
     const double dose =
-        mean(chosen, [&](const Replicate& r) { return r.ground->dose_rate * time; });
-    const double done = mean(chosen, [&](const Replicate& r) {
+        mean_over(chosen, [&](const Replicate& r) { return r.ground->dose_rate * time; });
+    const double done = mean_over(chosen, [&](const Replicate& r) {
       return kinetics.conversion.at(r.ground->dose_rate * time);
     });
     table.rows.push_back({time, dose / 1000, done});

@@ -17,13 +17,6 @@ namespace {
 
 using Chosen = std::vector<const Replicate*>;
 
-template <class Of>
-double mean(const Chosen& chosen, const Of& of) {
-  double sum = 0;
-  for (const Replicate* r : chosen) sum += of(*r);
-  return sum / static_cast<double>(chosen.size());
-}
-
 void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
   const double size = *what.powder->size;
   double nip = INFINITY;  // the narrowest where anything collides
@@ -41,7 +34,7 @@ void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, N
 }
 
 void more_than_dissipated(const cases::Case& what, const Chosen& chosen, Notices& list) {
-  const double given = mean(chosen, [&](const Replicate& r) {
+  const double given = mean_over(chosen, [&](const Replicate& r) {
     return share(caught_rates(what, r.ground->stresses).power, dissipated_power(r));
   });
   if (given > 1)
@@ -75,8 +68,8 @@ void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hi
 
 void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
   constexpr double much = 0.05, often = 0.01;
-  const double finest =
-      mean(chosen, [](const Replicate& r) { return r.ground->milling().shares.back().back(); });
+  const double finest = mean_over(
+      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().back(); });
   if (finest > much)
     list.push_back(warning(
         "finest-class",
@@ -85,8 +78,8 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
             "any "
             "further: a smaller grinding.smallest shows more, if the models still hold there.",
             100 * finest, show_rounded(grinding.smallest, "m"))));
-  const double coarsest =
-      mean(chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
+  const double coarsest = mean_over(
+      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
   if (grinding.welding > 0 && coarsest > often)
     list.push_back(
         warning("coarsest-class", fmt::format("{:.2g} % of the powder welded into grains sixteen "
@@ -112,8 +105,7 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
 }  // namespace
 
 Notices grinding_warnings(const Outcome& outcome) {
-  Chosen chosen = averaged(outcome);
-  std::erase_if(chosen, [](const Replicate* r) { return !r->ground; });
+  const Chosen chosen = ground_replicates(outcome);
   const cases::Case& what = outcome.what;
   Notices list;
   if (chosen.empty() || !what.capture) return list;

@@ -18,9 +18,8 @@ namespace mahlwerk::results {
 namespace {
 
 using scene::Collision;
-constexpr hsize_t chunk = 4096;       // records; 0.5 MB
-constexpr unsigned deflation = 4;     // of 9: most of the gain at little time
-constexpr std::size_t piece = 16384;  // records handed over at once
+constexpr hsize_t chunk = 4096;                 // records; 0.5 MB
+constexpr std::size_t records_at_once = 16384;  // records handed over at once
 
 /// One number of a record: its name in the file, its unit, what it is, and where it lies in a
 /// Collision.
@@ -30,7 +29,7 @@ struct Part {
   bool whole = false;  ///< a 32-bit integer instead of a double
 };
 
-const Part parts[] = {
+const Part record_parts[] = {
     {"time", "s", "of first touch, since the start of the run", offsetof(Collision, time)},
     {"duration", "s", "of the contact; 0 in the event engine", offsetof(Collision, duration)},
     {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
@@ -62,7 +61,7 @@ InputError failure(const std::filesystem::path& file, const char* doing) {
 /// The record as it lies in memory.
 Handle record_type() {
   Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Collision)), H5Tclose);
-  for (const Part& p : parts)
+  for (const Part& p : record_parts)
     H5Tinsert(type, p.name, p.offset, p.whole ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE);
   return type;
 }
@@ -77,7 +76,7 @@ struct CollisionFile::Inside {
   std::filesystem::path path;
   Handle file, in_memory;
   std::map<int, Handle> sets;
-  std::exception_ptr trouble;  ///< of a log's last piece, kept until close()
+  std::exception_ptr trouble;  ///< of a log's last records_at_once, kept until close()
 
   Handle& set(int replicate);
 };
@@ -100,7 +99,7 @@ Handle& CollisionFile::Inside::set(int replicate) {
                  H5Dclose);
   if (!found.valid()) throw failure(path, "make a data set in the file");
   bool good = write_attribute(found, "about", "every counted collision of a replicate, by time");
-  for (const Part& p : parts) {
+  for (const Part& p : record_parts) {
     good = write_attribute(found, std::string("unit_") + p.name, p.unit) && good;
     good = write_attribute(found, std::string("about_") + p.name, p.about) && good;
   }
@@ -174,7 +173,7 @@ CollisionLog::~CollisionLog() {
 
 void CollisionLog::collisions(std::span<const Collision> finished) {
   waiting_.insert(waiting_.end(), finished.begin(), finished.end());
-  if (waiting_.size() >= piece) flush();
+  if (waiting_.size() >= records_at_once) flush();
 }
 
 void CollisionLog::flush() {

@@ -15,6 +15,8 @@
 // integers here, so that its header need not be known.
 namespace mahlwerk::results {
 
+constexpr unsigned deflation = 4;  ///< of 9: most of the gain at little time
+
 /// An identifier of the library and the function that gives it back.
 class Handle {
  public:

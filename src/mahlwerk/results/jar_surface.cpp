@@ -11,8 +11,6 @@ namespace mahlwerk::results {
 namespace {
 
 using Index = std::uint32_t;
-constexpr double pi = std::numbers::pi;
-
 Index count(const JarMesh& mesh) {
   return static_cast<Index>(mesh.vertices.size());
 }
@@ -26,7 +24,7 @@ using Profile = std::vector<Place>;
 /// Adds a quarter of a circle about a point, from `from` on [rad, 0 outwards, pi/2 upwards].
 void add_quarter(Profile& profile, const Place& middle, double radius, double from, Index facets) {
   for (Index i = 0; i <= facets / 4; ++i) {
-    const SinCos at = sin_cos(from + 2 * pi * i / facets);
+    const SinCos at = sin_cos(from + 2 * std::numbers::pi * i / facets);
     profile.push_back({middle.rho + radius * at.cos, middle.z + radius * at.sin});
   }
 }
@@ -44,7 +42,7 @@ void add_revolved(JarMesh& mesh, const Profile& profile, Index facets) {
   mesh.vertices.push_back({0, 0, profile.back().z});
   for (const Place& p : rings)
     for (Index k = 0; k < facets; ++k) {
-      const SinCos at = sin_cos(2 * pi * k / facets);
+      const SinCos at = sin_cos(2 * std::numbers::pi * k / facets);
       mesh.vertices.push_back({p.rho * at.cos, p.rho * at.sin, p.z});
     }
   const auto last = first + static_cast<Index>(rings.size() - 1) * facets;
@@ -67,7 +65,7 @@ Profile profile_of(double diameter, double height) {
 /// Half spheres below and above; without a height, a sphere.
 Profile capsule_profile(double diameter, double height, Index facets) {
   Profile profile;
-  add_quarter(profile, {0, -0.5 * height}, 0.5 * diameter, -0.5 * pi, facets);
+  add_quarter(profile, {0, -0.5 * height}, 0.5 * diameter, -0.5 * std::numbers::pi, facets);
   add_quarter(profile, {0, 0.5 * height}, 0.5 * diameter, 0, facets);
   return profile;
 }
@@ -75,7 +73,7 @@ Profile capsule_profile(double diameter, double height, Index facets) {
 Profile rounded_profile(const geometry::RoundedCylinder& jar, Index facets) {
   const double h = 0.5 * jar.height, core = 0.5 * jar.diameter - jar.fillet;
   Profile profile{{0, -h}};
-  add_quarter(profile, {core, jar.fillet - h}, jar.fillet, -0.5 * pi, facets);
+  add_quarter(profile, {core, jar.fillet - h}, jar.fillet, -0.5 * std::numbers::pi, facets);
   add_quarter(profile, {core, h - jar.fillet}, jar.fillet, 0, facets);
   profile.push_back({0, h});
   return profile;
@@ -119,18 +117,19 @@ void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facet
                   0.5 * jar.diameter - jar.lifter_height};
   const Place foot = bar_foot(jar, top);
   const auto bars = static_cast<Index>(jar.lifters);
-  const double half = std::atan2(foot.rho, foot.z), pitch = 2 * pi / jar.lifters;
+  const double half = std::atan2(foot.rho, foot.z), pitch = 2 * std::numbers::pi / jar.lifters;
   const double shell = pitch - 2 * half;
-  const auto pieces = static_cast<Index>(std::ceil(shell / (2 * pi) * facets));
+  const auto pieces = static_cast<Index>(std::ceil(shell / (2 * std::numbers::pi) * facets));
   const Index each = pieces + 3, all = bars * each, middle = pieces / 2;
   std::vector<Vec3> section;
   Cap cap;
   for (Index bar = 0; bar < bars; ++bar) {
-    const SinCos at = sin_cos(2 * pi * bar / jar.lifters);
+    const SinCos at = sin_cos(2 * std::numbers::pi * bar / jar.lifters);
     for (const double aside : {-top.rho, top.rho})
       section.push_back({top.z * at.cos - aside * at.sin, top.z * at.sin + aside * at.cos, 0});
     for (Index i = 0; i <= pieces; ++i) {
-      const SinCos to = sin_cos(2 * pi * bar / jar.lifters + half + shell * i / pieces);
+      const SinCos to =
+          sin_cos(2 * std::numbers::pi * bar / jar.lifters + half + shell * i / pieces);
       section.push_back(0.5 * jar.diameter * Vec3{to.cos, to.sin, 0});
     }
     // Behind the tops the pocket between two bars, the nearer half of the shell seen from each;

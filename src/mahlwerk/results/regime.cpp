@@ -20,7 +20,7 @@ using kinematics::Planetary;
 using kinematics::Tumbling;
 using observe::Charge;
 
-constexpr double pi = std::numbers::pi, degrees = 180 / pi;
+constexpr double degrees = 180 / std::numbers::pi;
 
 bool has_regime(const Case& c) {
   const auto* drum = std::get_if<Tumbling>(&c.mill.motion);
@@ -35,7 +35,7 @@ struct Reference {
 };
 Reference reference(const Case& c) {
   if (const auto* drum = std::get_if<Tumbling>(&c.mill.motion))
-    return {-0.5 * pi, drum->speed < 0 ? -1.0 : 1.0};
+    return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
   return {0, std::get<Planetary>(c.mill.motion).ratio < 0 ? -1.0 : 1.0};
 }
 
@@ -47,7 +47,7 @@ struct Ends {
 };
 Ends ends(const Charge& charge, const Reference& from) {
   constexpr int n = Charge::angles;
-  const double step = 2 * pi / n;
+  const double step = 2 * std::numbers::pi / n;
   double x = 0, y = 0, all = 0;
   for (std::size_t i = 0; i < charge.mass_at.size(); ++i) {
     const double at = step * (static_cast<double>(i) + 0.5);
@@ -56,7 +56,7 @@ Ends ends(const Charge& charge, const Reference& from) {
     all += charge.mass_at[i];
   }
   if (!(all > 0)) return {};
-  const int first = static_cast<int>(std::floor((std::atan2(y, x) + pi) / step));
+  const int first = static_cast<int>(std::floor((std::atan2(y, x) + std::numbers::pi) / step));
   const int on = from.sense < 0 ? -1 : 1;  // slots are gone through whole, in the sense of turning
   const double start = from.sense * (step * (on < 0 ? first + 1 : first) - from.zero);
   const auto angle_of = [&](double part) {
@@ -67,9 +67,9 @@ Ends ends(const Charge& charge, const Reference& from) {
         return start + step * (k + (part * all - below) / mass);
       below += mass;
     }
-    return start + 2 * pi;
+    return start + 2 * std::numbers::pi;
   };
-  const double toe = angle_of(0.05), wrapped = std::remainder(toe, 2 * pi);
+  const double toe = angle_of(0.05), wrapped = std::remainder(toe, 2 * std::numbers::pi);
   return {degrees * wrapped, degrees * (wrapped + angle_of(0.95) - toe)};
 }
 

@@ -14,8 +14,6 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr unsigned deflation = 4;  // of 9: most of the gain at little time
-
 /// Collects whether everything went well, and says so at the end.
 class Writer {
  public:

@@ -15,7 +15,7 @@ struct Kind {
   double (*of)(const Window&);
 };
 
-constexpr std::array kinds{
+constexpr std::array series_kinds{
     Kind{"dissipated_power", [](const Window& w) { return w.lost / w.length; }},
     Kind{"drawn_power", [](const Window& w) { return w.wall_work / w.length; }},
     Kind{"collision_rate", [](const Window& w) { return w.collisions / w.length; }},
@@ -30,7 +30,7 @@ constexpr std::array kinds{
 const std::vector<std::string>& series_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;
-    for (const Kind& kind : kinds) list.emplace_back(kind.name);
+    for (const Kind& kind : series_kinds) list.emplace_back(kind.name);
     return list;
   }();
   return names;
@@ -38,8 +38,8 @@ const std::vector<std::string>& series_names() {
 
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name) {
   std::vector<double> values;
-  const auto kind = std::ranges::find(kinds, name, &Kind::name);
-  if (kind == kinds.end()) return values;
+  const auto kind = std::ranges::find(series_kinds, name, &Kind::name);
+  if (kind == series_kinds.end()) return values;
   for (const Window& w : windows)
     if (const double v = kind->of(w); std::isfinite(v)) values.push_back(v);
   return values;

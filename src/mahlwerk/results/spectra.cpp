@@ -35,7 +35,7 @@ const std::vector<Energy>& energies() {
   return list;
 }
 
-std::vector<Histogram> parts() {
+std::vector<Histogram> histograms() {
   std::vector<Histogram> list;
   for (const Energy& e : energies()) list.push_back(e.part);
   return list;
@@ -132,7 +132,7 @@ std::array<int, 2> MeanSpectra::filled(const std::vector<Histogram>& wanted) con
 Table spectrum(const Outcome& outcome) {
   Table table{energy_columns(), {}};
   const MeanSpectra spectra(averaged(outcome));
-  const auto [first, last] = spectra.filled(parts());
+  const auto [first, last] = spectra.filled(histograms());
   for (int bin = first; bin < last; ++bin) table.rows.push_back(energy_row(spectra, bin));
   return table;
 }
@@ -198,7 +198,7 @@ Table spectra_by_pair(const Outcome& outcome) {
   const observe::ByPair& first = chosen.front()->tally.by_pair;
   for (int pair = 0; pair < first.pairs(); ++pair) {
     const MeanSpectra spectra(chosen, pair);
-    const auto [from, to] = spectra.filled(parts());
+    const auto [from, to] = spectra.filled(histograms());
     for (int bin = from; bin < to; ++bin) {
       const std::vector<double> numbers = energy_row(spectra, bin);
       if (std::all_of(numbers.begin() + 2, numbers.end(), [](double v) { return v == 0; }))

@@ -218,6 +218,12 @@ std::vector<const Replicate*> averaged(const Outcome& outcome) {
   return whole.size() >= 2 ? whole : any;
 }
 
+std::vector<const Replicate*> ground_replicates(const Outcome& outcome) {
+  std::vector<const Replicate*> chosen = averaged(outcome);
+  std::erase_if(chosen, [](const Replicate* r) { return !r->ground; });
+  return chosen;
+}
+
 bool complete(const Outcome& outcome) {
   return !outcome.replicates.empty() &&
          std::all_of(outcome.replicates.begin(), outcome.replicates.end(),

@@ -45,6 +45,16 @@ void combine(Quantity& q, const std::vector<double>& values);
 /// The replicates that means are taken over: those that ran to their end if there are at least two,
 /// else all that counted any time.
 std::vector<const Replicate*> averaged(const Outcome& outcome);
+/// Those of them that have ground.
+std::vector<const Replicate*> ground_replicates(const Outcome& outcome);
+
+/// Mean of what `of` says of each replicate; NaN of none.
+template <class Of>
+double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) {
+  double sum = 0;
+  for (const Replicate* r : replicates) sum += of(*r);
+  return sum / static_cast<double>(replicates.size());
+}
 
 /// True if every replicate was run, and to its end.
 bool complete(const Outcome& outcome);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t facets_still = 96, facets_turning = 48;  // a smaller file for every frame
 constexpr std::string_view list_end = "</Collection>\n</VTKFile>\n";
 
-std::string head(const char* type, const char* version) {
+std::string vtk_head(const char* type, const char* version) {
   const char* order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"{}\" byte_order=\"{}\" "
@@ -58,8 +58,8 @@ std::string cells(const char* kind, const Integers& points, std::int32_t each) {
                      array("offsets", ends));
 }
 
-std::string piece(std::size_t points, std::size_t verts, std::size_t polys,
-                  const std::string& content) {
+std::string vtk_piece(std::size_t points, std::size_t verts, std::size_t polys,
+                      const std::string& content) {
   return fmt::format(
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
       "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n{}</Piece>\n</PolyData>\n</VTKFile>\n",
@@ -86,7 +86,7 @@ std::string balls_text(const Frame& frame) {
       array("id", numbers) + "</PointData>\n<Points>\n" + array("Points", places, 3) +
       "</Points>\n" + cells("Verts", points, 1);
   const Vec3& c = frame.centre;
-  return head("PolyData", "1.0") +
+  return vtk_head("PolyData", "1.0") +
          fmt::format(
              "<PolyData>\n<FieldData>\n"
              "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
@@ -94,7 +94,7 @@ std::string balls_text(const Frame& frame) {
              "<DataArray type=\"Float64\" Name=\"jar_centre\" NumberOfComponents=\"3\" "
              "NumberOfTuples=\"1\" format=\"ascii\">{} {} {}</DataArray>\n</FieldData>\n",
              shortest(frame.time), shortest(c.x), shortest(c.y), shortest(c.z)) +
-         piece(points.size(), points.size(), 0, content);
+         vtk_piece(points.size(), points.size(), 0, content);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ VtkFrames::VtkFrames(std::filesystem::path list, const geometry::AnyShape& shape
   errno = failed.value();
   if (!failed) list_.reset(std::fopen(path_.c_str(), "wb"));
   if (!list_) throw cannot_write_frames(path_);
-  end_list(head("Collection", "0.1") + "<Collection>\n");
+  end_list(vtk_head("Collection", "0.1") + "<Collection>\n");
 }
 
 void VtkFrames::add(const Frame& frame) {
@@ -140,10 +140,11 @@ std::string VtkFrames::jar_text(const Frame& frame) const {
         corners.push_back(first + static_cast<std::int32_t>(corner));
     parts.insert(parts.end(), mesh.triangles.size(), part++);
   }
-  return head("PolyData", "1.0") + "<PolyData>\n" +
-         piece(places.size() / 3, 0, parts.size(),
-               "<CellData Scalars=\"part\">\n" + array("part", parts) + "</CellData>\n<Points>\n" +
-                   array("Points", places, 3) + "</Points>\n" + cells("Polys", corners, 3));
+  return vtk_head("PolyData", "1.0") + "<PolyData>\n" +
+         vtk_piece(places.size() / 3, 0, parts.size(),
+                   "<CellData Scalars=\"part\">\n" + array("part", parts) +
+                       "</CellData>\n<Points>\n" + array("Points", places, 3) + "</Points>\n" +
+                       cells("Polys", corners, 3));
 }
 
 void VtkFrames::write(const std::string& name, std::string_view text) const {

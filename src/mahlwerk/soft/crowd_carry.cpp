@@ -11,11 +11,13 @@
 namespace mahlwerk::soft {
 namespace {
 
-enum Kind : std::int32_t { own, cross, wall, kinds };
+enum ListKind : std::int32_t { own_list, cross_list, wall_list, list_kinds };
 
 Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
-  Chunk& chunk = chunks[static_cast<std::size_t>(list / kinds)];
-  return list % kinds == own ? chunk.own : list % kinds == cross ? chunk.cross : chunk.wall;
+  Chunk& chunk = chunks[static_cast<std::size_t>(list / list_kinds)];
+  return list % list_kinds == own_list     ? chunk.own
+         : list % list_kinds == cross_list ? chunk.cross
+                                           : chunk.wall;
 }
 
 }  // namespace
@@ -24,15 +26,16 @@ Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
 Crowd::Carried Crowd::take_contacts(const std::vector<std::int32_t>& to) {
   Carried all;
   const auto each = [&](const auto& f) {
-    for (std::int32_t number = 0; number < kinds * std::ssize(chunks_); ++number) {
+    for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
       const Grips& list = list_of(chunks_, number);
       for (std::int32_t at = 0; at < lanes * std::ssize(list.grips); ++at) {
         const Grip& g = list.grips[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(at % lanes)) continue;
-        if (number % kinds == cross && g.i[l] > g.j[l]) continue;  // the other chunk's is taken
+        if (number % list_kinds == cross_list && g.i[l] > g.j[l])
+          continue;  // the other chunk's is taken
         const std::int32_t j =
-            number % kinds == wall ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
+            number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
         f(Kept{to[static_cast<std::size_t>(g.i[l])], j, number, at});
       }
     }
@@ -46,7 +49,9 @@ Crowd::Carried Crowd::take_contacts(const std::vector<std::int32_t>& to) {
     auto& next = all.first[static_cast<std::size_t>(k.i) + 1];  // in the end where i ends
     all.contacts[static_cast<std::size_t>(next++)] = k;
   });
-  const auto order = [](const Kept& k) { return std::tuple(k.list % kinds == wall, k.j); };
+  const auto order = [](const Kept& k) {
+    return std::tuple(k.list % list_kinds == wall_list, k.j);
+  };
   for (std::size_t i = 0; i < to.size(); ++i)
     std::sort(all.contacts.begin() + all.first[i], all.contacts.begin() + all.first[i + 1],
               [&](const Kept& a, const Kept& b) { return order(a) < order(b); });
@@ -61,7 +66,7 @@ void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
     const Kept& k = all.contacts[n];
     Grips& from = list_of(old, k.list);
     ++from.leaving;
-    if (k.list % kinds == wall) continue;
+    if (k.list % list_kinds == wall_list) continue;
     const std::int32_t other = chunk_of(k.j);
     if (other == chunk_of(k.i)) continue;
     ++from.leaving;
@@ -88,20 +93,22 @@ void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
 
 /// For contacts that its balls have, `beside` besides, and some that will begin.
 void Crowd::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const {
-  std::array<std::size_t, kinds> count{0, beside, 0};
+  std::array<std::size_t, list_kinds> count{0, beside, 0};
   for (const Kept& k : kept)
-    ++count[k.list % kinds == wall ? wall : k.j >= chunk.first && k.j < chunk.last ? own : cross];
-  const auto room = [&](Kind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
-  chunk.own.make_room(room(own), remembers_, false);
-  chunk.cross.make_room(room(cross), remembers_, false);
-  chunk.wall.make_room(room(wall), remembers_, rules_.law.curved_walls);
+    ++count[k.list % list_kinds == wall_list         ? wall_list
+            : k.j >= chunk.first && k.j < chunk.last ? own_list
+                                                     : cross_list];
+  const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
+  chunk.own.make_room(room(own_list), remembers_, false);
+  chunk.cross.make_room(room(cross_list), remembers_, false);
+  chunk.wall.make_room(room(wall_list), remembers_, rules_.law.curved_walls);
 }
 
 /// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
 /// second.
 void Crowd::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
-  if (k.list % kinds == wall)
+  if (k.list % list_kinds == wall_list)
     return give(chunk.wall, k, from, k.i, k.j, breeds_.wall(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };

@@ -12,8 +12,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::int64_t block = 64;   // steps between two looks at the energy
-constexpr std::size_t hopping = 32;  // balls: beyond, something touches at nearly all times
+constexpr std::int64_t energy_check = 64;  // steps between two looks at the energy
+constexpr std::size_t hopping = 32;        // balls: beyond, something touches at nearly all times
 
 Vec<Lanes> periods_of(const Vec3& p) {
   const Lanes none{};
@@ -120,7 +120,7 @@ void SoftBalls::advance(double time, scene::Observer& observer) {
 /// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
 void SoftBalls::stretch(std::int64_t until) {
   Swarm& w = swarm_;
-  std::int64_t end = std::min(until, (w.step / block + 1) * block);
+  std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
   const bool waits = hops_ && !touched_ && w.step < try_hop_;
   if (waits) end = std::min(end, try_hop_);
   beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
@@ -144,7 +144,7 @@ void SoftBalls::stretch(std::int64_t until) {
   const std::int64_t before = w.step;
   touched_ = steps_(s);
   account_.time_steps += w.step - before;
-  if (w.step % block == 0) check_energy();
+  if (w.step % energy_check == 0) check_energy();
 }
 
 SoftBalls::Stored SoftBalls::stored() const {

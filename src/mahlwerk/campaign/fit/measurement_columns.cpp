@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/text.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -93,12 +94,6 @@ std::string heading_near(const std::string& heading) {
   return nearest_word(heading, words);
 }
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
 std::vector<std::string> cells_of(std::string_view line, char separator) {
   std::vector<std::string> cells{""};
   bool quoted = false;
@@ -112,7 +107,7 @@ std::vector<std::string> cells_of(std::string_view line, char separator) {
     else
       cells.back() += line[i];
   }
-  for (std::string& cell : cells) cell = trimmed(cell);
+  for (std::string& cell : cells) cell = std::string(trimmed(cell));
   return cells;
 }
 

@@ -35,7 +35,4 @@ std::string heading_near(const std::string& heading);
 /// The cells of a line; between quotes separators are text, and two quotes are one.
 std::vector<std::string> cells_of(std::string_view line, char separator);
 
-/// Without blanks before and behind.
-std::string trimmed(std::string_view text);
-
 }  // namespace mahlwerk::campaign

@@ -11,13 +11,14 @@
 #include <optional>
 #include <sstream>
 
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/measurement_columns.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_faults = 20;  // one wrong column would name every row
 constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
 
@@ -29,7 +30,7 @@ class Reader {
     std::istringstream stream(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
     for (std::string line; std::getline(stream, line);) {
       ++line_;
-      if (const std::string row = trimmed(line); row.empty() || row.front() == '#')
+      if (const std::string row(trimmed(line)); row.empty() || row.front() == '#')
         continue;
       else if (columns_.empty())
         read_headings(row);
@@ -123,7 +124,7 @@ class Reader {
 
   /// The number in a cell in SI; NaN if it is empty, or wrong.
   double number(const std::string& cell, const Column& column) {
-    if (cell.empty()) return unknown;
+    if (cell.empty()) return no_value;
     std::string text = cell;
     if (separator_ == ';') std::ranges::replace(text, ',', '.');  // as spreadsheets may write it
     try {
@@ -131,7 +132,7 @@ class Reader {
     } catch (const UnitError&) {
       fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
             "write a number without its unit, or nothing", "bad-quantity");
-      return unknown;
+      return no_value;
     }
   }
 
@@ -145,7 +146,7 @@ class Reader {
     const std::size_t before = faults_.size(), had = made_.values.size();
     std::vector<double> numbers;
     for (std::size_t i = 0; i < columns_.size(); ++i)
-      numbers.push_back(columns_[i].role == Role::condition ? unknown
+      numbers.push_back(columns_[i].role == Role::condition ? no_value
                                                             : number(cells[i], columns_[i]));
     Measurement shared{.condition = condition(cells), .line = line_};
     if (const auto at = find(Role::time, "time")) shared.time = numbers[*at];

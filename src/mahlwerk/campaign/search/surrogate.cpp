@@ -23,15 +23,16 @@ double turn(const Goal& goal, std::size_t outcome) {
 }
 
 /// Mean and scatter of the replicates of a setting that have an outcome.
-struct Sample {
+struct SettingSample {
   std::size_t setting = 0;
   double count = 0, mean = 0, squares = 0;
 };
 
-std::vector<Sample> samples_of(const std::vector<Tried>& tried, std::size_t outcome, double sign) {
-  std::vector<Sample> made;
+std::vector<SettingSample> samples_of(const std::vector<Tried>& tried, std::size_t outcome,
+                                      double sign) {
+  std::vector<SettingSample> made;
   for (std::size_t i = 0; i < tried.size(); ++i) {
-    Sample one{.setting = i};
+    SettingSample one{.setting = i};
     for (const auto& replicate : tried[i].replicates) {
       const double value = sign * replicate[outcome];
       if (!std::isfinite(value)) continue;
@@ -48,19 +49,19 @@ std::vector<Sample> samples_of(const std::vector<Tried>& tried, std::size_t outc
 /// (opt.9).
 OutcomeModel model_of(const std::vector<Tried>& tried, std::size_t outcome, double sign) {
   constexpr double pooled_weight = 3, least = 1e-10;
-  const std::vector<Sample> samples = samples_of(tried, outcome, sign);
+  const std::vector<SettingSample> samples = samples_of(tried, outcome, sign);
   double freedom = 0, squares = 0, centre = 0, spread = 0;
-  for (const Sample& s : samples) {
+  for (const SettingSample& s : samples) {
     freedom += s.count - 1;
     squares += s.squares;
     centre += s.mean / static_cast<double>(samples.size());
   }
-  for (const Sample& s : samples) spread += std::pow(s.mean - centre, 2);
+  for (const SettingSample& s : samples) spread += std::pow(s.mean - centre, 2);
   spread = std::sqrt(spread / static_cast<double>(std::max<std::size_t>(1, samples.size() - 1)));
   const double unit = spread > 0 ? spread : std::max(std::abs(centre), 1e-300);
   const double pooled = freedom > 0 ? squares / freedom : 0;
   std::vector<Seen> seen;
-  for (const Sample& s : samples) {
+  for (const SettingSample& s : samples) {
     const double own = (pooled_weight * pooled + s.squares) / (pooled_weight + s.count - 1);
     seen.push_back({.place = tried[s.setting].place,
                     .value = (s.mean - centre) / unit,
@@ -229,9 +230,9 @@ Place Surrogate::highest_mean(bool bounds) const {
 }
 
 void Surrogate::believe(const Place& place) {
-  constexpr double doubtful = 0.9;
+  constexpr double likely = 0.9;
   for (OutcomeModel& model : models_) model.process = model.process.believing(place, model.noise);
-  if (success_ && runs(place) < doubtful) {  // the worst, lest all of a batch fails for one reason
+  if (success_ && runs(place) < likely) {  // the worst, lest all of a batch fails for one reason
     std::vector<Seen> seen = success_->seen();
     seen.push_back({.place = place, .value = -2, .variance = 0.01});
     success_ = GaussianProcess(success_->kernel(), std::move(seen));

@@ -46,7 +46,7 @@ Ends ends_of(const cases::SweptKey& range) {
   if (std::isnan(number)) refuse(range, fmt::format("\"{}\" is no number", last));
   Ends ends{.to = number, .unit = std::string(unit)};
   try {
-    const Quantity first = parse_quantity(range.values[0]), second = parse_quantity(last);
+    const mahlwerk::Quantity first = parse_quantity(range.values[0]), second = parse_quantity(last);
     if (first.dimension != second.dimension) refuse(range, "the ends have units of two kinds");
     ends.from = parse_in(range.values[0], unit);
   } catch (const UnitError& error) {

@@ -13,8 +13,6 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 void check(std::size_t rows, const std::vector<double>& outcomes,
            const std::vector<double>& errors) {
   if (outcomes.size() != rows || (!errors.empty() && errors.size() != rows))
@@ -31,7 +29,7 @@ Sure around(double value, double half) {
 }
 
 Sure mean_of(const std::vector<double>& values) {
-  if (values.empty()) return {none, none, none};
+  if (values.empty()) return {unknown, unknown, unknown};
   const observe::Estimate e = observe::estimate(values);
   return around(e.mean, e.ci95);
 }
@@ -44,12 +42,12 @@ double deviation(double sum, double squares, double count) {
 /// Its error from how much it changes as one value after the other is left out (Quenouille 1956).
 Sure spread_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
-  if (n < 2) return {none, none, none};
+  if (n < 2) return {unknown, unknown, unknown};
   double mean = 0, squares = 0;
   for (const double v : values) mean += v / n;
   for (const double v : values) squares += (v - mean) * (v - mean);
   const double whole = deviation(0, squares, n);
-  if (n < 4) return {whole, none, none};
+  if (n < 4) return {whole, unknown, unknown};
   double sum = 0, square_sum = 0;
   for (const double v : values) {
     const double x = v - mean, left = deviation(-x, squares - x * x, n - 1);
@@ -94,14 +92,14 @@ std::vector<Steps> steps_of(const Places& design, const std::vector<double>& out
     steps[key].effects.push_back(change / step);  // (sen.2)
     steps[key].sizes.push_back(std::abs(change / step));
     steps[key].noise +=
-        errors.empty() ? none : std::pow(std::hypot(errors[row], errors[row + 1]) / step, 2);
+        errors.empty() ? unknown : std::pow(std::hypot(errors[row], errors[row + 1]) / step, 2);
   }
   return steps;
 }
 
 /// Squares of errors are right on the mean however few replicates they come from; errors are not.
 double of_noise(const Steps& steps) {
-  if (steps.effects.empty()) return none;
+  if (steps.effects.empty()) return unknown;
   const double square = steps.noise / static_cast<double>(steps.effects.size());
   return std::numbers::sqrt2 * std::numbers::inv_sqrtpi * std::sqrt(square);  // (sen.5)
 }
@@ -115,7 +113,7 @@ std::vector<double> standard_errors(const std::vector<double>& outcomes,
   check(outcomes.size(), ci95, replicates);
   constexpr double over_time =
       2;  // t_95 of the ten batches and more that one replicate is cut into
-  std::vector<double> errors(outcomes.size(), none);
+  std::vector<double> errors(outcomes.size(), unknown);
   for (std::size_t row = 0; row < outcomes.size(); ++row) {
     if (!std::isfinite(outcomes[row])) continue;
     if (!std::isfinite(ci95[row]) || !(replicates[row] >= 1)) return {};
@@ -129,11 +127,11 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
   const std::size_t keys = outcomes.size() / 2;
   check(2 * keys + 1, outcomes, ci95);
   const auto at = [&](std::size_t row) {
-    return around(outcomes[row], ci95.empty() ? none : ci95[row]);
+    return around(outcomes[row], ci95.empty() ? unknown : ci95[row]);
   };
   const auto differs = [&](std::size_t row) -> std::optional<bool> {
     const double change = std::abs(outcomes[row] - outcomes[0]);
-    const double joined = ci95.empty() ? none : std::hypot(ci95[row], ci95[0]);
+    const double joined = ci95.empty() ? unknown : std::hypot(ci95[row], ci95[0]);
     if (!std::isfinite(change) || !std::isfinite(joined)) return std::nullopt;
     return change > joined;
   };

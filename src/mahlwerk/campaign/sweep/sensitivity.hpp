@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,8 @@
 // `idle` if no outcome changes, not by a digit, where it alone moves.
 // Wrong numbers of rows throw std::invalid_argument.
 namespace mahlwerk::campaign {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Standard errors of outcomes from half-widths over so many replicates each (sen.10). Empty if one
 /// is not known of a row that has an outcome.

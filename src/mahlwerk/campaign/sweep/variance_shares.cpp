@@ -14,8 +14,6 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// Outcomes of one group; squares of their errors.
 struct Group {
   double a = 0, b = 0;
@@ -65,7 +63,7 @@ Spread spread_of(const std::vector<Group>& groups, const std::vector<std::size_t
 }
 
 struct Pair {
-  double first = none, total = none;
+  double first = unknown, total = unknown;
   std::size_t count = 0;
 };
 
@@ -93,7 +91,7 @@ Sure middle(double value, std::vector<double> values) {
   const auto drawn = static_cast<double>(values.size());
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   const auto left = static_cast<double>(values.size());
-  if (values.size() < 2 || drawn - left > beyond * drawn) return {value, none, none};
+  if (values.size() < 2 || drawn - left > beyond * drawn) return {value, unknown, unknown};
   std::ranges::sort(values);
   const auto at = [&](double share) {
     const double place = share * static_cast<double>(values.size() - 1);
@@ -173,7 +171,7 @@ VarianceShares variance_shares(std::size_t keys, const std::vector<double>& outc
   std::iota(all.begin(), all.end(), std::size_t{0});
   const Spread spread = spread_of(groups, all);
   found.variance = spread.variance;
-  found.noise = errors.empty() ? none : spread.noise / (spread.variance + spread.noise);
+  found.noise = errors.empty() ? unknown : spread.noise / (spread.variance + spread.noise);
   Redrawn again = redrawn(groups, keys, seed);
   for (std::size_t key = 0; key < keys; ++key) {
     Shares& shares = found.keys.emplace_back(with_intervals(shares_of(groups, all, spread, key),

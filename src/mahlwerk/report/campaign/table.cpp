@@ -14,25 +14,25 @@ namespace {
 
 constexpr std::size_t most_points = 40;  // lines that a screen takes
 
-struct Told {
+struct ToldResult {
   std::string_view quantity, head;
   std::size_t column = 0;
 };
-constexpr std::array told{
-    Told{"collision_rate_above_threshold", "hits above threshold"},
-    Told{"energy_contact_point_mean_above_threshold", "E contact point"},
-    Told{"energy_normal_mean_above_threshold", "E normal"},
-    Told{"dissipated_power", "dissipated"},
-    Told{"contact_time_share", "time in contact"},
-    Told{"captured_mass_rate", "caught"},
-    Told{"d50", "D50"},
-    Told{"d90", "D90"},
+constexpr std::array told_results{
+    ToldResult{"collision_rate_above_threshold", "hits above threshold"},
+    ToldResult{"energy_contact_point_mean_above_threshold", "E contact point"},
+    ToldResult{"energy_normal_mean_above_threshold", "E normal"},
+    ToldResult{"dissipated_power", "dissipated"},
+    ToldResult{"contact_time_share", "time in contact"},
+    ToldResult{"captured_mass_rate", "caught"},
+    ToldResult{"d50", "D50"},
+    ToldResult{"d90", "D90"},
 };
 
 /// Those that the points have.
-std::vector<Told> told_of(const Campaign& campaign) {
-  std::vector<Told> list;
-  for (Told one : told) {
+std::vector<ToldResult> told_of(const Campaign& campaign) {
+  std::vector<ToldResult> list;
+  for (ToldResult one : told_results) {
     const auto at = std::ranges::find(campaign.columns, one.quantity, &Column::name);
     if (at == campaign.columns.end()) continue;
     one.column = static_cast<std::size_t>(at - campaign.columns.begin());
@@ -41,8 +41,9 @@ std::vector<Told> told_of(const Campaign& campaign) {
   return list;
 }
 
-std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::vector<Told>& shown,
-                                 bool regimes, bool warnings) {
+std::vector<std::string> line_of(const Campaign& c, const Point& p,
+                                 const std::vector<ToldResult>& shown, bool regimes,
+                                 bool warnings) {
   constexpr std::size_t enough = 60;
   std::vector<std::string> line = p.values;
   line.resize(c.swept.size());
@@ -50,7 +51,7 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p, const std::v
     line.push_back(why_nothing(p, enough));
     return line;
   }
-  for (const Told& one : shown) {
+  for (const ToldResult& one : shown) {
     const bool has = one.column < p.value.size();
     const double value = value_at(p, one.column), ci95 = half_width_at(p, one.column);
     line.push_back(has ? readable(value, ci95, c.columns[one.column].unit).text() : "");
@@ -77,11 +78,11 @@ std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
 }  // namespace
 
 std::string campaign_table(const Campaign& campaign, std::string_view where) {
-  const std::vector<Told> shown = told_of(campaign);
+  const std::vector<ToldResult> shown = told_of(campaign);
   const bool regimes = regimes_differ(campaign), warnings = any_warnings(campaign);
   std::vector<std::vector<std::string>> lines(1);
   for (const Swept& key : campaign.swept) lines[0].push_back(key.key);
-  for (const Told& one : shown) lines[0].emplace_back(one.head);
+  for (const ToldResult& one : shown) lines[0].emplace_back(one.head);
   if (regimes) lines[0].emplace_back("regime");
   if (warnings) lines[0].emplace_back("warnings");
   const std::size_t points = campaign.points.size();

@@ -96,7 +96,7 @@ Judged judge_side(const Context& c, const Law& law, std::string found) {
   return {std::move(found), off > 0 ? Holds::yes : Holds::no};
 }
 
-std::string law_words(const Context& c, const Law& law) {
+std::string law_text(const Context& c, const Law& law) {
   const std::string r2 = fmt::format("R² = {:.5f}", law.r_squared);
   if (law.form == Form::parabola) return r2;
   const bool power = law.form == Form::power;
@@ -109,7 +109,7 @@ std::string law_words(const Context& c, const Law& law) {
 Judged judge_law(const Context& c, const SpotLine& line) {
   const std::optional<Law> law = law_along(c.claim.law, line);
   if (!law) return {"too few points for a fit"};
-  const std::string found = law_words(c, *law);
+  const std::string found = law_text(c, *law);
   if (c.claim.exponent && !c.claim.is.empty()) return judge_side(c, *law, found);
   const double off = c.claim.exponent ? std::abs(law->coefficients[1] - *c.claim.exponent) : 0;
   if (law->r_squared >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};

@@ -68,10 +68,10 @@ class Film {
 };
 
 /// Panels in rows below their titles, on a drawing 720 wide.
-class Sheet {
+class PanelSheet {
  public:
   /// As many in a row as leave room for the longest title.
-  explicit Sheet(const std::vector<Panel>& panels)
+  explicit PanelSheet(const std::vector<Panel>& panels)
       : columns_(std::min<std::size_t>(panels.size(), 4)) {
     constexpr double letter = 6.4, widest = 340;
     double longest = 0;
@@ -131,7 +131,7 @@ bool is_round(const results::Outcome& outcome) {
   return norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
 }
 
-std::string way(const Film& film, const Sheet& sheet, std::size_t ball, std::size_t number) {
+std::string way(const Film& film, const PanelSheet& sheet, std::size_t ball, std::size_t number) {
   std::string path;
   for (std::size_t f = 0; f < film.frames(); ++f) {
     const Place p = film.place(f, ball);
@@ -142,7 +142,8 @@ std::string way(const Film& film, const Sheet& sheet, std::size_t ball, std::siz
       path, colours[number % colours.size()]);
 }
 
-std::string circle(const Sheet& sheet, const Place& p, double radius, std::string_view colour) {
+std::string circle(const PanelSheet& sheet, const Place& p, double radius,
+                   std::string_view colour) {
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n",
                      sheet.across(p), sheet.down(p), sheet.length(radius), colour);
 }
@@ -155,7 +156,7 @@ double grain_speed(const Film& film, std::size_t frame) {
   return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-std::string balls(const Film& film, const Sheet& sheet) {
+std::string balls(const Film& film, const PanelSheet& sheet) {
   const std::size_t frame = film.frames() - 1;
   const double fast = grain_speed(film, frame);
   std::vector<std::size_t> order(film.radius.size());
@@ -174,7 +175,7 @@ template <class Draw>
 std::string picture(const std::vector<Panel>& panels, View view, std::string_view title,
                     const Draw& draw) {
   if (std::ranges::none_of(panels, has_film)) return "";
-  Sheet sheet(panels);
+  PanelSheet sheet(panels);
   for (const Panel& panel : panels) {
     if (!has_film(panel)) continue;
     const Film film(*panel.outcome, view);
@@ -187,7 +188,7 @@ std::string picture(const std::vector<Panel>& panels, View view, std::string_vie
 }  // namespace
 
 std::string trajectories_picture(const std::vector<Panel>& panels, View view) {
-  return picture(panels, view, "Ways of the balls", [](const Film& film, const Sheet& sheet) {
+  return picture(panels, view, "Ways of the balls", [](const Film& film, const PanelSheet& sheet) {
     std::string text;
     std::size_t number = 0;
     for (std::size_t i = 0; i < film.radius.size(); ++i)

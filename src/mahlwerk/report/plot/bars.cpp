@@ -15,12 +15,11 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr double page_width = 480, letter = 6.6;  // average width of one at 12 px
-constexpr double row = 26, thick = 16, thin = 9;
+constexpr double row_height = 26, thick = 16, thin = 9;
 
-class Drawing {
+class BarDrawing {
  public:
-  explicit Drawing(const BarPlot& plot) : plot_(plot) {
+  explicit BarDrawing(const BarPlot& plot) : plot_(plot) {
     measure();
     legend();
     scale();
@@ -42,7 +41,7 @@ class Drawing {
         "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
         "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}"
         "</svg>\n",
-        page_width, bottom_ + 46, escaped(plot_.title), text_);
+        plot_width, bottom_ + 46, escaped(plot_.title), text_);
   }
 
  private:
@@ -50,8 +49,9 @@ class Drawing {
     return left_ + (v - least_) / (most_ - least_) * (right_ - left_);
   }
   double height_of(const BarGroup& group) const {
-    return plot_.side_by_side ? std::max(row, 10 + 11.0 * static_cast<double>(group.bars.size()))
-                              : row;
+    return plot_.side_by_side
+               ? std::max(row_height, 10 + 11.0 * static_cast<double>(group.bars.size()))
+               : row_height;
   }
   static std::string worded(double x, double y, std::string_view anchor, std::string_view what,
                             std::string_view extra) {
@@ -74,7 +74,7 @@ class Drawing {
 };
 
 /// Room for names on the left, for notes at both ends of the bars.
-void Drawing::measure() {
+void BarDrawing::measure() {
   std::size_t name = 0, note = 0;
   least_ = most_ = plot_.base;
   for (const BarGroup& group : plot_.groups) {
@@ -87,30 +87,30 @@ void Drawing::measure() {
     }
   }
   if (!(most_ > least_)) most_ = least_ + std::max(1.0, std::abs(least_));
-  left_ = std::clamp(16 + letter * static_cast<double>(name), 60.0, 0.45 * page_width);
-  right_ = page_width - 16;
-  const double share = (letter * static_cast<double>(note) + 12) / (right_ - left_),
+  left_ = std::clamp(16 + letter_width * static_cast<double>(name), 60.0, 0.45 * plot_width);
+  right_ = plot_width - 16;
+  const double share = (letter_width * static_cast<double>(note) + 12) / (right_ - left_),
                wide = most_ - least_;
   const double room = wide * std::min(share / (1 - 2 * std::min(share, 0.35)) + 0.02, 1.0);
   if (least_ < plot_.base) least_ -= room;
   if (most_ > plot_.base) most_ += room;
 }
 
-void Drawing::legend() {
-  text(16, 18, "start", plot_.title, title_style(plot_.title, page_width - 20));
+void BarDrawing::legend() {
+  text(16, 18, "start", plot_.title, title_style(plot_.title, plot_width - 20));
   double x = left_;
   for (std::size_t i = 0; i < plot_.words.size(); ++i) {
     text_ += fmt::format("<rect x=\"{:.1f}\" y=\"30\" width=\"12\" height=\"12\" fill=\"{}\"/>\n",
                          x, kind_colour(i));
     text(x + 18, 40.5, "start", plot_.words[i]);
-    x += 36 + letter * static_cast<double>(width(plot_.words[i]));
+    x += 36 + letter_width * static_cast<double>(width(plot_.words[i]));
   }
   if (!plot_.words.empty()) top_ += 20;
   bottom_ = top_;
   for (const BarGroup& group : plot_.groups) bottom_ += height_of(group);
 }
 
-void Drawing::scale() {
+void BarDrawing::scale() {
   for (const double v : ticks(least_, most_, false, 5)) {
     const double x = across(v);
     text_ +=
@@ -121,7 +121,7 @@ void Drawing::scale() {
   text(0.5 * (left_ + right_), bottom_ + 37, "middle", plot_.label);
 }
 
-void Drawing::bars(const BarGroup& group, double y) {
+void BarDrawing::bars(const BarGroup& group, double y) {
   const double height = height_of(group);
   if (!plot_.side_by_side) {
     for (const Bar& b : group.bars) bar(b, y + 0.5 * (height - thick), thick);
@@ -134,7 +134,7 @@ void Drawing::bars(const BarGroup& group, double y) {
   }
 }
 
-void Drawing::bar(const Bar& b, double y, double size) {
+void BarDrawing::bar(const Bar& b, double y, double size) {
   if (!std::isfinite(b.end)) return;
   const double from = across(plot_.base), to = across(b.end), middle = y + 0.5 * size;
   text_ += fmt::format(
@@ -160,7 +160,7 @@ void Drawing::bar(const Bar& b, double y, double size) {
 }  // namespace
 
 std::string svg(const BarPlot& plot) {
-  return Drawing(plot).drawn();
+  return BarDrawing(plot).drawn();
 }
 
 }  // namespace mahlwerk::report

@@ -14,8 +14,7 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr double page_width = 480, letter = 6.6;  // average width of one at 12 px
-constexpr std::size_t titled = 900;               // cells, beyond which they have no titles
+constexpr std::size_t titled = 900;  // cells, beyond which they have no titles
 
 std::string words(double x, double y, std::string_view anchor, std::string_view text,
                   std::string_view extra = " style=\"fill:var(--soft,#555)\"") {
@@ -29,11 +28,11 @@ std::size_t widest(const std::vector<std::string>& texts) {
   return most;
 }
 
-class Drawing {
+class MapDrawing {
  public:
-  explicit Drawing(const CellMap& map) : map_(map) {
-    left_ = std::clamp(34 + letter * static_cast<double>(widest(map.y)), 62.0, 200.0);
-    wide_ = (page_width - 16 - left_) / static_cast<double>(std::max<std::size_t>(map.x.size(), 1));
+  explicit MapDrawing(const CellMap& map) : map_(map) {
+    left_ = std::clamp(34 + letter_width * static_cast<double>(widest(map.y)), 62.0, 200.0);
+    wide_ = (plot_width - 16 - left_) / static_cast<double>(std::max<std::size_t>(map.x.size(), 1));
     const double rows = static_cast<double>(std::max<std::size_t>(map.y.size(), 1));
     tall_ = std::clamp(240 / rows, 0.5, 44.0);
     bottom_ = top_ + tall_ * rows;
@@ -51,8 +50,8 @@ class Drawing {
         "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
         "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}{}"
         "</svg>\n",
-        page_width, height_, escaped(map_.title),
-        words(left_, 18, "start", map_.title, title_style(map_.title, page_width - left_ - 4)),
+        plot_width, height_, escaped(map_.title),
+        words(left_, 18, "start", map_.title, title_style(map_.title, plot_width - left_ - 4)),
         text_);
   }
 
@@ -71,7 +70,7 @@ class Drawing {
   std::string text_;
 };
 
-void Drawing::cross_out(double x, double y) {
+void MapDrawing::cross_out(double x, double y) {
   text_ += fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}l{2:.1f} {3:.1f}m0 {4:.1f}l{5:.1f} {3:.1f}\" fill=\"none\" "
       "style=\"stroke:var(--soft,#555)\"/>\n",
@@ -79,10 +78,10 @@ void Drawing::cross_out(double x, double y) {
 }
 
 /// Texts are shown in all cells or in none.
-void Drawing::each_cell() {
+void MapDrawing::each_cell() {
   std::size_t longest = 0;
   for (const Cell& cell : map_.cells) longest = std::max(longest, width(cell.text));
-  const bool fits = letter * static_cast<double>(longest) < wide_ - 2 && tall_ >= 15;
+  const bool fits = letter_width * static_cast<double>(longest) < wide_ - 2 && tall_ >= 15;
   for (std::size_t n = 0; n < map_.cells.size(); ++n) {
     const Cell& cell = map_.cells[n];
     const double x = across(n % map_.x.size()), y = down(n / map_.x.size());
@@ -100,7 +99,7 @@ void Drawing::each_cell() {
 }
 
 /// Neighbours of one colour are drawn as one.
-void Drawing::runs_of_cells() {
+void MapDrawing::runs_of_cells() {
   const std::size_t columns = map_.x.size();
   for (std::size_t j = 0; j < map_.y.size(); ++j)
     for (std::size_t i = 0, end = 0; i < columns; i = end) {
@@ -116,8 +115,8 @@ void Drawing::runs_of_cells() {
 }
 
 /// As many of the values as have room.
-void Drawing::axes() {
-  const double room = letter * static_cast<double>(widest(map_.x)) + 10;
+void MapDrawing::axes() {
+  const double room = letter_width * static_cast<double>(widest(map_.x)) + 10;
   const auto each = static_cast<std::size_t>(std::max(1.0, std::ceil(room / wide_)));
   for (std::size_t i = 0; i < map_.x.size(); i += each)
     text_ += words(across(i) + 0.5 * wide_, bottom_ + 17, "middle", map_.x[i]);
@@ -125,30 +124,30 @@ void Drawing::axes() {
   for (std::size_t j = 0; j < map_.y.size(); j += every)
     text_ += words(left_ - 7, down(j) + 0.5 * tall_ + 4, "end", map_.y[j]);
   const double middle = 0.5 * (top_ + bottom_);
-  text_ += words(0.5 * (left_ + page_width - 16), bottom_ + 37, "middle", map_.x_label, "");
+  text_ += words(0.5 * (left_ + plot_width - 16), bottom_ + 37, "middle", map_.x_label, "");
   text_ += words(14, middle, "middle", map_.y_label,
                  fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
 }
 
-void Drawing::key() {
+void MapDrawing::key() {
   double y = bottom_ + 54;
   constexpr int levels = 32;
   if (map_.key.words.empty()) {
-    const double part = (page_width - 16 - left_) / levels;
+    const double part = (plot_width - 16 - left_) / levels;
     for (int i = 0; i < levels; ++i)
       text_ +=
           fmt::format("<path fill=\"{}\" d=\"M{:.1f} {:.1f}h{:.2f}v9h{:.2f}z\"/>",
                       viridis((i + 0.5) / levels), left_ + part * i, y, part + 0.5, -part - 0.5);
     text_ += "\n" + words(left_, y + 24, "start", map_.key.low) +
-             words(0.5 * (left_ + page_width - 16), y + 24, "middle", map_.key.about) +
-             words(page_width - 16, y + 24, "end", map_.key.high);
+             words(0.5 * (left_ + plot_width - 16), y + 24, "middle", map_.key.about) +
+             words(plot_width - 16, y + 24, "end", map_.key.high);
     height_ = y + 32;
     return;
   }
   double x = left_;
   for (const auto& [colour, word] : map_.key.words) {
-    const double room = 34 + letter * static_cast<double>(width(word));
-    if (x > left_ && x + room > page_width) {
+    const double room = 34 + letter_width * static_cast<double>(width(word));
+    if (x > left_ && x + room > plot_width) {
       x = left_;
       y += 20;
     }
@@ -163,7 +162,7 @@ void Drawing::key() {
 }  // namespace
 
 std::string svg(const CellMap& map) {
-  return Drawing(map).drawn();
+  return MapDrawing(map).drawn();
 }
 
 }  // namespace mahlwerk::report

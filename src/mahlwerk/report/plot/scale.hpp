@@ -12,6 +12,9 @@
 // How values lie along an axis, and which of them stand beside it.
 namespace mahlwerk::report {
 
+constexpr double plot_width = 480;    ///< [px] of every plot
+constexpr double letter_width = 6.6;  ///< [px] average of one at 12 px
+
 /// Numbers alone, and positive ones alone on a logarithmic axis.
 bool shown_on(double v, bool logarithmic);
 

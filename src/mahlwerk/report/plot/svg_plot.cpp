@@ -18,9 +18,8 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t colours = 7;  // before dashes begin
+constexpr std::size_t colour_count = 7;  // before dashes begin
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
-constexpr double letter = 6.6;  // average width of one at 12 px
 
 /// Where things are on the canvas, and the text that draws them.
 class Canvas {
@@ -84,7 +83,7 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
       steps(s, colour, i == 0);
     } else {
       if (s.band) band(s, colour);
-      if (s.mark != Mark::dots) line(s, colour, dashes[number / colours % dashes.size()]);
+      if (s.mark != Mark::dots) line(s, colour, dashes[number / colour_count % dashes.size()]);
       if (s.mark != Mark::line) points(s, colour);
     }
   }
@@ -113,7 +112,7 @@ void Canvas::measure() {
   std::size_t widest = 0;
   for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5))
     widest = std::max(widest, width(tick_text(v, y_.logarithmic)));
-  left_ = std::max(62.0, 34 + letter * static_cast<double>(widest));
+  left_ = std::max(62.0, 34 + letter_width * static_cast<double>(widest));
   right_ = plot_.width - 16;
   top_ = plot_.title.empty() ? 12 : 34;
   place_legend();
@@ -125,7 +124,7 @@ void Canvas::place_legend() {
   double x = left_, y = top_ + 6;
   for (std::size_t i = 0; i < plot_.series.size(); ++i) {
     if (plot_.series[i].name.empty()) continue;
-    const double room = 44 + letter * static_cast<double>(width(plot_.series[i].name));
+    const double room = 44 + letter_width * static_cast<double>(width(plot_.series[i].name));
     if (x > left_ && x + room - 20 > right_) {
       x = left_;
       y += 18;
@@ -181,7 +180,7 @@ void Canvas::legend() {
           "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
           "stroke-dasharray=\"{}\"/>\n",
           entry.x, entry.y - 4, colour, s.mark == Mark::steps ? 3 : 2,
-          dashes[number / colours % dashes.size()]);
+          dashes[number / colour_count % dashes.size()]);
     words(entry.x + 24, entry.y, "start", s.name);
   }
 }
