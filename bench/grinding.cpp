@@ -24,7 +24,7 @@ cases::Case planetary() {
   const cases::Catalogue catalogue(std::filesystem::path(MAHLWERK_HOME) / "catalogue");
   cases::Case what = cases::read(
       std::filesystem::path(MAHLWERK_HOME) / "examples/03-planetary-mill/case.toml", catalogue, {});
-  what.run.engine = "event";
+  what.run.engine = cases::EngineName::event;
   what.run.settle = 0.5;
   what.run.time = 2;
   what.run.until.reset();

@@ -57,7 +57,7 @@ std::vector<Row> observers() {
     cases::Case what = cases::read(file, catalogue, {});
     what.run.settle = 0;
     what.run.time = e.time;
-    if (what.run.engine == "auto") what.run.engine = "event";
+    if (what.run.engine == cases::EngineName::automatic) what.run.engine = cases::EngineName::event;
     if (e.name.find("TC") != std::string_view::npos) {
       what.contact.lasting = cases::Lasting::tc;
       what.contact.contact_time = 1e-4;

@@ -148,7 +148,7 @@ class CampaignFolder::Desk {
       campaign::Finished finished;
       finished.hash = owner_.runs_[todo_[i]].hash;
       finished.resolved = cases::write(outcome.what);
-      finished.engine = outcome.engine;
+      finished.engine = name_of(outcome.engine);
       finished.regime = results::regime(outcome);
       finished.folder = mine.folder ? mine.name : "";
       finished.began = mine.began;

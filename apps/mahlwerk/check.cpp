@@ -85,7 +85,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   add(cases::jar_warnings(first), c.notes);
   add(cases::unusual_values(first), c.notes);
   add(cases::ignored_keys(first, choice.engine), c.notes);
-  if (choice.engine == "soft") {
+  if (choice.engine == cases::EngineName::soft) {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
     c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
     c.follows.push_back(

@@ -62,7 +62,7 @@ std::optional<report::OptimumCheck> check_best(const Request& request, const Sea
                                                const KeptSearch& kept) {
   if (!found.best || !found.tried[*found.best].invalid()) return std::nullopt;
   const campaign::Tried& best = found.tried[*found.best];
-  report::OptimumCheck made{.engine = "soft"};
+  report::OptimumCheck made{.engine = cases::EngineName::soft};
   const campaign::TrialRuns runs = job.runs->by_engine(made.engine);
   made.failure = refusal(runs, best, made);
   if (!made.failure.empty()) return made;

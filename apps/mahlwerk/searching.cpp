@@ -112,8 +112,9 @@ nlohmann::ordered_json number(double x) {
 nlohmann::ordered_json check_json(const report::OptimumReport& found) {
   if (!found.check) return nullptr;
   const report::OptimumCheck& check = *found.check;
-  if (!check.failure.empty()) return {{"engine", check.engine}, {"not_checked", check.failure}};
-  return {{"engine", check.engine},
+  if (!check.failure.empty())
+    return {{"engine", name_of(check.engine)}, {"not_checked", check.failure}};
+  return {{"engine", name_of(check.engine)},
           {"value", number(check.value.value)},
           {"ci95", number(check.value.ci95)},
           {"replicates", check.replicates},

@@ -115,7 +115,6 @@ void check_mill(ValueCheck& check, const Mill& mill) {
 }
 
 void check_run(ValueCheck& check, const Run& run) {
-  check.word("run.engine", run.engine, engines());
   check.fields("run.", run, run_fields());
   if (run.until) {
     check.number("run.time", run.until->within, until_range, "");

@@ -49,8 +49,8 @@ contact::PairTable pair_table(const Case& c);
 /// What a user should know of the jar before trusting a run in it; empty if all is well.
 Notices jar_warnings(const Case& c);
 
-/// Keys that the case gives and `engine` ("event" or "soft") does not look at.
-Notices ignored_keys(const Case& c, std::string_view engine);
+/// Keys that the case gives and `engine` does not look at.
+Notices ignored_keys(const Case& c, EngineName engine);
 
 /// Values that are allowed and most likely a slip: a metal as light as air, a jar that turns with
 /// its disc.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/cases/sizes.hpp"
@@ -146,8 +147,12 @@ struct Until {
   bool operator==(const Until&) const = default;
 };
 
+/// The engine that a case asks for; a run is by one of the first two.
+enum class EngineName { event, soft, automatic };
+std::string_view name_of(EngineName engine);  ///< "event", "soft", "auto"
+
 struct Run {
-  std::string engine = "event";               ///< "event", "soft" or "auto"
+  EngineName engine = EngineName::event;
   double time = 0;                            ///< [s] counted; with `until`: at most
   std::optional<Until> until = std::nullopt;  ///< ends each replicate sooner
   double settle = 0;                          ///< [s] before that, not counted

@@ -39,7 +39,7 @@ std::vector<Fault> event_faults(const Case& c) {
                          "times of touch from a formula",
                          geometry::name_of(c.jar.shape)),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
-  if (c.run.engine == "event" && fits_exactly(c))
+  if (c.run.engine == EngineName::event && fits_exactly(c))
     return {
         {place_of(c, "run.engine"),
          "two balls fit exactly across the jar: hard spheres would be wedged there without any "
@@ -77,7 +77,8 @@ bool fits_exactly(const Case& c) {
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = geometry::exact_touches(c.jar.shape);  // others "auto" takes to soft
-  const bool soft = c.run.engine == "soft" || (!exact && c.run.engine == "auto");
+  const bool soft =
+      c.run.engine == EngineName::soft || (!exact && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

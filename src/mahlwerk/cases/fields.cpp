@@ -66,6 +66,10 @@ const std::vector<std::string>& engines() {
   return words;
 }
 
+std::string_view name_of(EngineName engine) {
+  return engines()[static_cast<std::size_t>(engine)];
+}
+
 const std::vector<std::string>& wear_models() {
   static const std::vector<std::string> words{"archard", "finnie"};
   return words;

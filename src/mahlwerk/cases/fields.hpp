@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -211,7 +212,7 @@ constexpr std::int64_t most_cycles = 10'000;
 constexpr double most_frames = 1e6;      ///< of one replicate
 constexpr double largest_frames = 10e9;  ///< [bytes] of one replicate, about
 
-const std::vector<std::string>& engines();
+const std::vector<std::string>& engines();        ///< in the order of EngineName
 const std::vector<std::string>& wear_models();    ///< in the order of Wear::Model
 const std::vector<std::string>& powder_words();   ///< "mass", "grains"
 const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
@@ -235,5 +236,16 @@ std::string in_quotes(std::string_view text);                   ///< as a TOML s
 
 /// The vertical and the horizontal axis a jar can be mounted along.
 std::string axis_word(const Vec3& axis);  ///< empty for any other
+
+/// The first for a word that is none of them.
+template <class Enum>
+Enum word_of(const std::string& word, const std::vector<std::string>& words) {
+  const auto at = std::ranges::find(words, word);
+  return static_cast<Enum>(at == words.end() ? 0 : at - words.begin());
+}
+template <class Enum>
+const std::string& word_for(Enum value, const std::vector<std::string>& words) {
+  return words[static_cast<std::size_t>(value)];
+}
 
 }  // namespace mahlwerk::cases

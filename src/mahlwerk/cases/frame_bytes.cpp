@@ -43,7 +43,7 @@ bool looks_still(const Case& c) {
 
 double frame_bytes(const Case& c) {
   const auto balls = static_cast<double>(balls_count(c.balls));
-  const bool forces = c.run.engine != "event";
+  const bool forces = c.run.engine != EngineName::event;
   double bytes = 0;
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;

@@ -76,15 +76,4 @@ const std::vector<std::string>& bed_words();         ///< powder::Bed
 const std::vector<std::string>& dose_words();        ///< Kinetics::Dose
 const std::vector<std::string>& kinetics_laws();     ///< "first-order", "avrami"
 
-/// The first for a word that is none of them.
-template <class Enum>
-Enum word_of(const std::string& word, const std::vector<std::string>& words) {
-  const auto at = std::ranges::find(words, word);
-  return static_cast<Enum>(at == words.end() ? 0 : at - words.begin());
-}
-template <class Enum>
-const std::string& word_for(Enum value, const std::vector<std::string>& words) {
-  return words[static_cast<std::size_t>(value)];
-}
-
 }  // namespace mahlwerk::cases

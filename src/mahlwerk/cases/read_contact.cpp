@@ -93,7 +93,8 @@ void read_time(Section& in, Run& run) {
 Run read_run(const Node* table, Findings& findings) {
   Run run;
   Section in(table, "run", findings);
-  run.engine = in.choice({"engine", engines(), "auto", "chosen by what the case needs"});
+  run.engine = word_of<EngineName>(
+      in.choice({"engine", engines(), "auto", "chosen by what the case needs"}), engines());
   read_time(in, run);
   run.start_frame = in.choice({"start_frame", start_frames(), "laboratory", "paper A"}) == "jar"
                         ? StartFrame::jar

@@ -14,7 +14,7 @@ namespace {
 
 /// Whether an engine looks at a value: what it does not is no assumption of its results. "auto"
 /// may look at all.
-bool matters(std::string_view dotted, const Case& c, std::string_view engine) {
+bool matters(std::string_view dotted, const Case& c, EngineName engine) {
   static const std::vector<std::string_view> of_soft{"law",
                                                      "rolling",
                                                      "rolling_damping",
@@ -31,8 +31,8 @@ bool matters(std::string_view dotted, const Case& c, std::string_view engine) {
                                                      "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  if (engine != "event" && engine != "soft") return true;
-  const auto& of_other = engine == "event" ? of_soft : of_event;
+  if (engine == EngineName::automatic) return true;
+  const auto& of_other = engine == EngineName::event ? of_soft : of_event;
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
   if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
@@ -57,7 +57,7 @@ void keep_what_matters(Case& c) {
   }
 }
 
-Notices ignored_keys(const Case& c, std::string_view engine) {
+Notices ignored_keys(const Case& c, EngineName engine) {
   std::string keys;
   for (const Origin& origin : c.origins) {
     const bool given =
@@ -67,7 +67,7 @@ Notices ignored_keys(const Case& c, std::string_view engine) {
   if (keys.empty()) return {};
   return {note("ignored-keys",
                fmt::format("The {} engine, which ran, does not look at what the case says of {}.",
-                           engine, keys))};
+                           name_of(engine), keys))};
 }
 
 }  // namespace mahlwerk::cases

@@ -140,7 +140,7 @@ class Writing {
         k.dose == cases::Kinetics::Dose::captured ? "caught" : "dissipated");
   }
 
-  std::string contact(const std::string& engine) const {
+  std::string contact(cases::EngineName engine) const {
     const contact::BounceRule& rule = c_.contact.rule;
     std::string text =
         fmt::format("Contacts: restitution {}",
@@ -148,7 +148,7 @@ class Writing {
     text += std::isfinite(rule.friction)
                 ? ", friction " + marked("contact.friction", fmt::format("{:.4g}", rule.friction))
                 : ", no Coulomb limit of bounces";
-    if (engine == "event")
+    if (engine == cases::EngineName::event)
       text +=
           ", tangential restitution " + marked("contact.tangential_restitution",
                                                fmt::format("{:.4g}", rule.tangential_restitution));
@@ -164,7 +164,7 @@ class Writing {
 };
 
 std::string engine_words(const results::Outcome& outcome) {
-  if (outcome.engine == "event")
+  if (outcome.engine == cases::EngineName::event)
     return "an event-driven simulation of rough hard spheres, in which flight is exact and "
            "collisions are instantaneous";
   const contact::LawChoice& law = outcome.what.contact.law_choice;

@@ -85,15 +85,15 @@ std::vector<std::string> validity_sentences(const OptimumReport& found) {
   if (!found.check) return all;
   const OptimumCheck& check = *found.check;
   if (!check.failure.empty()) {
-    all.push_back(fmt::format("The best setting was not checked by the {} engine: {}", check.engine,
-                              check.failure));
+    all.push_back(fmt::format("The best setting was not checked by the {} engine: {}",
+                              name_of(check.engine), check.failure));
     return all;
   }
   all.push_back(fmt::format(
       "At the best setting the {} engine gives a {} of {} ({} replicate{}), the search gave {}: "
       "the two {}",
-      check.engine, label(found.quantity), text_of(check.value, found.unit), check.replicates,
-      check.replicates == 1 ? "" : "s", text_of(best.seen, found.unit),
+      name_of(check.engine), label(found.quantity), text_of(check.value, found.unit),
+      check.replicates, check.replicates == 1 ? "" : "s", text_of(best.seen, found.unit),
       found.disagrees() ? "disagree, and the search cannot be relied on there" : "agree"));
   return all;
 }

@@ -57,8 +57,8 @@ struct OptimumSetting {
 
 /// The best setting, run by the engine that is advised there.
 struct OptimumCheck {
-  std::string engine;  ///< "soft"
-  Told value = {};     ///< of what is to be best, by that engine
+  cases::EngineName engine = cases::EngineName::soft;
+  Told value = {};  ///< of what is to be best, by that engine
   int replicates = 0;
   std::string failure = {};  ///< why there is no value; empty: there is
 };

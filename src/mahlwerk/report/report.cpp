@@ -264,7 +264,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   const std::string footer = fmt::format(
       "Mahlwerk {}, {} engine, seed {}, {:.3g} s of computing. The numbers are in summary.json, "
       "result.h5 and the CSV files beside this page.",
-      escaped(version), escaped(outcome.engine), outcome.what.seed, outcome.cpu_seconds);
+      escaped(version), name_of(outcome.engine), outcome.what.seed, outcome.cpu_seconds);
   return page(given.empty() ? "A ball mill" : given, body, footer);
 }
 

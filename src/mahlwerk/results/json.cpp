@@ -48,7 +48,7 @@ Json about(const Outcome& outcome, std::string_view version) {
           {"schema", schema},
           {"title", outcome.what.title},
           {"seed", outcome.what.seed},
-          {"engine", outcome.engine},
+          {"engine", name_of(outcome.engine)},
           {"regime", regime(outcome)},
           {"regime_reason", regime_reason(outcome)},
           {"notes", texts(outcome.notices, false)},

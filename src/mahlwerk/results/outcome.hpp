@@ -70,7 +70,7 @@ struct Replicate {
 struct Outcome {
   cases::Case what;
   std::vector<Replicate> replicates;
-  std::string engine = "event";  ///< that ran it: "event" or "soft"
+  cases::EngineName engine = cases::EngineName::event;  ///< that ran it: event or soft
   /// What a reader should know besides the numbers: made once, when the run ends.
   Notices notices;
   double wall_seconds = 0, cpu_seconds = 0;

@@ -179,7 +179,8 @@ class Gathering {
 /// The TC rule's share is told where the case asks for the rule, so that names depend on the case
 /// alone; the soft engine has no such rule.
 bool has_tc(const Outcome& o) {
-  return o.what.contact.lasting == cases::Lasting::tc && o.what.run.engine != "soft";
+  return o.what.contact.lasting == cases::Lasting::tc &&
+         o.what.run.engine != cases::EngineName::soft;
 }
 
 /// The worst of all replicates, averaged or not; one that is not even a number is the worst there
@@ -236,7 +237,7 @@ std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replica
   if (count_of_balls(outcome.what) > 1) gathering.add(partners());
   for (const CollisionMean& m : collision_means()) gathering.add(m);
   gathering.add(power_measures());
-  if (outcome.what.run.engine == "soft") gathering.add(loss_measures());
+  if (outcome.what.run.engine == cases::EngineName::soft) gathering.add(loss_measures());
   if (has_tc(outcome)) gathering.add(contact_time_measures());
   gathering.add(mill_measures(outcome.what));
   gathering.add(ledger_measures());

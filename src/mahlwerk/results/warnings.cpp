@@ -118,7 +118,7 @@ bool appeared(const Outcome& outcome) {
 
 /// Collisions that gain energy stop a run; this finds what a sum of them would hide.
 void energy_gained(const Outcome& outcome, Notices& list) {
-  const bool soft = outcome.engine == "soft";
+  const bool soft = outcome.engine == cases::EngineName::soft;
   const double rounding = soft ? closed_run_in_steps : 1e-9;
   for (const Replicate& r : outcome.replicates) {
     const scene::Account& a = r.account;
@@ -147,7 +147,7 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
         fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
                     "{:.0e} is expected.",
                     collision, closed_collision)));
-  const bool soft = outcome.engine == "soft";
+  const bool soft = outcome.engine == cases::EngineName::soft;
   const double run = named(quantities, "energy_balance");
   const double closed = soft ? closed_run_in_steps : closed_run;
   if (!(run <= closed))
@@ -162,7 +162,7 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
 /// What was reached, by bodies as they collided.
 void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
   const double deepest = named(quantities, "deepest_overlap");
-  if (outcome.engine != "soft" || !(deepest > soft_overlap)) return;
+  if (outcome.engine != cases::EngineName::soft || !(deepest > soft_overlap)) return;
   if (deepest > sunk)
     list.push_back(warning(
         "deep-overlap",

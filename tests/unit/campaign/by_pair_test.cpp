@@ -6,6 +6,7 @@
 
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/json.hpp"
@@ -38,7 +39,7 @@ cases::Case mixed(const std::string& engine) {
   c.contact.rule.friction = 0.3;
   c.contact.lasting = cases::Lasting::tc;
   c.contact.contact_time = 1e-4;
-  c.run.engine = engine;
+  c.run.engine = cases::word_of<cases::EngineName>(engine, cases::engines());
   c.run.time = 0.2;
   c.run.replicates = 2;
   c.observe.threshold = 0.1;

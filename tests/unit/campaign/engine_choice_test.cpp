@@ -31,7 +31,7 @@ constexpr const char* dry = "law = \"jkr\"\nsurface_energy = \"0 J/m2\"\nrestitu
 
 TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
   const Choice c = choose(with_engine("auto", sticky));
-  EXPECT_EQ(c.engine, "soft");
+  EXPECT_EQ(c.engine, cases::EngineName::soft);
   EXPECT_NE(joined(c.reason).find("jkr"), std::string::npos);
   EXPECT_EQ(joined(choose(with_engine("auto", dry)).reason).find("jkr"), std::string::npos);
 }
@@ -39,8 +39,8 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
   const auto notes = [](const cases::Case& what) {
     results::Outcome outcome{.what = what, .replicates = {}, .notices = {}};
-    outcome.engine = "event";
-    return texts(notes_on(outcome, {"event", {}}));
+    outcome.engine = cases::EngineName::event;
+    return texts(notes_on(outcome, {cases::EngineName::event, {}}));
   };
   EXPECT_NE(notes(with_engine("event", sticky)).find("part without a pull"), std::string::npos);
   EXPECT_EQ(notes(with_engine("event", dry)).find("part without a pull"), std::string::npos);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/cases/fields.hpp"
 
 // Runs of every kind, short enough to be run to their end in every test of what is observed.
 namespace mahlwerk::campaign {
@@ -33,7 +34,7 @@ inline cases::Case shaken(const std::string& engine, std::int64_t count) {
   c.contact.lasting_speed = 1e-4;
   c.contact.contact_time = 1e-4;
   if (count > 1) c.contact.lasting = cases::Lasting::tc;
-  c.run.engine = engine;
+  c.run.engine = cases::word_of<cases::EngineName>(engine, cases::engines());
   c.run.settle = 0.05;
   c.run.time = 0.2;
   c.observe.threshold = 0.1;

@@ -39,7 +39,7 @@ TEST(Ledger, spectrum_lasting_and_open_contacts_are_all_that_is_dissipated) {
     const double spectrum = r.tally.whole().energy_lost.sum(), lost = b.lost() - a.lost();
     const double lasting = b.lost_lasting - a.lost_lasting, open = b.lost_open - a.lost_open;
     EXPECT_GT(r.tally.all.count, 20) << name;
-    if (what.run.engine == "soft") {
+    if (what.run.engine == cases::EngineName::soft) {
       EXPECT_NE(a.lost_open, 0) << name << ": contacts go on when counting begins";
       EXPECT_NE(b.lost_open, 0) << name << ": contacts go on at the end";
     }

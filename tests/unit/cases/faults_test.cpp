@@ -283,7 +283,6 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
             }),
             Codes{"unknown-name"});
   EXPECT_EQ(codes([](Case& c) { c.run.time = 0; }), out);
-  EXPECT_EQ(codes([](Case& c) { c.run.engine = "fast"; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.replicates = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.time_step = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.time_step_fraction = 2; }), out);

@@ -118,7 +118,7 @@ class AnyCase {
     if (flip()) draw_places(c);
     if (flip()) draw_powder(c.powder.emplace());
     draw_contact(c.contact);
-    c.run = {.engine = flip() ? "event" : "soft",
+    c.run = {.engine = flip() ? EngineName::event : EngineName::soft,
              .time = size(),
              .settle = size(),
              .replicates = whole(10000),

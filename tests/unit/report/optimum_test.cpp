@@ -94,7 +94,7 @@ TEST(OptimumReport, AnOptimumOutsideTheValidityOfItsEngineIsNotCertain) {
 
 TEST(OptimumReport, ACheckStandsBesideWhatTheSearchGave) {
   OptimumReport made = invalid_best();  // 2.5 W +- 0.2 W
-  made.check = {.engine = "soft", .value = {0.5, 0.1}, .replicates = 4};
+  made.check = {.engine = cases::EngineName::soft, .value = {0.5, 0.1}, .replicates = 4};
   EXPECT_TRUE(made.disagrees());
   EXPECT_TRUE(says(sentences(made),
                    "the soft engine gives a dissipated power of 500 ± 100 mW (4 "
@@ -113,7 +113,7 @@ TEST(OptimumReport, ACheckStandsBesideWhatTheSearchGave) {
 
 TEST(OptimumReport, SaysWhyTheBestWasNotChecked) {
   OptimumReport made = invalid_best();
-  made.check = {.engine = "soft", .failure = "it takes too long"};
+  made.check = {.engine = cases::EngineName::soft, .failure = "it takes too long"};
   EXPECT_FALSE(made.disagrees());
   EXPECT_TRUE(says(sentences(made), "was not checked by the soft engine: it takes too long"));
 }

@@ -146,7 +146,7 @@ TEST(Report, WarnsOfWhatMakesItDoubtful) {
   auto steps = fake_outcome();
   steps.replicates[0].account.kinetic = 1e-3;
   EXPECT_EQ(warnings(steps).size(), 1U);
-  steps.engine = "soft";  // follows contacts in steps
+  steps.engine = cases::EngineName::soft;  // follows contacts in steps
   EXPECT_TRUE(warnings(steps).empty());
   o.notices = warnings(o);
   EXPECT_TRUE(has(report_page(o, "1"), "too many bounces"));

@@ -134,14 +134,14 @@ double room(const fs::path& folder, const cases::Case& what, bool forces) {
 TEST_F(FramesTest, TakeAboutTheRoomThatIsReckonedWith) {
   cases::Case what = fake_outcome().what;
   what.balls[0].count = 100;
-  what.run.engine = "event";
+  what.run.engine = cases::EngineName::event;
   what.observe.frames_format = cases::FramesFormat::xyz;
   EXPECT_NEAR(room(scratch() / "xyz", what, false), 1, 0.2);
   what.jar.shape = geometry::Box{0.02, 0.02, 0.02};
   what.observe.frames_format = cases::FramesFormat::vtk;
   EXPECT_NEAR(room(scratch() / "vtk", what, false), 1, 0.2);
   what.observe.frames_format = cases::FramesFormat::both;
-  what.run.engine = "soft";
+  what.run.engine = cases::EngineName::soft;
   EXPECT_NEAR(room(scratch() / "both", what, true), 1, 0.2);
   what.mill.motion = kinematics::Tumbling{5};  // about an axis across: drawn anew every time
   what.mill.jar_axis = {0, 0, 1};

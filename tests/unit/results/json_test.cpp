@@ -64,8 +64,8 @@ TEST(SummaryJson, HoldsEveryNoticeWithItsCode) {
 
 TEST(SummaryJson, NamesTheEngineThatRan) {
   Outcome o = fake_outcome();
-  o.what.run.engine = "auto";
-  o.engine = "soft";
+  o.what.run.engine = cases::EngineName::automatic;
+  o.engine = cases::EngineName::soft;
   EXPECT_EQ(parsed(o).at("_about").at("engine"), "soft");
 }
 

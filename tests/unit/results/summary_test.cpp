@@ -124,7 +124,7 @@ TEST(Summary, TheTcRuleTellsItsShare) {
   o.what.contact.lasting = cases::Lasting::tc;
   for (Replicate& r : o.replicates) r.account.tc_collisions = 25;
   EXPECT_DOUBLE_EQ(value(o, "tc_collision_share"), 0.25);
-  o.what.run.engine = "soft";  // has no such rule
+  o.what.run.engine = cases::EngineName::soft;  // has no such rule
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
 }
 

@@ -80,7 +80,7 @@ TEST(NotSettled, IsNotToldWhereTheStoredEnergyGoesUpAndDown) {
 
 TEST(Overlap, IsWarnedOfByWhatWasReached) {
   Outcome o = fake_outcome();
-  o.engine = "soft";
+  o.engine = cases::EngineName::soft;
   o.replicates[1].account.deepest_overlap = 0.009;
   EXPECT_TRUE(warnings(o).empty());
   o.replicates[1].account.deepest_overlap = 0.03;

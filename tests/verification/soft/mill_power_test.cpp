@@ -30,7 +30,7 @@ cases::Case mill(const kinematics::AnyMotion& motion, const geometry::Cylinder& 
   c.balls = {{count, diameter, 7850, "", {20e6, 0.3}}};
   c.contact.rule = {.restitution = 0.5, .tangential_restitution = 0, .friction = 0.7};
   c.contact.rolling_friction = 0.01;
-  c.run.engine = "soft";
+  c.run.engine = cases::EngineName::soft;
   c.run.settle = 1;
   c.run.time = 5;
   c.observe.threshold = 0.1;

@@ -75,7 +75,7 @@ const char* sticking(const cases::Case& what) {
 /// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
 std::string against_soft(const cases::Case& what) {
   cases::Case soft = what;
-  soft.run.engine = "soft";
+  soft.run.engine = cases::EngineName::soft;
   const std::vector<Fault> wrong = run_faults(soft);
   if (!wrong.empty()) return wrong.front().what;
   const double time = (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
@@ -105,26 +105,26 @@ std::string against_event(const Pilot& p) {
 }  // namespace
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
-  if (what.run.engine != "auto") return {what.run.engine, {}};
+  if (what.run.engine != cases::EngineName::automatic) return {what.run.engine, {}};
   if (!geometry::exact_touches(what.jar.shape))
-    return {"soft",
+    return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. The event engine does not take a jar of "
                          "kind \"{}\".",
                          geometry::name_of(what.jar.shape))}};
   if (cases::fits_exactly(what))
-    return {"soft",
+    return {cases::EngineName::soft,
             {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
              "spheres have no room to bounce."}};
   if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
-    return {"soft",
+    return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "
                          "the event engine does not know.",
                          law)}};
   if (balls(what) == 1)
-    return {"event",
+    return {cases::EngineName::event,
             {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."}};
   cases::Case event = what;
-  event.run.engine = "event";
+  event.run.engine = cases::EngineName::event;
   const Pilot p = pilot(event, stop);
   const std::string seen = pilot_in_words(p);
   std::string against = against_event(p);
@@ -132,15 +132,16 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
     if (const ContactTimeEffect effect = contact_time_effect(event, stop); effect.matters())
       against = in_words(effect, event);
   if (against.empty())
-    return {"event",
+    return {cases::EngineName::event,
             {fmt::format("Engine: event, chosen by auto. {} Up to {} it is advised.", seen,
                          percent(most_contact))}};
   if (const std::string why = against_soft(what); !why.empty())
-    return {"event",
+    return {cases::EngineName::event,
             {fmt::format(
                 "Engine: event, chosen by auto. {} {} The soft engine would be advised, but {}.",
                 seen, against, why)}};
-  return {"soft", {fmt::format("Engine: soft, chosen by auto. {} {}", seen, against)}};
+  return {cases::EngineName::soft,
+          {fmt::format("Engine: soft, chosen by auto. {} {}", seen, against)}};
 }
 
 namespace {
@@ -187,7 +188,7 @@ Notices notes_on(const results::Outcome& outcome, const Choice& choice,
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
     notes.push_back(note("powder-as-grains", std::move(grains)));
-  if (choice.engine == "soft") {
+  if (choice.engine == cases::EngineName::soft) {
     append(notes, soft_notes(outcome.what));
     return notes;
   }

@@ -24,7 +24,7 @@ constexpr double most_check_work = 1e10;
 
 /// Which engine a case is run by, and why.
 struct Choice {
-  std::string engine;               ///< "event" or "soft"
+  cases::EngineName engine;         ///< event or soft
   std::vector<std::string> reason;  ///< empty where the case said it
 };
 

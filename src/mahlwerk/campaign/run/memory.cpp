@@ -56,7 +56,8 @@ std::string in_megabytes(double bytes) {
 double memory_needed(const cases::Case& what) {
   const auto balls = static_cast<double>(cases::balls_count(what.balls));
   const auto sets = static_cast<double>(what.balls.size());
-  const double each = what.run.engine == "event" ? event_ball : soft_ball;  // "auto" may take it
+  const double each =
+      what.run.engine == cases::EngineName::event ? event_ball : soft_ball;  // "auto" may take it
   return any_replicate + pair_of_kinds * sets * (sets + 3) / 2 + each * balls;
 }
 

@@ -75,7 +75,7 @@ namespace {
 std::unique_ptr<scene::Engine> make_engine(const cases::Case& what,
                                            const std::vector<scene::Ball>& balls, int threads) {
   const scene::Chamber mill = cases::chamber(what);
-  if (what.run.engine == "soft") {
+  if (what.run.engine == cases::EngineName::soft) {
     soft::Rules rules = soft_settings(what).rules;
     rules.threads = threads;
     return soft::engine(mill, balls, rules, cases::pair_table(what));
@@ -129,7 +129,8 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
     result_.replay =
         observe::Replay(mill, static_cast<std::size_t>(balls_), what.run.settle, what.run.time);
   last_ = result_.account = result_.at_settled = engine_->account();
-  if (what.run.engine == "soft")  // its work is known beforehand: below 0.1 s for 1000 balls
+  if (what.run.engine ==
+      cases::EngineName::soft)  // its work is known beforehand: below 0.1 s for 1000 balls
     portion_ = std::min(portion_, 1e3 * soft_settings(what).rules.time_step);
 }
 
@@ -173,7 +174,7 @@ double Replica::next_look() const {
 /// So many looks in the next stretch that they cost little beside its work.
 void Replica::plan_looks(const scene::Account& before, const scene::Account& now) {
   constexpr std::int64_t steps = 512, collisions = 200, most = 20;
-  const std::int64_t work = what_->run.engine == "soft"
+  const std::int64_t work = what_->run.engine == cases::EngineName::soft
                                 ? (now.time_steps - before.time_steps) / steps
                                 : (now.collisions - before.collisions) / (collisions * balls_);
   looks_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));

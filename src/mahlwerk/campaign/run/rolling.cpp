@@ -68,7 +68,7 @@ Rates by_tc(cases::Case what) {
   constexpr std::int64_t enough = 20'000;
   constexpr int parts = 50;
   what.contact.lasting = cases::Lasting::tc;
-  what.run.engine = "event";
+  what.run.engine = cases::EngineName::event;
   const auto trial = engine(what, 0);
   Hits ignored(what.observe.threshold), hits(what.observe.threshold);
   Rates found;
@@ -93,8 +93,8 @@ Notices rolling_notes(const results::Outcome& outcome) {
   const cases::Case& what = outcome.what;
   const bool guessed =
       assumed(what, "contact.lasting") || assumed(what, "contact.lasting_friction");
-  if (outcome.engine != "event" || results::count_of_balls(what) != 1 || !guessed ||
-      what.contact.lasting != cases::Lasting::roll || outcome.interrupted)
+  if (outcome.engine != cases::EngineName::event || results::count_of_balls(what) != 1 ||
+      !guessed || what.contact.lasting != cases::Lasting::roll || outcome.interrupted)
     return {};
   const auto chosen = results::averaged(outcome);
   const double rolled = contact_share(chosen);

@@ -145,7 +145,7 @@ Notices overlap_warnings(const cases::Case& what) {
 
 std::vector<Fault> run_faults(const cases::Case& what) {
   std::vector<Fault> found = cases::engine_faults(what);
-  if (what.run.engine != "soft" || !found.empty()) return found;
+  if (what.run.engine != cases::EngineName::soft || !found.empty()) return found;
   const SoftSettings s = soft_settings(what);
   if (s.steps.overlap > sinking)
     found.push_back({cases::place_of(what, "contact.softening"),

@@ -136,11 +136,11 @@ cases::Case TrialRuns::at(const Place& place, int first, int count) const {
   return made;
 }
 
-TrialRuns TrialRuns::by_engine(const std::string& engine) const {
+TrialRuns TrialRuns::by_engine(cases::EngineName engine) const {
   TrialRuns other = *this;
   constexpr const char* key = "run.engine";
   std::erase_if(other.set_, [&](const cases::Override& set) { return set.key == key; });
-  other.set_.push_back({key, engine});
+  other.set_.push_back({key, std::string(name_of(engine))});
   return other;
 }
 

@@ -35,7 +35,7 @@ class TrialRuns {
   cases::Case at(const Place& place, int first, int count) const;
 
   /// The same case by another engine.
-  TrialRuns by_engine(const std::string& engine) const;
+  TrialRuns by_engine(cases::EngineName engine) const;
 
   /// What a search is told of a replicate.
   using Measure =

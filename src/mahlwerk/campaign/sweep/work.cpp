@@ -15,7 +15,7 @@ double work_estimate(const cases::Case& what) {
   constexpr double step = 2e-7, ball_step = 1e-7, ball_second = 2e-4;
   const auto balls = static_cast<double>(cases::balls_count(what.balls));
   double each = ball_second * balls;
-  if (what.run.engine == "soft") {
+  if (what.run.engine == cases::EngineName::soft) {
     const double dt = soft_settings(what).rules.time_step;
     each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
   }
