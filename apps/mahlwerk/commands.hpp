@@ -16,6 +16,12 @@
 // The commands of the program: a row each, a file each.
 namespace mahlwerk::app {
 
+/// The options and parts of a command: what a shell may offer after its name.
+struct CommandWords {
+  std::string command;  ///< "run", "sweep status"; empty: of the program
+  std::vector<std::string> words;
+};
+
 /// What the command line said.
 struct Request {
   std::string target;  ///< case, room, name, or folder of a campaign
@@ -31,6 +37,7 @@ struct Request {
   std::optional<double> checkpoint;  ///< [s] between two states of the run that are kept
   bool resume = false;               ///< go on from the last of them
   bool quiet = false, json = false, force = false;
+  std::vector<CommandWords> commands;  ///< all there are, for completion
 };
 
 /// Exit codes (docs/cli.md).

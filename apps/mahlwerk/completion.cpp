@@ -1,54 +1,77 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <string>
 
 #include "commands.hpp"
+#include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
-std::string command_words() {
-  std::string words;
-  for (const Command& command : commands) words += std::string(command.name) + " ";
-  return words;
+/// What stands after a command that is no option, where that is no file: words, or a command of the
+/// shell that prints them.
+std::string_view arguments(Takes takes) {
+  switch (takes) {
+    case Takes::room:
+      return "mills jars materials media ";
+    case Takes::name:
+      return "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}') ";
+    case Takes::shell:
+      return "bash zsh ";
+    default:
+      return "";
+  }
 }
 
-constexpr const char* bash = R"(# mahlwerk completion for bash: source <(mahlwerk completion bash)
+const Command* command_called(const std::string& path) {
+  const auto is = [&](const Command& c) {
+    return path == (c.of.empty() ? "" : std::string(c.of) + " ") + std::string(c.name);
+  };
+  const auto found = std::ranges::find_if(commands, is);
+  return found == commands.end() ? nullptr : &*found;
+}
+
+/// A branch of the script: what may stand after one command.
+std::string branch(const CommandWords& of) {
+  const Command* command = command_called(of.command);
+  const std::string_view said = command == nullptr ? "test bench " : arguments(command->takes);
+  const bool files = command != nullptr && said.empty();
+  return fmt::format("    '{}') words=\"{}{}\"{} ;;\n", of.command, said, fmt::join(of.words, " "),
+                     files ? " files=yes" : "");
+}
+
+constexpr std::string_view head =
+    R"(# mahlwerk completion for bash: source <(mahlwerk completion bash)
 _mahlwerk() {
-  local cur=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words=''
-  if [[ $COMP_CWORD -eq 1 ]]; then
-    words='@WORDS@test bench --help --version'
-  elif [[ ($command == run || $command == compare || $command == fit) && $cur == -* ]]; then
-    words='--set --seed --out --force --threads --quiet --json --help'
-  elif [[ $command == check && $cur == -* ]]; then
-    words='--set --seed --json --help'
-  elif [[ $command == run || $command == compare || $command == fit || $command == check ]]; then
-    COMPREPLY=($(compgen -f -- "$cur"))
-    return
-  elif [[ $command == list ]]; then
-    words='mills jars materials media --json --help'
-  elif [[ $command == describe ]]; then
-    words=$("${COMP_WORDS[0]}" list 2>/dev/null | awk '/^  / {print $1}')
-  elif [[ $command == completion ]]; then
-    words='bash zsh'
-  fi
+  local cur=${COMP_WORDS[COMP_CWORD]} command='' words='' files=''
+  [[ $COMP_CWORD -gt 1 ]] && command=${COMP_WORDS[1]}
+  [[ $COMP_CWORD -gt 2 && "@PARTS@" == *" $command ${COMP_WORDS[2]},"* ]] && command+=" ${COMP_WORDS[2]}"
+  case $command in
+)";
+constexpr std::string_view tail = R"(  esac
   COMPREPLY=($(compgen -W "$words" -- "$cur"))
+  [[ $files && $cur != -* ]] && COMPREPLY+=($(compgen -f -- "$cur"))
+  return 0
 }
 complete -o filenames -F _mahlwerk mahlwerk ./mahlwerk
 )";
+constexpr std::string_view zsh =
+    "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
+    "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n";
 
 }  // namespace
 
 int completion(const Request& request) {
-  std::string script = bash;
-  script.replace(script.find("@WORDS@"), 7, command_words());
-  if (request.target == "zsh")
-    script =
-        "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
-        "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n" +
-        script;
-  std::fputs(script.c_str(), stdout);
+  std::string parts = " ";  // " sweep status, sweep export,"
+  for (const Command& command : commands)
+    if (!command.of.empty()) parts += fmt::format("{} {}, ", command.of, command.name);
+  std::string script(head);
+  script.replace(script.find("@PARTS@"), 7, parts);
+  for (const CommandWords& one : request.commands) script += branch(one);
+  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script + std::string(tail));
   return fine;
 }
 

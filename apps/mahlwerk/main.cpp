@@ -170,6 +170,17 @@ void add_options(CLI::App& sub, const Command& command, Request& request,
     sub.add_flag("--json", request.json, "print JSON instead of a table");
 }
 
+/// Adds what may be typed after each command, and after its parts.
+void add_words(const CLI::App& app, const std::string& command, std::vector<CommandWords>& all) {
+  CommandWords one{command, {}};
+  for (const CLI::App* part : app.get_subcommands({})) one.words.push_back(part->get_name());
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) one.words.push_back("--" + name);
+  all.push_back(std::move(one));
+  for (const CLI::App* part : app.get_subcommands({}))
+    add_words(*part, command + (command.empty() ? "" : " ") + part->get_name(), all);
+}
+
 /// Words that users of other programs type.
 constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", "run"},
                                                                    {"start", "run"},
@@ -229,6 +240,7 @@ int perform(int argc, char** argv) {
                            "write mahlwerk sweep case.toml, or see mahlwerk sweep --help",
                            "no-such-case"});
   for (const std::string& one : set) request.set.push_back(override_of(one));
+  if (chosen->takes == Takes::shell) add_words(app, "", request.commands);
   return chosen->perform(request);
 }
 

@@ -150,7 +150,9 @@ def run(program, text, folder, slow, interrupt):
     if interrupt:
         command += ["--set", "run.time=1e6 s"]
     with open(folder / "stderr", "wb") as err:
-        process = subprocess.Popen(command, stdout=err, stderr=err)
+        # Where this runs in the background SIGINT is ignored, and the program would inherit that.
+        process = subprocess.Popen(command, stdout=err, stderr=err, preexec_fn=lambda: signal.signal(
+            signal.SIGINT, signal.SIG_DFL))
     try:
         if interrupt:
             time.sleep(interrupt * slow)

@@ -115,13 +115,40 @@ TEST_F(Program, inelastic_collapse_without_a_remedy_ends_with_an_explanation) {
   EXPECT_TRUE(fs::exists(here_ / "out" / "summary.json")) << "what was computed is kept";
 }
 
-TEST_F(Program, check_says_what_follows_and_completion_can_be_read_by_bash) {
+TEST_F(Program, check_says_what_follows) {
   const Ended e = mahlwerk("check " + example_);
   EXPECT_EQ(e.code, 0);
   for (const char* name :
        {"peak_wall_speed", "acceleration_number", "expected_impact_energy", "run_time"})
     EXPECT_NE(e.said.find(name), std::string::npos) << e.said;
-  EXPECT_EQ(mahlwerk("completion bash | bash -n").code, 0);
+}
+
+TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
+  const auto offered = [&](const std::string& command) {  // after the command and "-", or ""
+    std::ofstream(here_ / "ask") << "source <('" MAHLWERK_PROGRAM "' completion bash)\n"
+                                 << "COMP_WORDS=(mahlwerk " << command << ")\n"
+                                 << "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                                 << "_mahlwerk\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort\n";
+    return mahlwerk("--version >/dev/null; bash ask").said;
+  };
+  const auto helped = [&](const std::string& command) {  // options that its --help lists
+    return mahlwerk(command +
+                    " --help | grep -oE '(^ *|,)(-[a-z],)?--[a-z-]+' | grep -oE "
+                    "'\\-\\-[a-z-]+' | sort -u")
+        .said;
+  };
+  for (const char* command :
+       {"run", "sweep", "sweep status", "sweep export", "sweep retry", "sweep merge", "compare",
+        "fit", "optimise", "match", "papers", "check", "list", "describe", "completion"}) {
+    EXPECT_EQ(offered(command + std::string(" --")), helped(command)) << command;
+    EXPECT_NE(helped(command), "") << command;
+  }
+  EXPECT_EQ(offered("sw"), "sweep\n");
+  EXPECT_EQ(offered("sweep st"), "status\n");
+  EXPECT_EQ(offered("stat"), "\n") << "a part of a command is none";
+  EXPECT_EQ(offered("list mi"), "mills\n");
+  std::ofstream(here_ / "mine.toml") << "";
+  EXPECT_EQ(offered("run mi"), "mine.toml\n");
 }
 
 }  // namespace
