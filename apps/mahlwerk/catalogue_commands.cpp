@@ -6,17 +6,17 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
-using nlohmann::ordered_json;
+using results::Json;
 
 std::vector<std::string> rooms_wanted(const std::string& target) {
   const auto& all = cases::Catalogue::rooms;
@@ -40,12 +40,12 @@ cases::CatalogueEntry entry_named(const std::string& name) {
                          "unknown-name"});
 }
 
-ordered_json as_json(const cases::CatalogueEntry& entry) {
-  ordered_json values;
+Json as_json(const cases::CatalogueEntry& entry) {
+  Json values;
   for (const auto& [key, value] : entry.values)
-    values[key] = {
-        {"value", value.text}, {"source", value.source}, {"unverified", value.unverified}};
-  ordered_json made{{"room", entry.room}, {"name", entry.name}, {"title", entry.title}};
+    values[key] = Json::object(
+        {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}});
+  Json made = Json::object({{"room", entry.room}, {"name", entry.name}, {"title", entry.title}});
   if (!entry.kind.empty()) made["kind"] = entry.kind;
   made["about"] = entry.about;
   made["values"] = values;
@@ -57,7 +57,7 @@ ordered_json as_json(const cases::CatalogueEntry& entry) {
 
 int list(const Request& request) {
   const cases::Catalogue all = catalogue();
-  ordered_json json = ordered_json::array();
+  Json json = Json::array();
   for (const std::string& room : rooms_wanted(request.target)) {
     if (!request.json) fmt::print("{}\n", room);
     for (const std::string& name : all.names(room)) {
@@ -65,15 +65,15 @@ int list(const Request& request) {
       const bool weak = std::any_of(entry.values.begin(), entry.values.end(),
                                     [](const auto& v) { return v.second.unverified; });
       if (request.json)
-        json.push_back(
-            {{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}});
+        json.push_back(Json::object(
+            {{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
       else
         to_stdout(fmt::format("  {:<26} {}{}\n", name, entry.title,
                               weak ? "  (holds unverified values)" : ""));
     }
   }
   if (request.json)
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    json_to_stdout(json);
   else
     fmt::print("\nmahlwerk describe NAME shows every value with its unit and source.\n");
   return fine;
@@ -82,8 +82,7 @@ int list(const Request& request) {
 int describe(const Request& request) {
   const cases::CatalogueEntry entry = entry_named(request.target);
   if (request.json) {
-    fmt::print("{}\n", as_json(entry).dump(2, ' ', false,
-                                           nlohmann::ordered_json::error_handler_t::replace));
+    json_to_stdout(as_json(entry));
     return fine;
   }
   to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.room, entry.name));

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
@@ -23,6 +22,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/results/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -169,11 +169,25 @@ void print(const Checked& c, const std::filesystem::path& file) {
   if (!c.engine.empty()) to_stdout(fmt::format("\n{}\n", mahlwerk::describe(c.engine)));
 }
 
+results::Json as_json(const Checked& c, const std::filesystem::path& file) {
+  using results::Json;
+  Json follows = Json::object();
+  for (const cases::Consequence& one : c.follows)
+    follows[one.name] =
+        Json::object({{"value", one.value}, {"unit", one.unit}, {"about", one.about}});
+  return Json::object({{"file", file.string()},
+                       {"title", c.what.title},
+                       {"points", c.points},
+                       {"points_that_cannot_run", c.bad_points},
+                       {"follows", std::move(follows)},
+                       {"runs", c.engine.empty()}});
+}
+
 }  // namespace
 
 int check(const Request& request) {
   const cases::Catalogue known = catalogue();
-  auto json = nlohmann::ordered_json::array();
+  results::Json json = results::Json::array();
   std::vector<Fault> wrong;
   bool runs = true;
   for (const std::filesystem::path& file : case_files(request.target)) try {
@@ -183,21 +197,12 @@ int check(const Request& request) {
         print(c, file);
         continue;
       }
-      auto follows = nlohmann::ordered_json::object();
-      for (const cases::Consequence& one : c.follows)
-        follows[one.name] = {{"value", one.value}, {"unit", one.unit}, {"about", one.about}};
-      json.push_back({{"file", file.string()},
-                      {"title", c.what.title},
-                      {"points", c.points},
-                      {"points_that_cannot_run", c.bad_points},
-                      {"follows", follows},
-                      {"runs", c.engine.empty()}});
+      json.push_back(as_json(c, file));
     } catch (const InputError& e) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
-  if (request.json)
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  if (request.json) json_to_stdout(json);
   return runs ? fine : bad_input;
 }
 

@@ -7,13 +7,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/json_value.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -62,22 +61,20 @@ void write(results::Folder& folder, const std::vector<results::Outcome>& outcome
 }
 
 void print_json(const report::Comparison& comparison, const fs::path& place) {
-  const auto number = [](double x) {
-    return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr;
-  };
-  nlohmann::ordered_json quantities;
+  using results::Json;
+  Json quantities;
   for (const report::Compared& q : comparison.quantities)
-    quantities[q.name] = {{"event", number(q.both.event.mean)},
-                          {"event_ci95", number(q.both.event.ci95)},
-                          {"soft", number(q.both.soft.mean)},
-                          {"soft_ci95", number(q.both.soft.ci95)},
-                          {"ratio", number(q.both.ratio())},
-                          {"ratio_ci95", number(q.both.ratio_ci95())},
-                          {"apart", q.both.apart()},
-                          {"unit", q.unit}};
-  const nlohmann::ordered_json all{
-      {"title", comparison.title}, {"results", place.string()}, {"quantities", quantities}};
-  fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    quantities[q.name] = Json::object({{"event", q.both.event.mean},
+                                       {"event_ci95", q.both.event.ci95},
+                                       {"soft", q.both.soft.mean},
+                                       {"soft_ci95", q.both.soft.ci95},
+                                       {"ratio", q.both.ratio()},
+                                       {"ratio_ci95", q.both.ratio_ci95()},
+                                       {"apart", q.both.apart()},
+                                       {"unit", q.unit}});
+  json_to_stdout(Json::object({{"title", comparison.title},
+                               {"results", place.string()},
+                               {"quantities", std::move(quantities)}}));
 }
 
 void tell(const report::Comparison& comparison, const fs::path& place, double seconds) {

@@ -132,7 +132,7 @@ campaign::Fit find(const Request& request, const FitJob& job,
 }
 
 void write(results::Folder& folder, const FitJob& job, const report::FitReport& found) {
-  folder.write("fit.json", fit_json(found, version()));
+  folder.write("fit.json", fit_json(found, version()).text(2) + '\n');
   folder.write("fit.csv", report::fit_csv(found));
   folder.write("fit.html", report::fit_page(found, version()));
   results::write_case(folder, fitted_case(job, found), "fitted.toml");
@@ -179,7 +179,7 @@ int fit(const Request& request) {
     const campaign::Fit found = find(request, job, mills);
     const report::FitReport report = fit_report(job, mills, found);
     write(folder, job, report);
-    if (request.json) fmt::print("{}", fit_json(report, version()));
+    if (request.json) json_to_stdout(fit_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
   } catch (const Interrupted&) {
     return tell_interrupted();

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
@@ -163,41 +162,34 @@ FitReport fit_report(const FitJob& job, const std::vector<results::Outcome>& mil
   return made;
 }
 
-std::string fit_json(const FitReport& fit, std::string_view version) {
-  const auto json = [](double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr; };
-  nlohmann::ordered_json numbers = nlohmann::ordered_json::object();
+results::Json fit_json(const FitReport& fit, std::string_view version) {
+  using results::Json;
+  Json numbers = Json::object();
   for (const FitNumber& n : fit.numbers)
-    numbers[n.key] = {{"value", json(n.value)},
-                      {"low", n.open_low ? nullptr : json(n.low)},
-                      {"high", n.open_high ? nullptr : json(n.high)},
-                      {"unit", n.unit},
-                      {"determined", n.determined},
-                      {"by_mills", json(n.by_mills)},
-                      {"range", {json(n.least), json(n.most)}},
-                      {"remarks", n.remarks},
-                      {"about", n.about}};
-  nlohmann::ordered_json correlation = nlohmann::ordered_json::array();
-  for (const std::vector<double>& row : fit.correlation) {
-    correlation.push_back(nlohmann::ordered_json::array());
-    for (const double c : row) correlation.back().push_back(json(c));
-  }
-  const nlohmann::ordered_json all{
-      {"mahlwerk", version},
-      {"title", fit.title},
-      {"case", fit.case_file},
-      {"data", fit.data_file},
-      {"all_determined", fit.all_determined()},
-      {"numbers", numbers},
-      {"correlation", correlation},
-      {"conditions", fit.conditions},
-      {"values", fit.points.size()},
-      {"freedom", fit.freedom},
-      {"scatter", json(fit.scatter)},
-      {"errors_known", fit.errors_known},
-      {"evaluations", fit.evaluations},
-      {"remarks", fit.remarks},
-      {"notices", nlohmann::ordered_json::parse(results::notices_json(fit.notices))}};
-  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    numbers[n.key] = Json::object({{"value", n.value},
+                                   {"low", n.open_low ? Json() : n.low},
+                                   {"high", n.open_high ? Json() : n.high},
+                                   {"unit", n.unit},
+                                   {"determined", n.determined},
+                                   {"by_mills", n.by_mills},
+                                   {"range", Json::array({n.least, n.most})},
+                                   {"remarks", n.remarks},
+                                   {"about", n.about}});
+  return Json::object({{"mahlwerk", version},
+                       {"title", fit.title},
+                       {"case", fit.case_file},
+                       {"data", fit.data_file},
+                       {"all_determined", fit.all_determined()},
+                       {"numbers", std::move(numbers)},
+                       {"correlation", fit.correlation},
+                       {"conditions", fit.conditions},
+                       {"values", fit.points.size()},
+                       {"freedom", fit.freedom},
+                       {"scatter", fit.scatter},
+                       {"errors_known", fit.errors_known},
+                       {"evaluations", fit.evaluations},
+                       {"remarks", fit.remarks},
+                       {"notices", results::notices_json(fit.notices)}});
 }
 
 cases::Case fitted_case(const FitJob& job, const FitReport& fit) {

@@ -7,6 +7,7 @@
 
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/report/fit.hpp"
+#include "mahlwerk/results/json_value.hpp"
 
 namespace mahlwerk::app {
 
@@ -24,7 +25,7 @@ report::FitReport fit_report(const FitJob& job, const std::vector<results::Outco
                              const campaign::Fit& fit);
 
 /// fit.json (docs/formats.md).
-std::string fit_json(const report::FitReport& fit, std::string_view version);
+results::Json fit_json(const report::FitReport& fit, std::string_view version);
 
 /// The case with what was found in place, and nothing left to be fitted.
 cases::Case fitted_case(const FitJob& job, const report::FitReport& fit);

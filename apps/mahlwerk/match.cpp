@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
@@ -121,34 +119,31 @@ void compare_mills(const MatchJob& job, const campaign::MillMark& b, report::Mat
     made.edges.push_back(observe::LogHistogram::lower(bin));
 }
 
-std::string match_json(const report::MatchReport& found) {
-  using nlohmann::ordered_json;
-  const auto number = [](double x) { return std::isfinite(x) ? ordered_json(x) : nullptr; };
-  const auto told = [&](const report::Told& t) {
-    return ordered_json{{"value", number(t.value)}, {"ci95", number(t.ci95)}};
+results::Json match_json(const report::MatchReport& found) {
+  using results::Json;
+  const auto told = [](const report::Told& t) {
+    return Json::object({{"value", t.value}, {"ci95", t.ci95}});
   };
-  const auto ratio = [&](const report::MatchedRatio& r) {
-    return ordered_json{
-        {"value", number(r.value)}, {"low", number(r.low)}, {"high", number(r.high)}};
+  const auto ratio = [](const report::MatchedRatio& r) {
+    return Json::object({{"value", r.value}, {"low", r.low}, {"high", r.high}});
   };
-  const ordered_json all{{"a", found.file_a},
-                         {"b", found.file_b},
-                         {"dose_unit", found.by_powder ? "W/kg" : "W"},
-                         {"dose_a", told(found.dose_a)},
-                         {"dose_b", told(found.dose_b)},
-                         {"dose_ratio", ratio(found.dose)},
-                         {"energy_lost_mean_a", told(found.energy_a)},
-                         {"energy_lost_mean_b", told(found.energy_b)},
-                         {"half_power_energy_ratio", ratio(found.half_power)},
-                         {"overlap", number(found.overlap)},
-                         {"spectral_distance", number(found.spectral)},
-                         {"distance", number(found.distance)},
-                         {"chance", number(found.chance)},
-                         {"within_scatter", found.within_scatter},
-                         {"remarks", report::sentences(found)},
-                         {"notices", ordered_json::parse(results::notices_json(found.notices))},
-                         {"search", ordered_json::parse(optimum_json(found.search, version()))}};
-  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return Json::object({{"a", found.file_a},
+                       {"b", found.file_b},
+                       {"dose_unit", found.by_powder ? "W/kg" : "W"},
+                       {"dose_a", told(found.dose_a)},
+                       {"dose_b", told(found.dose_b)},
+                       {"dose_ratio", ratio(found.dose)},
+                       {"energy_lost_mean_a", told(found.energy_a)},
+                       {"energy_lost_mean_b", told(found.energy_b)},
+                       {"half_power_energy_ratio", ratio(found.half_power)},
+                       {"overlap", found.overlap},
+                       {"spectral_distance", found.spectral},
+                       {"distance", found.distance},
+                       {"chance", found.chance},
+                       {"within_scatter", found.within_scatter},
+                       {"remarks", report::sentences(found)},
+                       {"notices", results::notices_json(found.notices)},
+                       {"search", optimum_json(found.search, version())}});
 }
 
 void tell(const report::MatchReport& found, const fs::path& place) {
@@ -223,12 +218,12 @@ int match(const Request& request) {
   KeptSearch kept(folder.wanted());
   try {
     const report::MatchReport found = find(request, job, folder, kept);
-    folder.write("match.json", match_json(found));
+    folder.write("match.json", match_json(found).text(2) + '\n');
     folder.write("settings.csv", report::optimum_csv(found.search));
     folder.write("match.html", report::match_page(found, version()));
     folder.commit();
     kept.remove();
-    if (request.json) fmt::print("{}", match_json(found));
+    if (request.json) json_to_stdout(match_json(found));
     if (!request.json && !request.quiet) tell(found, folder.wanted());
     return found.search.best ? fine : stopped_by_physics;
   } catch (const Interrupted&) {

@@ -6,26 +6,23 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "mahlwerk/base/printable.hpp"
+#include "mahlwerk/results/json_value.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using results::Json;
 
 bool errors_as_json = false;
 
 Json object(const Fault& fault) {
-  return {
-      {"code", fault.code}, {"where", fault.where}, {"what", fault.what}, {"remedy", fault.remedy}};
-}
-
-/// One line; bytes that are no UTF-8 are replaced.
-std::string line(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return Json::object({{"code", fault.code},
+                       {"where", fault.where},
+                       {"what", fault.what},
+                       {"remedy", fault.remedy}});
 }
 
 std::string_view name_of(int code) {
@@ -65,7 +62,7 @@ void to_stderr(std::string_view text) {
 }
 
 void tell_warning(const Fault& warning) {
-  to_stderr(errors_as_json ? line({{"warning", object(warning)}})
+  to_stderr(errors_as_json ? Json::object({{"warning", object(warning)}}).text() + '\n'
                            : "warning: " + mahlwerk::describe({warning}) + '\n');
 }
 
@@ -88,7 +85,9 @@ int tell_end(int code, std::string_view words, const std::vector<Fault>& faults)
   }
   Json list = Json::array();
   for (const Fault& fault : faults) list.push_back(object(fault));
-  to_stderr(line({{"ended", name_of(code)}, {"exit", code}, {"faults", std::move(list)}}));
+  const Json said =
+      Json::object({{"ended", name_of(code)}, {"exit", code}, {"faults", std::move(list)}});
+  to_stderr(said.text() + '\n');
   return code;
 }
 

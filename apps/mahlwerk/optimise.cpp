@@ -135,7 +135,7 @@ SearchJob prepare(const campaign::TrialRuns& runs) {
 }
 
 void write(const results::Folder& folder, const report::OptimumReport& found) {
-  folder.write("optimise.json", optimum_json(found, version()));
+  folder.write("optimise.json", optimum_json(found, version()).text(2) + '\n');
   folder.write("settings.csv", report::optimum_csv(found));
   folder.write("optimise.html", report::optimum_page(found, version()));
 }
@@ -179,7 +179,7 @@ int optimise(const Request& request) {
     }
     folder.commit();
     kept.remove();
-    if (request.json) fmt::print("{}", optimum_json(report, version()));
+    if (request.json) json_to_stdout(optimum_json(report, version()));
     if (!request.json && !request.quiet) tell(report, folder.wanted());
     return found.best ? fine : stopped_by_physics;
   } catch (const Interrupted&) {

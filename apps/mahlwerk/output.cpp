@@ -30,6 +30,10 @@ void to_stdout(std::string_view text) {
   fmt::print("{}", printable(text));
 }
 
+void json_to_stdout(const results::Json& json) {
+  fmt::print("{}\n", json.text(2));
+}
+
 void guard_output() {
   std::signal(SIGPIPE, go_on);  // not ignored: that would be handed down to other programs
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

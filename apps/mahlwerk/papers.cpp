@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "kept_runs.hpp"
@@ -191,17 +190,18 @@ void tell(const PaperJob& job, const report::PaperResult& result, double seconds
   fmt::print("done in {:.2g} s\n", seconds);
 }
 
-nlohmann::ordered_json as_json(const PaperJob& job, const report::PaperResult& result) {
-  auto claims = nlohmann::ordered_json::array();
+results::Json as_json(const PaperJob& job, const report::PaperResult& result) {
+  using results::Json;
+  Json claims = Json::array();
   for (std::size_t i = 0; i < result.judged.size(); ++i)
-    claims.push_back({{"figure", job.paper.claims[i].figure},
-                      {"says", job.paper.claims[i].says},
-                      {"found", result.judged[i].found},
-                      {"holds", report::word(result.judged[i].holds)}});
-  return {{"title", job.paper.title},
-          {"results", job.folder->wanted().string()},
-          {"claims", claims},
-          {"notices", nlohmann::ordered_json::parse(results::notices_json(result.notices))}};
+    claims.push_back(Json::object({{"figure", job.paper.claims[i].figure},
+                                   {"says", job.paper.claims[i].says},
+                                   {"found", result.judged[i].found},
+                                   {"holds", report::word(result.judged[i].holds)}}));
+  return Json::object({{"title", job.paper.title},
+                       {"results", job.folder->wanted().string()},
+                       {"claims", std::move(claims)},
+                       {"notices", results::notices_json(result.notices)}});
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ int papers(const Request& request) {
     jobs.push_back(prepare_paper(request, place, places.size() > 1, known));
   catch_ctrl_c();
   int ended = fine;
-  auto list = nlohmann::ordered_json::array();
+  results::Json list = results::Json::array();
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
     KeptRuns kept(job.folder->wanted());
@@ -239,8 +239,7 @@ int papers(const Request& request) {
     for (const auto& [name, one] : run)
       if (const int how = how_it_ended(one.outcomes); how != fine) ended = how;
   }
-  if (request.json)
-    fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  if (request.json) json_to_stdout(list);
   return ended;
 }
 

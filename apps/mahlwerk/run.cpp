@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.hpp"
@@ -21,6 +20,7 @@
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/json_value.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -83,10 +83,11 @@ void tell(const RunJob& job, const results::Outcome& outcome) {
 }
 
 void print_json(const std::vector<RunJob>& jobs) {
-  auto list = nlohmann::ordered_json::array();
+  results::Json list = results::Json::array();
   for (const RunJob& job : jobs)
-    list.push_back({{"title", job.what.title}, {"results", job.place.string()}});
-  fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    list.push_back(
+        results::Json::object({{"title", job.what.title}, {"results", job.place.string()}}));
+  json_to_stdout(list);
 }
 
 /// All cases read, and all their places found free, before anything is computed.

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
@@ -21,6 +20,7 @@ namespace mahlwerk::app {
 namespace {
 
 using campaign::Place;
+using results::Json;
 
 report::Told told(const campaign::Guess& guess) {
   return {guess.mean, guess.ci95};
@@ -104,21 +104,17 @@ std::string ended(const SearchJob& job, const campaign::Optimum& found) {
   return "";
 }
 
-nlohmann::ordered_json number(double x) {
-  return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr;
-}
-
 /// Null where there was none.
-nlohmann::ordered_json check_json(const report::OptimumReport& found) {
+Json check_json(const report::OptimumReport& found) {
   if (!found.check) return nullptr;
   const report::OptimumCheck& check = *found.check;
   if (!check.failure.empty())
-    return {{"engine", name_of(check.engine)}, {"not_checked", check.failure}};
-  return {{"engine", name_of(check.engine)},
-          {"value", number(check.value.value)},
-          {"ci95", number(check.value.ci95)},
-          {"replicates", check.replicates},
-          {"disagrees", found.disagrees()}};
+    return Json::object({{"engine", name_of(check.engine)}, {"not_checked", check.failure}});
+  return Json::object({{"engine", name_of(check.engine)},
+                       {"value", check.value.value},
+                       {"ci95", check.value.ci95},
+                       {"replicates", check.replicates},
+                       {"disagrees", found.disagrees()}});
 }
 
 }  // namespace
@@ -229,50 +225,53 @@ report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& f
   return made;
 }
 
-std::string optimum_json(const report::OptimumReport& found, std::string_view version) {
-  using nlohmann::ordered_json;
+results::Json optimum_json(const report::OptimumReport& found, std::string_view version) {
   const auto pair = [](const report::Told& t) {
-    return ordered_json{{"value", number(t.value)}, {"ci95", number(t.ci95)}};
+    return Json::object({{"value", t.value}, {"ci95", t.ci95}});
   };
-  ordered_json keys = ordered_json::object(), limits = ordered_json::array();
+  Json keys = Json::object(), limits = Json::array();
   for (const report::OptimumKey& k : found.keys)
-    keys[k.key] = {{"best", k.best},
-                   {"low", k.low},
-                   {"high", k.high},
-                   {"model", k.model},
-                   {"good_low", k.good_low},
-                   {"good_high", k.good_high},
-                   {"flat", k.flat},
-                   {"at_low_end", k.at_low_end},
-                   {"at_high_end", k.at_high_end}};
+    keys[k.key] = Json::object({{"best", k.best},
+                                {"low", k.low},
+                                {"high", k.high},
+                                {"model", k.model},
+                                {"good_low", k.good_low},
+                                {"good_high", k.good_high},
+                                {"flat", k.flat},
+                                {"at_low_end", k.at_low_end},
+                                {"at_high_end", k.at_high_end}});
   for (const report::OptimumLimit& limit : found.limits)
-    limits.push_back({{"quantity", limit.quantity}, {"limit", limit.text}, {"binds", limit.binds}});
-  ordered_json best = nullptr;
+    limits.push_back(Json::object(
+        {{"quantity", limit.quantity}, {"limit", limit.text}, {"binds", limit.binds}}));
+  Json best;
   if (found.best) {
     const report::OptimumSetting& s = found.settings[*found.best];
-    best = {{"setting", *found.best + 1}, {"replicates", s.replicates},
-            {"mean", pair(s.seen)},       {"by_model", pair(s.model)},
-            {"chance", number(s.chance)}, {"certain", found.certain()},
-            {"valid", !s.invalid},        {"check", check_json(found)}};
+    best = Json::object({{"setting", *found.best + 1},
+                         {"replicates", s.replicates},
+                         {"mean", pair(s.seen)},
+                         {"by_model", pair(s.model)},
+                         {"chance", s.chance},
+                         {"certain", found.certain()},
+                         {"valid", !s.invalid},
+                         {"check", check_json(found)}});
   }
-  const ordered_json all{{"mahlwerk", version},
-                         {"title", found.title},
-                         {"case", found.case_file},
-                         {"quantity", found.quantity},
-                         {"unit", found.unit},
-                         {"maximise", found.maximise},
-                         {"best", best},
-                         {"keys", keys},
-                         {"limits", limits},
-                         {"model_value", pair(found.model_value)},
-                         {"expected_gain", number(found.expected_gain)},
-                         {"expected_loss", number(found.expected_loss)},
-                         {"settings", found.settings.size()},
-                         {"failed", found.failed},
-                         {"runs", found.runs()},
-                         {"remarks", report::sentences(found)},
-                         {"notices", ordered_json::parse(results::notices_json(found.notices))}};
-  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return Json::object({{"mahlwerk", version},
+                       {"title", found.title},
+                       {"case", found.case_file},
+                       {"quantity", found.quantity},
+                       {"unit", found.unit},
+                       {"maximise", found.maximise},
+                       {"best", best},
+                       {"keys", keys},
+                       {"limits", limits},
+                       {"model_value", pair(found.model_value)},
+                       {"expected_gain", found.expected_gain},
+                       {"expected_loss", found.expected_loss},
+                       {"settings", found.settings.size()},
+                       {"failed", found.failed},
+                       {"runs", found.runs()},
+                       {"remarks", report::sentences(found)},
+                       {"notices", results::notices_json(found.notices)}});
 }
 
 }  // namespace mahlwerk::app

@@ -10,6 +10,7 @@
 #include "kept_runs.hpp"
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 #include "mahlwerk/report/optimum.hpp"
+#include "mahlwerk/results/json_value.hpp"
 
 // What optimise and match share: settings are looked for, and told.
 namespace mahlwerk::app {
@@ -66,6 +67,6 @@ std::optional<report::OptimumCheck> check_best(const Request& request, const Sea
                                                const KeptSearch& kept);
 
 report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found);
-std::string optimum_json(const report::OptimumReport& found, std::string_view version);
+results::Json optimum_json(const report::OptimumReport& found, std::string_view version);
 
 }  // namespace mahlwerk::app

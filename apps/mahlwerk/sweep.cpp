@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
@@ -59,15 +58,14 @@ std::string counted(std::size_t n, std::string_view what) {
 
 void print_json(const campaign::Store& store, const fs::path& place, const Worked* worked) {
   const campaign::Counts counts = store.counts();
-  using json = nlohmann::ordered_json;
-  json said{{"results", place.string()},
-            {"points", counts.points},
-            {"done", counts.done},
-            {"failed", counts.failed},
-            {"waiting", counts.waiting},
-            {"notices", json::parse(results::notices_json(store.notices()))}};
+  results::Json said = results::Json::object({{"results", place.string()},
+                                              {"points", counts.points},
+                                              {"done", counts.done},
+                                              {"failed", counts.failed},
+                                              {"waiting", counts.waiting},
+                                              {"notices", results::notices_json(store.notices())}});
   if (worked != nullptr) said["seconds"] = worked->seconds;
-  fmt::print("{}\n", said.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  json_to_stdout(said);
 }
 
 std::string table_with_warnings(const report::Campaign& campaign) {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/regime.hpp"
 #include "mahlwerk/results/states.hpp"
@@ -11,13 +9,13 @@
 namespace mahlwerk::results {
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
 
 Json origins(const cases::Case& what, bool cases::Origin::*chosen) {
   Json list = Json::array();
   for (const cases::Origin& o : what.origins) {
-    if (o.*chosen) list.push_back({{"key", o.key}, {"value", o.value}, {"source", o.source}});
+    if (o.*chosen)
+      list.push_back(Json::object({{"key", o.key}, {"value", o.value}, {"source", o.source}}));
   }
   return list;
 }
@@ -32,50 +30,51 @@ Json texts(const Notices& notices, bool warnings) {
 Json listed(const Notices& notices) {
   Json list = Json::array();
   for (const Notice& one : notices)
-    list.push_back({{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}});
+    list.push_back(Json::object(
+        {{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}}));
   return list;
 }
 
 Json about(const Outcome& outcome, std::string_view version) {
   Json runs = Json::array();
   for (const Replicate& r : outcome.replicates) {
-    Json run{{"complete", r.complete && r.time() > 0}, {"time", r.time()}};
+    Json run = Json::object({{"complete", r.complete && r.time() > 0}, {"time", r.time()}});
     if (!r.stopped.empty()) run["stopped"] = r.stopped;
     runs.push_back(std::move(run));
   }
   const bool whole = complete(outcome);
-  return {{"mahlwerk", version},
-          {"schema", schema},
-          {"title", outcome.what.title},
-          {"seed", outcome.what.seed},
-          {"engine", name_of(outcome.engine)},
-          {"regime", regime(outcome)},
-          {"regime_reason", regime_reason(outcome)},
-          {"notes", texts(outcome.notices, false)},
-          {"warnings", texts(outcome.notices, true)},
-          {"notices", listed(outcome.notices)},
-          {"threshold", outcome.what.observe.threshold},
-          {"complete", whole},
-          {"interrupted", outcome.interrupted && !whole},
-          {"replicates", std::move(runs)},
-          {"assumed", origins(outcome.what, &cases::Origin::assumed)},
-          {"unverified", origins(outcome.what, &cases::Origin::unverified)},
-          {"wall_seconds", outcome.wall_seconds},
-          {"cpu_seconds", outcome.cpu_seconds}};
+  return Json::object({{"mahlwerk", version},
+                       {"schema", schema},
+                       {"title", outcome.what.title},
+                       {"seed", outcome.what.seed},
+                       {"engine", name_of(outcome.engine)},
+                       {"regime", regime(outcome)},
+                       {"regime_reason", regime_reason(outcome)},
+                       {"notes", texts(outcome.notices, false)},
+                       {"warnings", texts(outcome.notices, true)},
+                       {"notices", listed(outcome.notices)},
+                       {"threshold", outcome.what.observe.threshold},
+                       {"complete", whole},
+                       {"interrupted", outcome.interrupted && !whole},
+                       {"replicates", std::move(runs)},
+                       {"assumed", origins(outcome.what, &cases::Origin::assumed)},
+                       {"unverified", origins(outcome.what, &cases::Origin::unverified)},
+                       {"wall_seconds", outcome.wall_seconds},
+                       {"cpu_seconds", outcome.cpu_seconds}});
 }
 
 Json object(const Quantity& q) {
-  return {{"value", q.value},
-          {"ci95", q.ci95},
-          {"ci95_time", q.ci95_time},
-          {"unit", q.unit},
-          {"about", q.about}};
+  return Json::object({{"value", q.value},
+                       {"ci95", q.ci95},
+                       {"ci95_time", q.ci95_time},
+                       {"unit", q.unit},
+                       {"about", q.about}});
 }
 
 Json table_of(const std::vector<PairSummary>& pairs) {
   Json list = Json::array();
   for (const PairSummary& pair : pairs) {
-    Json row{{"between", {pair.one, pair.other}}};
+    Json row = Json::object({{"between", Json::array({pair.one, pair.other})}});
     for (const Quantity& q : pair.quantities) row[q.name] = object(q);
     list.push_back(std::move(row));
   }
@@ -85,24 +84,24 @@ Json table_of(const std::vector<PairSummary>& pairs) {
 Json states_of(const TwoStates& found) {
   Json states = Json::array();
   for (const State& state : found.states) {
-    Json one{{"replicates", state.replicates}, {"share", found.share(state)}};
+    Json one = Json::object({{"replicates", state.replicates}, {"share", found.share(state)}});
     for (const Quantity& q : state.quantities)
-      one[q.name] = {{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}};
+      one[q.name] = Json::object({{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}});
     states.push_back(std::move(one));
   }
-  return {{"chance", found.chance}, {"states", std::move(states)}};
+  return Json::object({{"chance", found.chance}, {"states", std::move(states)}});
 }
 
 }  // namespace
 
-std::string notices_json(const NoticeCounts& counts) {
+Json notices_json(const NoticeCounts& counts) {
   Json list = Json::array();
   for (const NoticeCount& one : counts)
-    list.push_back({{"code", one.first.code},
-                    {"severity", name_of(one.first.severity)},
-                    {"count", one.runs},
-                    {"text", one.first.text}});
-  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+    list.push_back(Json::object({{"code", one.first.code},
+                                 {"severity", name_of(one.first.severity)},
+                                 {"count", one.runs},
+                                 {"text", one.first.text}}));
+  return list;
 }
 
 std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
@@ -113,7 +112,7 @@ std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& qu
   if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
     all["_pairs"] = table_of(pairs);
   if (const auto found = two_states(outcome)) all["_states"] = states_of(*found);
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return all.text(2) + '\n';
 }
 
 }  // namespace mahlwerk::results

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/results/json_value.hpp"
 #include "mahlwerk/results/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -17,6 +18,6 @@ std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& qu
                          std::string_view version);
 
 /// A list of objects: code, severity, in how many runs, and the text of the first.
-std::string notices_json(const NoticeCounts& counts);
+Json notices_json(const NoticeCounts& counts);
 
 }  // namespace mahlwerk::results

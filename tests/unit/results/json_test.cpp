@@ -82,7 +82,7 @@ TEST(SummaryJson, HoldsTwoStates) {
 TEST(SummaryJson, CountsNoticesOfManyRuns) {
   NoticeCounts counts;
   count(counts, {warning("stopped", "It \"was\" stopped.")});
-  EXPECT_EQ(nlohmann::json::parse(notices_json(counts)),
+  EXPECT_EQ(nlohmann::json::parse(notices_json(counts).text()),
             nlohmann::json::array({{{"code", "stopped"},
                                     {"severity", "warning"},
                                     {"count", 1},
