@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -35,9 +36,9 @@ std::string refusal(const campaign::TrialRuns& runs, const campaign::Tried& best
     check.replicates = affordable(one, static_cast<int>(best.replicates.size()));
     if (check.replicates > 0) return "";
     return fmt::format(
-        "that would take some {:.2g} hours of a core; mahlwerk run best.toml --set "
+        "that would take some {} hours of a core; mahlwerk run best.toml --set "
         "run.engine=soft does it",
-        campaign::soft_work(one) / campaign::most_soft_work);
+        two_digits(campaign::soft_work(one) / campaign::most_soft_work));
   } catch (const InputError& error) {
     return error.faults().front().what;
   }

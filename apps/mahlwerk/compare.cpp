@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/json_value.hpp"
@@ -82,7 +83,7 @@ void tell(const report::Comparison& comparison, const fs::path& place, double se
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "compare.html").string());
   fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());
-  fmt::print("computed in {:.2g} s\n", seconds);
+  fmt::print("computed in {} s\n", two_digits(seconds));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "kept_runs.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
@@ -187,7 +188,7 @@ void tell(const PaperJob& job, const report::PaperResult& result, double seconds
   fmt::print("page:     {}\n", (place / "paper.html").string());
   fmt::print("figures:  {}\n", (place / "figures").string());
   fmt::print("claims:   {}\n\n", (place / "claims.csv").string());
-  fmt::print("done in {:.2g} s\n", seconds);
+  fmt::print("done in {} s\n", two_digits(seconds));
 }
 
 results::Json as_json(const PaperJob& job, const report::PaperResult& result) {

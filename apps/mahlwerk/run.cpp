@@ -153,7 +153,7 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   if (kept && std::ranges::all_of(outcomes, results::complete)) kept->remove();
   for (std::size_t i = 0; talks && i < jobs.size(); ++i) tell(jobs[i], outcomes[i]);
   if (request.json) print_json(jobs);
-  if (talks) fmt::print("computed in {:.2g} s\n", outcomes.front().wall_seconds);
+  if (talks) fmt::print("computed in {} s\n", two_digits(outcomes.front().wall_seconds));
   const int ended = how_it_ended(outcomes);
   if (kept && kept->trouble()) tell_warning(*kept->trouble());
   if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");

@@ -171,6 +171,8 @@ def run(program, text, folder, slow, interrupt):
     said = (folder / "stderr").read_text(errors="replace")
     if code in (2, 3) and len(said.strip()) < 20:
         return f"exit code {code} without a reason", "silent"
+    if code == -signal.SIGINT and interrupt and not out.exists():  # before it had begun
+        return None, "interrupted"
     if code not in (0, 2, 3, 130) or (code == 130 and not interrupt):
         return f"exit code {code}: {said.strip()[-1500:]}", "failed"
     if code == 3:  # by physics, with its reason

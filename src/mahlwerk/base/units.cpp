@@ -264,4 +264,8 @@ std::string show_rounded(double value, std::string_view unit, int digits) {
   return with_unit(rounded(x, digits), best);
 }
 
+std::string two_digits(double value) {
+  return show_rounded(value, "", 2);
+}
+
 }  // namespace mahlwerk

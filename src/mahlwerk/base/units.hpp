@@ -44,6 +44,8 @@ std::string show(double value, std::string_view unit);
 /// Writes `value`, measured in `unit`, to `digits` significant digits in a readable multiple; for
 /// people, not for reading back.
 std::string show_rounded(double value, std::string_view unit, int digits = 4);
+/// A plain number to two digits, without a power of ten up to 15 places: "0.062", "3.5", "950000".
+std::string two_digits(double value);
 
 /// A quantity as one would write it where `unit` is expected: "12 mm" for "m", "400 rpm" for
 /// "rad/s".

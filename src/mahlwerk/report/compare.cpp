@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/csv.hpp"
@@ -181,9 +182,8 @@ std::string how_to_read(const Comparison& c) {
       "rolls, of what the soft engine counts as one long contact, so that counts of all "
       "collisions, and of slow ones, and their means differ.";
   if (std::isfinite(event) && std::isfinite(soft))
-    text +=
-        fmt::format(" Here balls were in contact {:.2g} % (event) and {:.2g} % (soft) of the time.",
-                    event, soft);
+    text += fmt::format(" Here balls were in contact {} % (event) and {} % (soft) of the time.",
+                        two_digits(event), two_digits(soft));
   return text + " ≠ marks numbers whose 95 % intervals do not overlap, which by chance is rare.";
 }
 

@@ -40,12 +40,12 @@ void more_than_dissipated(const cases::Case& what, const Chosen& chosen, Notices
   if (given > 1)
     list.push_back(warning(
         "more-than-dissipated",
-        fmt::format("Caught grains get {:.2g} times the power that the mill dissipates, more than "
+        fmt::format("Caught grains get {} times the power that the mill dissipates, more than "
                     "there is: a "
                     "mill with powder between its balls loses more in each collision. Give a "
                     "restitution as "
                     "with powder, choose [capture] energy = \"lost\", or lower energy_share.",
-                    given)));
+                    two_digits(given))));
 }
 
 void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
@@ -60,10 +60,10 @@ void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hi
     all += s.rate * s.energy;
   }
   if (whole > often * all)
-    list.push_back(warning("catch-cut", fmt::format("Collisions that carry {:.2g} % of the power "
+    list.push_back(warning("catch-cut", fmt::format("Collisions that carry {} % of the power "
                                                     "would catch more powder than there is: their "
                                                     "catch was cut to all of it.",
-                                                    100 * whole / all)));
+                                                    two_digits(100 * whole / all))));
 }
 
 void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
@@ -74,18 +74,18 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
     list.push_back(warning(
         "finest-class",
         fmt::format(
-            "{:.2g} % of the powder are as fine as is told apart, below {}, where nothing breaks "
+            "{} % of the powder are as fine as is told apart, below {}, where nothing breaks "
             "any "
             "further: a smaller grinding.smallest shows more, if the models still hold there.",
-            100 * finest, show_rounded(grinding.smallest, "m"))));
+            two_digits(100 * finest), show_rounded(grinding.smallest, "m"))));
   const double coarsest = mean_over(
       chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
   if (grinding.welding > 0 && coarsest > often)
     list.push_back(
-        warning("coarsest-class", fmt::format("{:.2g} % of the powder welded into grains sixteen "
+        warning("coarsest-class", fmt::format("{} % of the powder welded into grains sixteen "
                                               "times as large as the feed, the largest "
                                               "told apart.",
-                                              100 * coarsest)));
+                                              two_digits(100 * coarsest))));
 }
 
 void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/checks.hpp"
@@ -79,10 +80,11 @@ void not_steady(const Outcome& outcome, const std::vector<Quantity>& quantities,
     return;
   list.push_back(warning(
       "not-settled",
-      fmt::format("The charge had not settled when counting began: the first {:.2g} s of {:.2g} s "
-                  "counted stand out, and {:.2g} % {} power was drawn than dissipated. A longer "
+      fmt::format("The charge had not settled when counting began: the first {} of {} "
+                  "counted stand out, and {} % {} power was drawn than dissipated. A longer "
                   "run.settle helps.",
-                  settling, time, 100 * std::abs(imbalance), imbalance > 0 ? "more" : "less")));
+                  show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
+                  two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
@@ -167,18 +169,18 @@ void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, N
     list.push_back(warning(
         "deep-overlap",
         fmt::format(
-            "Two bodies overlapped by {:.2g} of a ball's radius. Where balls are squeezed so, "
+            "Two bodies overlapped by {} of a ball's radius. Where balls are squeezed so, "
             "forces are no longer those of the contact law: a larger contact.softening, stiffer "
             "contacts or a shorter run.time_step help.",
-            deepest)));
+            two_digits(deepest))));
   else
     list.push_back(warning(
         "soft-contacts",
         fmt::format(
-            "Two bodies overlapped by {:.2g} % of a ball's radius, more than {:.0f} %. Forces and "
+            "Two bodies overlapped by {} % of a ball's radius, more than {:.0f} %. Forces and "
             "contact times are those of softer bodies; a larger contact.softening or stiffness "
             "makes them harder.",
-            100 * deepest, 100 * soft_overlap)));
+            two_digits(100 * deepest), 100 * soft_overlap)));
 }
 
 }  // namespace

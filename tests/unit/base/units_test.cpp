@@ -211,6 +211,9 @@ TEST(Units, show_prefers_what_people_read) {
   EXPECT_EQ(show_rounded(41.887902047863905, "rad/s"), "41.89 rad/s");
   EXPECT_EQ(show_rounded(123456.7, ""), "123500");
   EXPECT_EQ(show_rounded(0, "m"), "0 mm");
+  EXPECT_EQ(two_digits(951879), "950000");
+  EXPECT_EQ(two_digits(0.06249), "0.062");
+  EXPECT_EQ(two_digits(100), "100");
   // In mm it would be infinite.
   EXPECT_EQ(show_rounded(1.7e308, "m"), "1.7e+308 m");
 }

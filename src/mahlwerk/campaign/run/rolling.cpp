@@ -103,10 +103,10 @@ Notices rolling_notes(const results::Outcome& outcome) {
   const std::string other =
       tc.time > 0 && roll.time > 0
           ? fmt::format(
-                "Its first {:.2g} s by the TC rule (contact.lasting = \"tc\") dissipate {} instead "
+                "Its first {} s by the TC rule (contact.lasting = \"tc\") dissipate {} instead "
                 "of {}, with {:.3g} instead of {:.3g} hits above the threshold per second.",
-                tc.time, show_rounded(tc.power, "W"), show_rounded(roll.power, "W"), tc.hits,
-                roll.hits)
+                two_digits(tc.time), show_rounded(tc.power, "W"), show_rounded(roll.power, "W"),
+                tc.hits, roll.hits)
           : "Compare with contact.lasting = \"tc\".";
   return {warning("mostly-rolling",
                   fmt::format("The ball rolled or slid on the wall {:.0f} % of the time, by a rule "

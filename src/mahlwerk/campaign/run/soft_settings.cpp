@@ -80,9 +80,9 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
 std::string error_note(const cases::Case& what, const SoftSettings& s) {
   const soft::StepError e = step_error_of(what, s);
   return fmt::format(
-      "In that step the shortest collision is off by at most about {:.2g} % of its speed of "
-      "rebound, {:.2g} % of its speed across and {:.2g} % of its spin.",
-      100 * e.rebound, 100 * e.across, 100 * e.spin);
+      "In that step the shortest collision is off by at most about {} % of its speed of "
+      "rebound, {} % of its speed across and {} % of its spin.",
+      two_digits(100 * e.rebound), two_digits(100 * e.across), two_digits(100 * e.spin));
 }
 
 /// To two digits, downwards.
@@ -116,13 +116,13 @@ Notices soft_notes(const cases::Case& what) {
   const double step = s.rules.time_step;
   Notices notes{
       note("time-step",
-           fmt::format(
-               "Time step {}, {}: {:.2g} % of the Rayleigh time and {:.2g} % of the shortest "
-               "collision ({}) "
-               "of balls that meet at {:.2g} m/s, where they overlap by {:.2g} % of their radius.",
-               show_rounded(step, "s"), reason(what, s.steps), 100 * step / s.steps.rayleigh,
-               100 * step / s.steps.contact, show_rounded(s.steps.contact, "s"), s.speed,
-               100 * s.steps.overlap)),
+           fmt::format("Time step {}, {}: {} % of the Rayleigh time and {} % of the shortest "
+                       "collision ({}) "
+                       "of balls that meet at {}, where they overlap by {} % of their radius.",
+                       show_rounded(step, "s"), reason(what, s.steps),
+                       two_digits(100 * step / s.steps.rayleigh),
+                       two_digits(100 * step / s.steps.contact), show_rounded(s.steps.contact, "s"),
+                       show_rounded(s.speed, "m/s", 2), two_digits(100 * s.steps.overlap))),
       note("step-error", error_note(what, s))};
   return notes;
 }
@@ -135,11 +135,11 @@ Notices overlap_warnings(const cases::Case& what) {
     notes.push_back(warning(
         "soft-contacts",
         fmt::format(
-            "Contacts are so soft that balls which meet at {:.2g} m/s overlap by {:.2g} % of their "
+            "Contacts are so soft that balls which meet at {} overlap by {} % of their "
             "radius, more than {:.0f} %. Forces and contact times are then those of softer bodies; "
             "a larger "
             "contact.softening or stiffness makes them harder.",
-            s.speed, 100 * s.steps.overlap, 100 * deep)));
+            show_rounded(s.speed, "m/s", 2), two_digits(100 * s.steps.overlap), 100 * deep)));
   return notes;
 }
 
@@ -149,9 +149,9 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   if (s.steps.overlap > sinking)
     found.push_back({cases::place_of(what, "contact.softening"),
-                     fmt::format("contacts are so soft that balls, which may meet at {:.2g} m/s, "
-                                 "would sink into each other by {:.2g} of their radius",
-                                 s.speed, s.steps.overlap),
+                     fmt::format("contacts are so soft that balls, which may meet at {}, "
+                                 "would sink into each other by {} of their radius",
+                                 show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap)),
                      "give a larger softening, modulus or stiffness, or a smaller cohesion",
                      "contacts-too-soft"});
   constexpr double most_steps = 1e13;  // a month or more, and as far as a clock can count

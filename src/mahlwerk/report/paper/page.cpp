@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -96,9 +97,9 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
       "<h2>Campaigns</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Campaign</th><th "
       "class=\"n\">computed in</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
       campaign_rows(result));
-  return page(
-      paper.title, body,
-      fmt::format("Mahlwerk {}, {:.2g} s of computing.", escaped(version), whole_time(result)));
+  return page(paper.title, body,
+              fmt::format("Mahlwerk {}, {} s of computing.", escaped(version),
+                          two_digits(whole_time(result))));
 }
 
 std::string claims_text(const PaperResult& result) {
