@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "benchmarks.hpp"
 #include "crowd_run.hpp"
+#include "mahlwerk/results/json_value.hpp"
 
 namespace mahlwerk::bench {
 
@@ -65,16 +65,19 @@ int perform(int argc, char** argv) {
   }
   if (!found) return usage(("bench: there is no '" + name + "'").c_str());
   if (json) {
-    auto list = nlohmann::ordered_json::array();
+    using results::Json;
+    Json list = Json::array();
     for (const Row& r : rows) {
-      list.push_back({{"benchmark", r.benchmark},
-                      {"case", r.what},
-                      {"code", r.code},
-                      {"metric", r.metric},
-                      {"value", r.value}});
-      if (std::isfinite(r.least)) list.back().update({{"least", r.least}, {"most", r.most}});
+      list.push_back(Json::object({{"benchmark", r.benchmark},
+                                   {"case", r.what},
+                                   {"code", r.code},
+                                   {"metric", r.metric},
+                                   {"value", r.value}}));
+      if (!std::isfinite(r.least)) continue;
+      list.back()["least"] = r.least;
+      list.back()["most"] = r.most;
     }
-    fmt::print("{}\n", list.dump(2));
+    fmt::print("{}\n", list.text(2));
     return 0;
   }
   print(rows);
