@@ -2,19 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/hertz_mindlin.hpp"
+#include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 
 namespace mahlwerk::contact {
 
 /// Hertz-Mindlin and a simplified cohesion in proportion to the area of contact, 2 pi overlap times
 /// 2 R* (SJKR2 of LIGGGHTS; dem.17). Friction acts under the load without the cohesion.
 struct Sjkr : HertzSpring {
-  static constexpr LawName name = LawName::sjkr;
-  explicit Sjkr(const LawChoice& choice) : plain_(choice) {}
+  static constexpr std::string_view name = "sjkr";
+  static constexpr std::string_view about =
+      "Hertz and Mindlin with a cohesion in proportion to the area of contact";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
+  static constexpr std::array adhesion{cohesion};
+  static constexpr auto fields() { return std::array<LawField<Sjkr>, 0>{}; }
 
-  double damping(double e) const { return plain_.damping(e); }
+  double damping(double e) const { return HertzMindlin().damping(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
-    LawNumbers k = plain_.numbers(t, damping);
+    LawNumbers k = HertzMindlin().numbers(t, damping);
     k[4] = 4 * std::numbers::pi * t.radius * t.pair.cohesion;
     return k;
   }
@@ -24,6 +29,8 @@ struct Sjkr : HertzSpring {
     const double root = 4 * std::numbers::pi * t.radius * t.pair.cohesion / hertz_stiffness(t);
     return hertz_overlap(t, speed) + root * root;
   }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
 
   template <class V>
   [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
@@ -36,9 +43,7 @@ struct Sjkr : HertzSpring {
     if (!(overlap > 0)) return 0;
     return hertz_energy(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
   }
-
- private:
-  HertzMindlin plain_;
+  bool operator==(const Sjkr&) const = default;
 };
 
 }  // namespace mahlwerk::contact
