@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 #include <variant>
 
 #include "mahlwerk/contact/laws/adams_impact.hpp"
@@ -18,9 +18,13 @@
 
 namespace mahlwerk::contact {
 
-/// A list of contact laws; a type that lacks something of a Law is an error that says what.
-template <Law... L>
-using LawVariant = std::variant<L...>;
+/// L itself, where it is a Law; else an error that says what it lacks.
+template <Law L>
+using Checked = L;
+
+/// A list of contact laws.
+template <class... L>
+using LawVariant = std::variant<Checked<L>...>;
 
 /// The register: every contact law there is. A new one is its file in laws/ and its name here. The
 /// first is the default.
@@ -29,12 +33,13 @@ using AnyLaw =
 
 constexpr std::size_t laws_count = std::variant_size_v<AnyLaw>;
 
+template <class... L>
+std::array<AnyLaw, sizeof...(L)> default_laws(std::type_identity<std::variant<L...>>) {
+  return {L{}...};
+}
 /// Every law of the register, with its default numbers.
 inline std::array<AnyLaw, laws_count> all_laws() {
-  return []<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array<AnyLaw, laws_count>{AnyLaw(std::in_place_index<i>)...};
-  }
-  (std::make_index_sequence<laws_count>());
+  return default_laws(std::type_identity<AnyLaw>{});
 }
 
 /// "hertz-mindlin"
