@@ -20,14 +20,26 @@ struct Sjkr : HertzSpring {
   double damping(double e) const { return HertzMindlin().damping(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
     LawNumbers k = HertzMindlin().numbers(t, damping);
-    k[4] = 4 * std::numbers::pi * t.radius * t.pair.cohesion;
+    k[4] = pull(t);
     return k;
   }
+  /// [N/m] Cohesion over overlap.
+  static double pull(const Touching& t) {
+    return 4 * std::numbers::pi * t.radius * t.pair.cohesion;
+  }
 
-  /// Two bodies at rest sink in until the spring holds the cohesion.
+  /// Of an undamped collision, (2/5) k d^2.5 - k_c d^2/2 = m v^2/2: for the root of d, by Newton's
+  /// steps from above, where the left side is convex.
   double largest_overlap(const Touching& t, double speed) const {
-    const double root = 4 * std::numbers::pi * t.radius * t.pair.cohesion / hertz_stiffness(t);
-    return hertz_overlap(t, speed) + root * root;
+    const double hertz = std::sqrt(hertz_overlap(t, speed));
+    const double wider = 1.25 * pull(t) / hertz_stiffness(t);
+    double root = hertz + wider;
+    for (int i = 0; i < 40 && root > 0; ++i) {
+      const double cubed = root * root * root;
+      const double off = root * cubed * (root - wider) - std::pow(hertz, 5);
+      root -= off / (cubed * (5 * root - 4 * wider));
+    }
+    return root * root;
   }
   double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
   double damper_time(const Touching&, double, double) const { return unbounded_time; }
