@@ -12,8 +12,6 @@
 
 namespace mahlwerk::cases {
 
-using contact::Rolling;
-
 namespace {
 
 void add_once(std::vector<std::string_view>& keys, std::string_view key) {
@@ -38,8 +36,8 @@ const std::vector<std::string_view>& law_keys() {
 }
 
 bool has_meaning(std::string_view key, const contact::ContactModel& model) {
-  if (key == "rolling_friction") return model.rolling != Rolling::none;
-  if (key == rolling_damping.key) return model.rolling == Rolling::epsd;
+  if (key == "rolling_friction") return contact::rule_of(model.rolling).resists;
+  if (key == rolling_damping.key) return contact::rule_of(model.rolling).damped;
   return std::visit(
       [&]<class L>(const L&) {
         return std::ranges::any_of(contact::adhesion_of<L>(),
@@ -50,7 +48,7 @@ bool has_meaning(std::string_view key, const contact::ContactModel& model) {
 
 std::string_view unit_of(std::string_view key, std::string_view unit,
                          const contact::ContactModel& model) {
-  return key == "rolling_friction" && model.rolling == Rolling::viscous ? "s/m" : unit;
+  return key == "rolling_friction" ? contact::rule_of(model.rolling).friction_unit : unit;
 }
 
 const std::vector<std::string>& contact_laws() {
@@ -59,8 +57,11 @@ const std::vector<std::string>& contact_laws() {
 }
 
 const std::vector<std::string>& rolling_words() {
-  static const std::vector<std::string> words(contact::rolling_words.begin(),
-                                              contact::rolling_words.end());
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const contact::RollingRule& r : contact::rolling_rules) names.emplace_back(r.name);
+    return names;
+  }();
   return words;
 }
 

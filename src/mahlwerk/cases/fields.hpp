@@ -107,7 +107,7 @@ constexpr auto touch_fields() {
                    "energy density of cohesion, pull over area of contact"}};
 }
 
-/// Of the contact model, under rolling = "epsd".
+/// Of the contact model, under a rolling resistance that is damped.
 constexpr Field<contact::ContactModel> rolling_damping{
     "rolling_damping",
     "",
@@ -122,7 +122,7 @@ const std::vector<std::string_view>& law_keys();
 /// Whether rolling_damping, or a number of touch_fields(), says anything under the chosen law and
 /// rolling.
 bool has_meaning(std::string_view key, const contact::ContactModel& model);
-/// The unit of a number of touch_fields(): the viscous rule measures rolling_friction in s/m.
+/// The unit of a number of touch_fields(): that of rolling_friction depends on the rule.
 std::string_view unit_of(std::string_view key, std::string_view unit,
                          const contact::ContactModel& model);
 

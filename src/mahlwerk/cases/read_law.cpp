@@ -37,7 +37,7 @@ bool meant(Section& in, std::string_view key, const std::optional<ContactModel>&
   if (!model) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;
   if (key.starts_with("rolling"))
-    refuse(in, key, "rolling", contact::rolling_words[static_cast<std::size_t>(model->rolling)]);
+    refuse(in, key, "rolling", contact::rule_of(model->rolling).name);
   else
     refuse(in, key, "law", contact::name_of(model->law));
   return false;

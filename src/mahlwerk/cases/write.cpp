@@ -127,7 +127,7 @@ void write_switches(Writer& out, const L& law) {
 
 void write_model(Writer& out, const contact::ContactModel& model) {
   out.word("law", contact::name_of(model.law));
-  out.word("rolling", rolling_words()[static_cast<std::size_t>(model.rolling)]);
+  out.word("rolling", contact::rule_of(model.rolling).name);
   std::visit([&](const auto& law) { write_switches(out, law); }, model.law);
   if (has_meaning(rolling_damping.key, model) && model.rolling_damping > 0)
     out.number(rolling_damping.key, model.rolling_damping, rolling_damping.unit);

@@ -169,8 +169,7 @@ std::string engine_words(const results::Outcome& outcome) {
            "collisions are instantaneous";
   const contact::ContactModel& model = outcome.what.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
-                     contact::name_of(model.law),
-                     contact::rolling_words[static_cast<std::size_t>(model.rolling)]);
+                     contact::name_of(model.law), contact::rule_of(model.rolling).name);
 }
 
 }  // namespace

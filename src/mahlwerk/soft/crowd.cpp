@@ -58,7 +58,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
              std::isfinite(jar_->periods().z)),
       large_(balls.size() > in_cache),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
-                 rules.model.rolling == contact::Rolling::epsd || rules.model.rescaled_unloading),
+                 contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
       crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
   const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
   makes_.resize(breeds_.all().size());
