@@ -25,7 +25,8 @@ std::optional<std::size_t> place_in(const std::vector<std::string>& words,
   return static_cast<std::size_t>(at - words.begin());
 }
 
-void refuse(Section& in, std::string_view key, std::string_view kind, std::string_view chosen) {
+void without_meaning(Section& in, std::string_view key, std::string_view kind,
+                     std::string_view chosen) {
   in.refuse({key}, fmt::format("under {} = \"{}\"", kind, chosen),
             fmt::format("remove it, or choose another {}", kind));
 }
@@ -37,9 +38,9 @@ bool meant(Section& in, std::string_view key, const std::optional<ContactModel>&
   if (!model) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;
   if (key.starts_with("rolling"))
-    refuse(in, key, "rolling", contact::rule_of(model->rolling).name);
+    without_meaning(in, key, "rolling", contact::rule_of(model->rolling).name);
   else
-    refuse(in, key, "law", contact::name_of(model->law));
+    without_meaning(in, key, "law", contact::name_of(model->law));
   return false;
 }
 
@@ -87,7 +88,7 @@ void read_key(Section& in, L& law, std::string_view key) {
       if (field.instead_of.empty()) read_number(in, law, field);
       return;
     }
-  refuse(in, key, "law", L::name);
+  without_meaning(in, key, "law", L::name);
 }
 
 }  // namespace
