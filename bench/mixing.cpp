@@ -61,7 +61,7 @@ std::unique_ptr<scene::Engine> engine(const std::vector<scene::Ball>& balls, dou
     pairs.set_wall(large, face, pair(m2, steel, 0.4, 0.2));
   }
   soft::Rules rules;
-  rules.law.rolling = contact::Rolling::none;
+  rules.model.rolling = contact::Rolling::none;
   rules.time_step = step;
   rules.most_overlap = 0.1;
   rules.threads = 2;

@@ -25,7 +25,7 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
                            .rolling_friction = c.rolling_friction};
   soft::Rules rules;
   rules.time_step = c.step;
-  rules.law.rolling = contact::Rolling::epsd;  // nearest to what the peers have
+  rules.model.rolling = contact::Rolling::epsd;  // nearest to what the peers have
   return soft::engine(mill, {start.begin(), start.end()}, rules,
                       {1, geometry::Cylinder::faces, pair});
 }

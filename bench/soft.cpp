@@ -30,11 +30,11 @@ contact::Pair steel(double restitution, double friction, double rolling) {
           .rolling_friction = rolling};
 }
 
-double planetary_ns(contact::LawName law) {
+double planetary_ns(const contact::AnyLaw& law) {
   const PlanetaryCase& c = planetary_case;
   const scene::Chamber mill{c.vial, c.mill, {}, {0, 0, -c.gravity}};
   const Start balls = start(0);
-  soft::Rules rules{.law = {.law = law, .rolling = contact::Rolling::epsd}, .time_step = 1e-6};
+  soft::Rules rules{.model = {.law = law, .rolling = contact::Rolling::epsd}, .time_step = 1e-6};
   contact::Pair pair = steel(c.restitution, c.friction, c.rolling_friction);
   pair.surface_energy = 0.1;
   pair.cohesion = 1e5;
@@ -58,7 +58,9 @@ Vibrated vibrated(bool hop) {
   motion.frequency = 10;
   motion.amplitude = 0.025;
   const scene::Chamber mill{geometry::Capsule{0.012, 0.03621}, motion, {}, {0, 0, -9.81}};
-  soft::Rules rules{.law = {.rolling = contact::Rolling::none}, .time_step = 5e-7, .hop = hop};
+  soft::Rules rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
+                    .time_step = 5e-7,
+                    .hop = hop};
   const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
                                    {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
   Count count;
@@ -73,10 +75,9 @@ Vibrated vibrated(bool hop) {
 
 std::vector<Row> soft() {
   std::vector<Row> rows;
-  for (std::size_t l = 0; l < contact::law_words.size(); ++l)
+  for (const contact::AnyLaw& law : contact::all_laws())
     rows.push_back({"soft", "planetary mill, 5 balls of 15 mm, dt 1 us",
-                    std::string(contact::law_words[l]), "ns_per_step",
-                    planetary_ns(static_cast<contact::LawName>(l))});
+                    std::string(contact::name_of(law)), "ns_per_step", planetary_ns(law)});
   const Vibrated with = vibrated(true), without = vibrated(false);
   const std::string vial = "vibrating vial, 1 ball, dt 0.5 us";
   rows.push_back({"soft", vial, "hops", "touches_above_0.1_m_s_per_second", with.rate});

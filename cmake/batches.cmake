@@ -1,7 +1,8 @@
 # Files of a folder are compiled together, up to eight at a time: headers are read and templates
 # are made once for all of them. A name in an anonymous namespace therefore stands once in its
 # folder. -DMAHLWERK_BATCHES=OFF compiles each file by itself, which suits who changes one again and
-# again. Files that make a template for one shape or law are large enough by themselves.
+# again. Files that make a template for one shape are large enough by themselves; so are those that
+# CMake makes for each law (src/mahlwerk/CMakeLists.txt).
 function(mahlwerk_batches target)
   if(NOT MAHLWERK_BATCHES)
     return()
@@ -10,7 +11,7 @@ function(mahlwerk_batches target)
   list(SORT files)
   set(last "")
   foreach(file ${files})
-    if(file MATCHES "/(steps|surroundings|engine)_[^/]*$")
+    if(file MATCHES "/(surroundings|engine)_[^/]*$")
       set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
       continue()
     endif()

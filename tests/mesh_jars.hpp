@@ -45,7 +45,7 @@ inline std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
   const scene::Chamber chamber{shape, motion, mount, down};
   for (scene::Ball& b : balls) b.position = mount * b.position;
   const int faces = std::visit([](const auto& s) { return s.faces; }, shape);
-  soft::Rules rules{of_law(contact::LawName::hertz_mindlin, contact::Rolling::cdt), step, false};
+  soft::Rules rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
   rules.few = few;
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "one_ball.hpp"
 
@@ -30,22 +30,20 @@ inline scene::Chamber still_box(double side, const Vec3& pull = {}) {
   return {geometry::Box{side, side, side}, kinematics::Still{}, {}, pull};
 }
 
-inline contact::LawChoice of_law(contact::LawName name,
-                                 contact::Rolling rolling = contact::Rolling::none) {
-  contact::LawChoice choice;
-  choice.law = name;
-  choice.rolling = rolling;
-  return choice;
+inline contact::ContactModel of_law(const contact::AnyLaw& law,
+                                    contact::Rolling rolling = contact::Rolling::none) {
+  return {.law = law, .rolling = rolling};
 }
 
 /// An engine whose bodies all meet as `pair` says.
 inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                                                   const std::vector<scene::Ball>& balls,
-                                                  const contact::LawChoice& law,
+                                                  const contact::ContactModel& model,
                                                   const contact::Pair& pair, double step,
                                                   bool hop = false, double start = 0) {
   const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
-  return soft::engine(chamber, balls, {law, step, hop}, contact::PairTable(1, faces, pair), start);
+  return soft::engine(chamber, balls, {model, step, hop}, contact::PairTable(1, faces, pair),
+                      start);
 }
 
 /// R* and m* of a ball at a flat wall.
@@ -61,9 +59,9 @@ inline contact::Touching touching(const contact::Pair& pair, const std::vector<s
 }
 
 /// How long a collision lasts, by the law's own reckoning; of the swiftest part of it [s].
-inline double contact_time(const contact::LawChoice& choice, const contact::Touching& t,
+inline double contact_time(const contact::ContactModel& model, const contact::Touching& t,
                            double speed) {
-  return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, contact::law(choice));
+  return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, model.law);
 }
 
 /// A collision without gravity, of a ball with the floor (normal -z) or of two balls (normal +x).
@@ -79,7 +77,7 @@ struct Impact {
 
 /// In steps of `share` of the contact time; the touch falls `phase` of a step after one.
 inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
-                     const contact::LawChoice& choice, double share, double phase = 0.37) {
+                     const contact::ContactModel& model, double share, double phase = 0.37) {
   const bool floor = balls.size() == 1;
   const Vec3 n = floor ? Vec3{0, 0, -1} : Vec3{1, 0, 0};
   const double side = 40 * balls[0].radius + (floor ? 0 : 40 * balls[1].radius);
@@ -92,14 +90,14 @@ inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
   };
   const double speed = closing(balls);
   Impact found;
-  found.step = share * contact_time(choice, touching(pair, balls), speed);
+  found.step = share * contact_time(model, touching(pair, balls), speed);
   const double wanted = (3 + phase) * found.step * speed;
   if (floor)
     balls[0].position = {0, 0, -0.5 * side + balls[0].radius + wanted};
   else
     balls[1].position = (balls[0].radius + balls[1].radius + wanted) * n;
   const double apart = gap(balls);
-  const auto engine = soft_engine(still_box(side), balls, choice, pair, found.step);
+  const auto engine = soft_engine(still_box(side), balls, model, pair, found.step);
   Recorder recorder;
   double time = 0;
   for (int i = 0; recorder.all.empty() && i < 1000; ++i) {

@@ -58,23 +58,29 @@ void check_rule(ValueCheck& check, const std::string& section, const contact::Bo
 
 template <class Owner>
 void check_touch(ValueCheck& check, const std::string& section, const Owner& owner,
-                 const contact::LawChoice& law) {
+                 const contact::ContactModel& model) {
   for (const auto& f : touch_fields<Owner>())
     check.number(section + std::string(f.key), owner.*f.value, f.range,
-                 unit_of(f.key, f.unit, law));
+                 unit_of(f.key, f.unit, model));
+}
+
+template <class L>
+void check_law(ValueCheck& check, const L& law) {
+  for (const auto& f : L::fields())
+    if (contact::is_given(law, f))
+      check.number("contact." + std::string(f.key), law.*f.value, f.range, f.unit);
 }
 
 void check_contact(ValueCheck& check, const Contact& contact) {
-  const contact::LawChoice& law = contact.law_choice;
-  for (const auto& f : law_fields())
-    if (law.*f.value != 0)  // left to the law
-      check.number("contact." + std::string(f.key), law.*f.value, f.range, f.unit);
+  const contact::ContactModel& model = contact.model;
+  std::visit([&](const auto& law) { check_law(check, law); }, model.law);
+  check.fields("contact.", model, std::array{rolling_damping});
   check_rule(check, "contact.", contact.rule);
-  check_touch(check, "contact.", contact, law);
+  check_touch(check, "contact.", contact, model);
   for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
     const std::string section = fmt::format("contact.pairs.{}.", i + 1);
     check_rule(check, section, contact.pairs[i].rule);
-    check_touch(check, section, contact.pairs[i], law);
+    check_touch(check, section, contact.pairs[i], model);
   }
   check.fields("contact.", contact, contact_fields());
 }

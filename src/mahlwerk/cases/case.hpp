@@ -13,7 +13,7 @@
 #include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/contact/bounce.hpp"
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
@@ -119,14 +119,14 @@ struct PairRule {
 };
 
 struct Contact {
-  contact::LawChoice law_choice;  ///< of the soft engine
-  double softening = 1;           ///< of the soft engine: multiplies every Young's modulus
-  contact::BounceRule rule;       ///< friction infinite: paper A's constant e_t
-  std::vector<PairRule> pairs;    ///< exceptions from `rule`; the last that fits a pair counts
-  double lasting_friction = 0;    ///< mu of lasting contacts of the event engine
-  double rolling_friction = 0;    ///< [1] mu_r; [s/m] under viscous rolling
-  double surface_energy = 0;      ///< [J/m2] gamma of one surface, of the law jkr
-  double cohesion = 0;            ///< [J/m3] energy density, of the law sjkr
+  contact::ContactModel model;  ///< of the soft engine
+  double softening = 1;         ///< of the soft engine: multiplies every Young's modulus
+  contact::BounceRule rule;     ///< friction infinite: paper A's constant e_t
+  std::vector<PairRule> pairs;  ///< exceptions from `rule`; the last that fits a pair counts
+  double lasting_friction = 0;  ///< mu of lasting contacts of the event engine
+  double rolling_friction = 0;  ///< [1] mu_r; [s/m] under viscous rolling
+  double surface_energy = 0;    ///< [J/m2] gamma of one surface, of the law jkr
+  double cohesion = 0;          ///< [J/m3] energy density, of the law sjkr
   Lasting lasting = Lasting::roll;
   /// [m/s] a rebound slower than this, pressed to the wall, has come to stay
   double lasting_speed = 0;

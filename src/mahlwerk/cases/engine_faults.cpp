@@ -52,7 +52,7 @@ std::vector<Fault> event_faults(const Case& c) {
     return {{place_of(c, "contact.lasting"),
              fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
              "write lasting = \"tc\"", "roll-one-ball"}};
-  if (c.contact.law_choice.rolling == contact::Rolling::viscous)
+  if (c.contact.model.rolling == contact::Rolling::viscous)
     return {{place_of(c, "contact.rolling"),
              "rolling = \"viscous\" is for the soft engine: in the event engine the resistance is "
              "the same at every speed",

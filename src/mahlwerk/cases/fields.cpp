@@ -4,43 +4,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <type_traits>
+
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/register.hpp"
 
 namespace mahlwerk::cases {
 
-using contact::LawName;
-using contact::Rolling;
+namespace {
 
-bool has_meaning(std::string_view key, const contact::LawChoice& choice) {
-  const LawName law = choice.law;
-  if (key == "rolling_friction") return choice.rolling != Rolling::none;
-  if (key == "rolling_damping") return choice.rolling == Rolling::epsd;
-  if (key.starts_with("stiffness"))
-    return law == LawName::linear_spring || law == LawName::walton_braun;
-  if (key.starts_with("damping")) return law == LawName::adams_impact;
-  if (key == "surface_energy") return law == LawName::jkr;
-  if (key == "cohesion") return law == LawName::sjkr;
-  return true;
+void add_once(std::vector<std::string_view>& keys, std::string_view key) {
+  if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& law_keys() {
+  static const std::vector<std::string_view> keys = [] {
+    std::vector<std::string_view> found;
+    for (const contact::AnyLaw& law : contact::all_laws())
+      std::visit(
+          [&]<class L>(const L&) {
+            for (const auto& s : contact::switches_of<L>()) add_once(found, s.key);
+            for (const auto& f : L::fields()) add_once(found, f.key);
+          },
+          law);
+    return found;
+  }();
+  return keys;
+}
+
+bool has_meaning(std::string_view key, const contact::ContactModel& model) {
+  if (key == "rolling_friction") return contact::rule_of(model.rolling).resists;
+  if (key == rolling_damping.key) return contact::rule_of(model.rolling).damped;
+  return std::visit(
+      [&]<class L>(const L&) {
+        return std::ranges::any_of(contact::adhesion_of<L>(),
+                                   [&](const auto& parameter) { return parameter.key == key; });
+      },
+      model.law);
 }
 
 std::string_view unit_of(std::string_view key, std::string_view unit,
-                         const contact::LawChoice& choice) {
-  return key == "rolling_friction" && choice.rolling == Rolling::viscous ? "s/m" : unit;
+                         const contact::ContactModel& model) {
+  return key == "rolling_friction" ? contact::rule_of(model.rolling).friction_unit : unit;
 }
 
 const std::vector<std::string>& contact_laws() {
-  static const std::vector<std::string> words(contact::law_words.begin(), contact::law_words.end());
-  return words;
+  static const std::vector<std::string> names = model_names(std::type_identity<contact::AnyLaw>{});
+  return names;
 }
 
 const std::vector<std::string>& rolling_words() {
-  static const std::vector<std::string> words(contact::rolling_words.begin(),
-                                              contact::rolling_words.end());
-  return words;
-}
-
-const std::vector<std::string>& damping_words() {
-  static const std::vector<std::string> words{"exact", "published"};
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const contact::RollingRule& r : contact::rolling_rules) names.emplace_back(r.name);
+    return names;
+  }();
   return words;
 }
 

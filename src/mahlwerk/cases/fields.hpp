@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/base/field.hpp"
@@ -107,24 +108,24 @@ constexpr auto touch_fields() {
                    "energy density of cohesion, pull over area of contact"}};
 }
 
-/// The numbers that only some of the soft engine's laws know.
-constexpr auto law_fields() {
-  using L = contact::LawChoice;
-  return std::array{
-      Field<L>{"rolling_damping", "", &L::rolling_damping, restitution_range,
-               "damping of rolling, share of the critical one", 0.2, "uncalibrated, 0.1-0.3"},
-      Field<L>{"stiffness_speed", "m/s", &L::stiffness_speed, positive,
-               "the speed of impact at which the spring is as stiff as Hertz's contact", 1.0,
-               "uncalibrated; the order of the impacts in a mill"},
-      Field<L>{"stiffness", "N/m", &L::stiffness, positive, "stiffness of the spring"},
-      Field<L>{"damping_depth", "m", &L::damping_depth, positive,
-               "the overlap at which the damper is fully on"}};
-}
-/// Whether a key of [contact] or of a pair says anything under the chosen law and rolling.
-bool has_meaning(std::string_view key, const contact::LawChoice& choice);
-/// The unit of a number of touch_fields(): the viscous rule measures rolling_friction in s/m.
+/// Of the contact model, under a rolling resistance that is damped.
+constexpr Field<contact::ContactModel> rolling_damping{
+    "rolling_damping",
+    "",
+    &contact::ContactModel::rolling_damping,
+    restitution_range,
+    "damping of rolling, share of the critical one",
+    0.2,
+    "uncalibrated, 0.1-0.3"};
+/// Keys of the laws' own fields and switches, each once, in the order of the register.
+const std::vector<std::string_view>& law_keys();
+
+/// Whether rolling_damping, or a number of touch_fields(), says anything under the chosen law and
+/// rolling.
+bool has_meaning(std::string_view key, const contact::ContactModel& model);
+/// The unit of a number of touch_fields(): that of rolling_friction depends on the rule.
 std::string_view unit_of(std::string_view key, std::string_view unit,
-                         const contact::LawChoice& choice);
+                         const contact::ContactModel& model);
 
 /// Three years; what a mill does, it does in minutes.
 constexpr Range run_times{.least = 0, .most = 1e8, .without_least = true};
@@ -215,10 +216,8 @@ constexpr double largest_frames = 10e9;  ///< [bytes] of one replicate, about
 const std::vector<std::string>& engines();        ///< in the order of EngineName
 const std::vector<std::string>& wear_models();    ///< in the order of Wear::Model
 const std::vector<std::string>& powder_words();   ///< "mass", "grains"
-const std::vector<std::string>& contact_laws();   ///< in the order of contact::LawName
+const std::vector<std::string>& contact_laws();   ///< in the order of contact::AnyLaw
 const std::vector<std::string>& rolling_words();  ///< in the order of contact::Rolling
-/// "exact" and "published", of the law adams-impact.
-const std::vector<std::string>& damping_words();
 /// "laboratory", "jar", in the order of StartFrame.
 const std::vector<std::string>& start_frames();
 /// "both", "xyz", "vtk", in the order of FramesFormat.

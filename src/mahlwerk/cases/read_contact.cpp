@@ -38,8 +38,8 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, doubl
                      Findings& findings) {
   Contact contact;
   Section in(table, "contact", findings);
-  const auto law = read_law_choice(in);
-  contact.law_choice = law.value_or(contact::LawChoice());
+  const auto model = read_contact_model(in);
+  contact.model = model.value_or(contact::ContactModel());
   contact.rule = read_rule(in, nullptr);
   // Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
   constexpr double one_g = 9.80665;  // [m/s2]
@@ -56,11 +56,11 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, doubl
       wanted = wanted.with_default(*wanted.standard / std::sqrt(strength), source);
     contact.*one.value = in.value(wanted);
   }
-  read_touch(in, contact, law, nullptr);
+  read_touch(in, contact, model, nullptr);
   contact.lasting = read_lasting(in, balls_count(balls) > 1);
   const Node* pairs = in.find("pairs");
   in.close();
-  contact.pairs = read_pairs(pairs, contact, law, findings);
+  contact.pairs = read_pairs(pairs, contact, model, findings);
   return contact;
 }
 

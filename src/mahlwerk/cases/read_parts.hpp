@@ -65,15 +65,15 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, doubl
                      Findings& findings);
 /// How a bounce ends; what is not said is that of `all`, or a default where it is null.
 contact::BounceRule read_rule(Section& in, const contact::BounceRule* all);
-/// The law of the soft engine with its numbers; nothing if its words have a fault.
-std::optional<contact::LawChoice> read_law_choice(Section& in);
+/// The contact model of the soft engine; nothing if its words have a fault.
+std::optional<contact::ContactModel> read_contact_model(Section& in);
 /// The numbers of touch_fields() of [contact], or of a pair that inherits those of `all`. Silent
-/// without a law.
+/// without a model.
 template <class Owner>
-void read_touch(Section& in, Owner& owner, const std::optional<contact::LawChoice>& choice,
+void read_touch(Section& in, Owner& owner, const std::optional<contact::ContactModel>& model,
                 const Contact* all);
 std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
-                                 const std::optional<contact::LawChoice>& choice,
+                                 const std::optional<contact::ContactModel>& model,
                                  Findings& findings);
 Run read_run(const Node* table, Findings& findings);
 Observe read_observe(const Node* table, Findings& findings);

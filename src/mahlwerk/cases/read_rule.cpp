@@ -180,7 +180,7 @@ BounceRule read_rule(Section& in, const BounceRule* all) {
 }
 
 std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
-                                 const std::optional<contact::LawChoice>& choice,
+                                 const std::optional<contact::ContactModel>& model,
                                  Findings& findings) {
   std::vector<PairRule> pairs;
   if (list == nullptr) return pairs;
@@ -205,7 +205,7 @@ std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
       in.note("between", between_text(pair), between);
     }
     pair.rule = read_rule(in, &all.rule);
-    read_touch(in, pair, choice, &all);
+    read_touch(in, pair, model, &all);
     in.close();
     pairs.push_back(std::move(pair));
   }

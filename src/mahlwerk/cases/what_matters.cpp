@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
@@ -18,14 +19,11 @@ bool matters(std::string_view dotted, const Case& c, EngineName engine) {
   static const std::vector<std::string_view> of_soft{"law",
                                                      "rolling",
                                                      "rolling_damping",
-                                                     "stiffness_speed",
-                                                     "damping",
                                                      "softening",
                                                      "curved_walls",
                                                      "rescaled_unloading",
                                                      "time_step",
                                                      "time_step_fraction",
-                                                     "damping_depth",
                                                      "hop",
                                                      "youngs_modulus",
                                                      "poisson_ratio"};
@@ -36,7 +34,8 @@ bool matters(std::string_view dotted, const Case& c, EngineName engine) {
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
   if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
-  return std::ranges::find(of_other, key) == of_other.end();
+  const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
+  return std::ranges::find(of_other, key) == of_other.end() && !(of_law && engine == "event");
 }
 
 /// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.

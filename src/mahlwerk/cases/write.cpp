@@ -109,36 +109,45 @@ void write_rule(Writer& out, const contact::BounceRule& rule) {
 }
 
 template <class Owner>
-void write_touch(Writer& out, const Owner& owner, const contact::LawChoice& law) {
+void write_touch(Writer& out, const Owner& owner, const contact::ContactModel& model) {
   for (const auto& f : touch_fields<Owner>())
-    if (has_meaning(f.key, law)) out.number(f.key, owner.*f.value, unit_of(f.key, f.unit, law));
+    if (has_meaning(f.key, model)) out.number(f.key, owner.*f.value, unit_of(f.key, f.unit, model));
 }
 
-void write_law(Writer& out, const contact::LawChoice& law) {
-  out.word("law", contact_laws()[static_cast<std::size_t>(law.law)]);
-  out.word("rolling", rolling_words()[static_cast<std::size_t>(law.rolling)]);
-  if (has_meaning("damping", law)) out.word("damping", damping_words()[law.published_damping]);
-  for (const auto& f : law_fields()) {
-    const bool other = f.value == &contact::LawChoice::stiffness_speed && law.stiffness > 0;
-    const double value = law.*f.value;  // 0: left to the law
-    if (has_meaning(f.key, law) && value > 0 && !other) out.number(f.key, value, f.unit);
-  }
-  out.line("curved_walls", law.curved_walls ? "true" : "false");
-  out.line("rescaled_unloading", law.rescaled_unloading ? "true" : "false");
+template <class L>
+void write_law_fields(Writer& out, const L& law) {
+  for (const auto& f : L::fields())
+    if (contact::is_given(law, f)) out.number(f.key, law.*f.value, f.unit);
+}
+
+template <class L>
+void write_switches(Writer& out, const L& law) {
+  for (const auto& s : contact::switches_of<L>()) out.word(s.key, s.words[law.*s.second ? 1 : 0]);
+}
+
+void write_model(Writer& out, const contact::ContactModel& model) {
+  out.word("law", contact::name_of(model.law));
+  out.word("rolling", contact::rule_of(model.rolling).name);
+  std::visit([&](const auto& law) { write_switches(out, law); }, model.law);
+  if (has_meaning(rolling_damping.key, model) && model.rolling_damping > 0)
+    out.number(rolling_damping.key, model.rolling_damping, rolling_damping.unit);
+  std::visit([&](const auto& law) { write_law_fields(out, law); }, model.law);
+  out.line("curved_walls", model.curved_walls ? "true" : "false");
+  out.line("rescaled_unloading", model.rescaled_unloading ? "true" : "false");
 }
 
 void write_contact(Writer& out, const Contact& contact) {
   out.section("[contact]", "contact.");
-  write_law(out, contact.law_choice);
+  write_model(out, contact.model);
   write_rule(out, contact.rule);
-  write_touch(out, contact, contact.law_choice);
+  write_touch(out, contact, contact.model);
   out.fields(contact, contact_fields());
   out.word("lasting", lasting_words()[static_cast<std::size_t>(contact.lasting)]);
   for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
     out.section("[[contact.pairs]]", fmt::format("contact.pairs.{}.", i + 1));
     out.line("between", between_text(contact.pairs[i]));
     write_rule(out, contact.pairs[i].rule);
-    write_touch(out, contact.pairs[i], contact.law_choice);
+    write_touch(out, contact.pairs[i], contact.model);
   }
 }
 

@@ -33,7 +33,8 @@ inline double hertz_energy(double stiffness, double overlap) {
   return overlap > 0 ? 0.4 * stiffness * overlap * overlap * std::sqrt(overlap) : 0;
 }
 
-/// What laws with Hertz's spring have in common; its stiffness is the first of their numbers.
+/// What laws with Hertz's spring have in common; its stiffness is the first of their numbers. Their
+/// times and overlaps each states for itself.
 struct HertzSpring {
   static constexpr bool remembers = false;
   void begin(const LawNumbers&, double*, double) const {}
@@ -46,9 +47,7 @@ struct HertzSpring {
   double stored(const LawNumbers& k, const double*, double overlap) const {
     return hertz_energy(k[0], overlap);
   }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  bool operator==(const HertzSpring&) const = default;
 };
 
 }  // namespace mahlwerk::contact

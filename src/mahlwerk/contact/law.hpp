@@ -7,9 +7,11 @@
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <string_view>
 
 #include "mahlwerk/base/lanes.hpp"
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/law_field.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 
 // A contact law says what force two bodies that touch exert on each other along their normal, and
@@ -36,19 +38,50 @@ struct Push {
   V force, stiffness, damping, load;
 };
 
-/// A contact law. `remembers` tells whether contacts have a memory. `damping(e)` is the number that
-/// makes a collision end with restitution e; it may take a while and is asked once for each pair.
-/// `begin` sets the memory of a new contact that closes at `approach` [m/s]. `reach` [m] is how far
-/// a contact holds beyond touch. Within an overlap of `abrupt` [m] a force comes up that steps may
-/// pass over; most laws have none. `stored` [J] is the elastic energy of the normal deformation.
-/// `secant(t)` [1] is the stiffness along the normal, F/overlap of the spring, over that across it.
-/// `largest_overlap` [m], `shortest_time` [s] (that of the swiftest part of a collision) and
-/// `damper_time` [s] (in which the damper alone would stop the bodies, where that may be shorter
-/// still) are those at a speed [m/s].
+/// What steps of a fiftieth of `shortest_time` leave a collision off by at most: [%] of rebound,
+/// speed across and spin, a row for each of these restitutions, at a Poisson ratio of 0.3
+/// (docs/theory/soft.md). tests/verification/soft/step_test.cpp finds them, and refuses less.
+constexpr std::array step_error_restitutions{0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0};
+using StepErrors = std::array<std::array<double, 3>, step_error_restitutions.size()>;
+
+/// The `shortest` of most laws.
+constexpr std::string_view whole_collision = "the shortest collision";
+
+/// A number of a pair by which bodies adhere, with its key in a case.
+struct AdhesionParameter {
+  std::string_view key;
+  double Pair::*value;
+};
+constexpr AdhesionParameter surface_energy{"surface_energy", &Pair::surface_energy};
+constexpr AdhesionParameter cohesion{"cohesion", &Pair::cohesion};
+
+/// Whether L itself states its scales: one inherited is another law's, and wrong without a word.
 template <class L>
-concept Law = requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
-                       const double* v) {
-  { L::name } -> std::convertible_to<LawName>;
+concept StatesItsScales =
+    std::same_as<decltype(&L::largest_overlap), double (L::*)(const Touching&, double) const> &&
+    std::same_as<decltype(&L::shortest_time), double (L::*)(const Touching&, double) const> &&
+    std::same_as<decltype(&L::damper_time), double (L::*)(const Touching&, double, double) const>;
+
+/// A contact law: a value with its own numbers, `fields()`, and `switches()` if it has any.
+/// `adhesion` lists the adhesion parameters it reads; a law that reads none need not say so.
+/// `shortest` names what `shortest_time` is the time of. `remembers` tells whether contacts have a
+/// memory. `damping(e)` is the number that makes a collision end with restitution e; it may take a
+/// while and is asked once for each pair. `begin` sets the memory of a new contact that closes at
+/// `approach` [m/s]. `reach` [m] is how far a contact holds beyond touch. Within an overlap of
+/// `abrupt` [m] a force comes up that steps may pass over; most laws have none. `stored` [J] is the
+/// elastic energy of the normal deformation. `secant(t)` [1] is the stiffness along the normal,
+/// F/overlap of the spring, over that across it. `largest_overlap` [m], `shortest_time` [s] (that
+/// of the swiftest part of a collision) and `damper_time` [s] (in which the damper alone would stop
+/// the bodies, where that may be shorter still) are those at a speed [m/s].
+template <class L>
+concept Law = std::default_initializable<L> && std::equality_comparable<L> && StatesItsScales<L> &&
+    requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
+             const double* v) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::about } -> std::convertible_to<std::string_view>;
+  { L::shortest } -> std::convertible_to<std::string_view>;
+  { L::step_errors } -> std::convertible_to<StepErrors>;
+  { L::fields()[0] } -> std::convertible_to<LawField<L>>;
   { L::remembers } -> std::convertible_to<bool>;
   { law.damping(x) } -> std::same_as<double>;
   { law.numbers(t, x) } -> std::same_as<LawNumbers>;
@@ -62,6 +95,22 @@ concept Law = requires(const L law, const Touching& t, const LawNumbers& k, doub
   { law.shortest_time(t, x) } -> std::same_as<double>;
   { law.damper_time(t, x, x) } -> std::same_as<double>;  // damping, speed
 };
+
+/// The switches of a law, and the adhesion parameters it reads; none where it does not say.
+template <class L>
+constexpr auto switches_of() {
+  if constexpr (requires { L::switches(); })
+    return L::switches();
+  else
+    return std::array<LawSwitch<L>, 0>{};
+}
+template <class L>
+constexpr std::span<const AdhesionParameter> adhesion_of() {
+  if constexpr (requires { L::adhesion; })
+    return L::adhesion;
+  else
+    return {};
+}
 
 /// The damper time of a law damped critically at most: a collision takes no longer.
 constexpr double unbounded_time = std::numeric_limits<double>::infinity();

@@ -2,40 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 
-#include "mahlwerk/contact/adams_impact.hpp"
-#include "mahlwerk/contact/hertz_mindlin.hpp"
-#include "mahlwerk/contact/hertz_tsuji.hpp"
-#include "mahlwerk/contact/jkr.hpp"
-#include "mahlwerk/contact/linear_spring.hpp"
-#include "mahlwerk/contact/sjkr.hpp"
-#include "mahlwerk/contact/walton_braun.hpp"
+#include "mahlwerk/contact/laws/adams_impact.hpp"
+#include "mahlwerk/contact/laws/hertz_mindlin.hpp"
+#include "mahlwerk/contact/laws/hertz_tsuji.hpp"
+#include "mahlwerk/contact/laws/jkr.hpp"
+#include "mahlwerk/contact/laws/linear_spring.hpp"
+#include "mahlwerk/contact/laws/sjkr.hpp"
+#include "mahlwerk/contact/laws/walton_braun.hpp"
 
 namespace mahlwerk::contact {
 
-/// The register: every contact law there is, in the order of LawName.
-using AnyLaw =
-    std::variant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr>;
+/// L itself, where it is a Law; else an error that says what it lacks.
+template <Law L>
+using Checked = L;
 
-inline AnyLaw law(const LawChoice& choice) {
-  switch (choice.law) {
-    case LawName::hertz_mindlin:
-      return HertzMindlin(choice);
-    case LawName::hertz_tsuji:
-      return HertzTsuji(choice);
-    case LawName::linear_spring:
-      return LinearSpring(choice);
-    case LawName::adams_impact:
-      return AdamsImpact(choice);
-    case LawName::walton_braun:
-      return WaltonBraun(choice);
-    case LawName::jkr:
-      return Jkr(choice);
-    case LawName::sjkr:
-      return Sjkr(choice);
-  }
-  return HertzMindlin(choice);
+/// A list of contact laws.
+template <class... L>
+using LawVariant = std::variant<Checked<L>...>;
+
+/// The register: every contact law there is. A new one is its file in laws/ and its name here. The
+/// first is the default.
+using AnyLaw =
+    LawVariant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr>;
+
+constexpr std::size_t laws_count = std::variant_size_v<AnyLaw>;
+
+template <class... L>
+std::array<AnyLaw, sizeof...(L)> default_laws(std::type_identity<std::variant<L...>>) {
+  return {L{}...};
+}
+/// Every law of the register, with its default numbers.
+inline std::array<AnyLaw, laws_count> all_laws() {
+  return default_laws(std::type_identity<AnyLaw>{});
+}
+
+/// "hertz-mindlin"
+inline std::string_view name_of(const AnyLaw& law) {
+  return std::visit([](const auto& l) { return l.name; }, law);
 }
 
 }  // namespace mahlwerk::contact

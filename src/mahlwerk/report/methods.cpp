@@ -12,7 +12,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -167,10 +167,9 @@ std::string engine_words(const results::Outcome& outcome) {
   if (outcome.engine == cases::EngineName::event)
     return "an event-driven simulation of rough hard spheres, in which flight is exact and "
            "collisions are instantaneous";
-  const contact::LawChoice& law = outcome.what.contact.law_choice;
+  const contact::ContactModel& model = outcome.what.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
-                     contact::law_words[static_cast<std::size_t>(law.law)],
-                     contact::rolling_words[static_cast<std::size_t>(law.rolling)]);
+                     contact::name_of(model.law), contact::rule_of(model.rolling).name);
 }
 
 }  // namespace

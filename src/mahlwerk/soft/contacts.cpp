@@ -33,7 +33,7 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
-  if (p.wall[lane] != 0 && rules_.law.curved_walls) bend(p, lane);
+  if (p.wall[lane] != 0 && rules_.model.curved_walls) bend(p, lane);
   const Vec3 n = one(m.n, lane), glide = one(b.relative, lane);
   p.began[k] = {.step = swarm_.step,
                 .approach = std::max(m.rate[lane], 0.0),

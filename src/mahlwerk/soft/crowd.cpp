@@ -50,7 +50,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
              const Rules& rules, const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       rules_(rules),
-      law_(contact::law(rules.law)),
+      law_(rules.model.law),
       breeds_(balls, pairs, law_),
       pass_(std::visit([]<class L>(const L&) { return pass_of<L>(); }, law_)),
       start_(start),
@@ -58,7 +58,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
              std::isfinite(jar_->periods().z)),
       large_(balls.size() > in_cache),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
-                 rules.law.rolling == contact::Rolling::epsd || rules.law.rescaled_unloading),
+                 contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
       crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
   const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
   makes_.resize(breeds_.all().size());
@@ -201,9 +201,9 @@ void Crowd::step(const Beat& before, const Beat& after) {
       .frame = {.step = rules_.time_step,
                 .per_step = 1 / rules_.time_step,
                 .jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z},
-                .rolling = rules_.law.rolling,
-                .rolling_damping = rules_.law.rolling_damping,
-                .rescaled = rules_.law.rescaled_unloading,
+                .rolling = rules_.model.rolling,
+                .rolling_damping = rules_.model.rolling_damping,
+                .rescaled = rules_.model.rescaled_unloading,
                 .periodic = folds_,
                 .periods = {none + jar_->periods().x, none + jar_->periods().y,
                             none + jar_->periods().z}}};

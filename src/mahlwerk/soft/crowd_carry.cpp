@@ -101,7 +101,7 @@ void Crowd::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t besi
   const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
   chunk.own.make_room(room(own_list), remembers_, false);
   chunk.cross.make_room(room(cross_list), remembers_, false);
-  chunk.wall.make_room(room(wall_list), remembers_, rules_.law.curved_walls);
+  chunk.wall.make_room(room(wall_list), remembers_, rules_.model.curved_walls);
 }
 
 /// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the

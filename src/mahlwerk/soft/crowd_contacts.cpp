@@ -60,7 +60,7 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
     const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
     // An eighth more, not twice as many: it is most of the memory.
     if (const std::size_t n = grips.grips.size(); n == grips.grips.capacity())
-      grips.make_room(n + n / 8 + 4, remembers_, rules_.law.curved_walls && wall);
+      grips.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
     grips.grips.emplace_back();
     Grip& fresh = grips.grips.back();
     fresh.breed.fill(breed);
@@ -69,7 +69,7 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
     grips.began.emplace_back();
     if (remembers_) grips.memories.emplace_back();
     if (wall) grips.facings.emplace_back();
-    if (rules_.law.curved_walls && wall)
+    if (rules_.model.curved_walls && wall)
       grips.makes.push_back(makes_[static_cast<std::size_t>(breed)]);
     for (int l = lanes - 1; l >= 0; --l) grips.free.push_back(g * lanes + l);
   }

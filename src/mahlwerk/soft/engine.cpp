@@ -28,9 +28,8 @@ double TimeSteps::usual(double fraction) const {
   return std::min({fraction * rayleigh, contact / 50, damper / 5});
 }
 
-TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawChoice& choice,
+TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed) {
-  const contact::AnyLaw law = contact::law(choice);
   const Breeds breeds(balls, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
   const auto look = [&](std::int32_t breed, double radius) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
@@ -31,7 +32,7 @@ struct TimeSteps {
   /// A fraction of rayleigh, at most contact / 50 and damper / 5.
   double usual(double fraction) const;
 };
-TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::LawChoice& law,
+TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed);
 
 }  // namespace mahlwerk::soft

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/rolling.hpp"
 #include "mahlwerk/soft/edges.hpp"
 
 // What two bodies that touch do to each other, eight pairs at a time (docs/theory/soft.md).

@@ -4,13 +4,13 @@
 
 #include <cstddef>
 
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/contact_model.hpp"
 
 namespace mahlwerk::soft {
 
 /// How the soft engine treats contacts and time.
 struct Rules {
-  contact::LawChoice law;
+  contact::ContactModel model;
   double time_step = 0;        ///< [s]
   bool hop = true;             ///< over time in which nothing touches and nothing can
   std::size_t few = 32;        ///< up to so many balls every pair is looked at; more are a crowd

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/choice.hpp"
+#include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::soft {
 
@@ -13,8 +13,8 @@ struct StepError {
   double spin = 0;     ///< [1] of the spin, of that which rolling or gross slip would give
 };
 
-/// By law and restitution, from a table at fifty steps a collision (docs/theory/soft.md), that
-/// grows with the square of longer steps and falls with shorter ones.
-StepError step_error(contact::LawName law, double restitution, double steps_per_collision);
+/// By law and restitution, from the law's table at fifty steps a collision (contact::StepErrors),
+/// that grows with the square of longer steps and falls with shorter ones.
+StepError step_error(const contact::AnyLaw& law, double restitution, double steps_per_collision);
 
 }  // namespace mahlwerk::soft

@@ -63,7 +63,7 @@ TEST(SoftSettings, what_the_step_leaves_a_collision_off_by_is_said_and_is_less_i
     const cases::Case what = soft_case("restitution = 0.2", {{"run.time_step", step}});
     const SoftSettings s = soft_settings(what);
     const auto error =
-        soft::step_error(contact::LawName::hertz_mindlin, 0.2, s.steps.contact / s.rules.time_step);
+        soft::step_error(contact::HertzMindlin{}, 0.2, s.steps.contact / s.rules.time_step);
     const std::string words = fmt::format("{:.2g} % of its speed of rebound", 100 * error.rebound);
     EXPECT_TRUE(says(what, "off by at most about " + words)) << words;
     return error.rebound;

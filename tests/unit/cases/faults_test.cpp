@@ -300,7 +300,8 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.share_in_balls = 1.1}; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.softening = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.contact.cohesion = -1; }), out);
-  EXPECT_EQ(codes([](Case& c) { c.contact.law_choice.stiffness = -1; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.model.law = contact::LinearSpring{{.stiffness = -1}}; }),
+            out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].positions = {{0, 0, 0}, {0, 0, 0.01}}; }), out);
   EXPECT_EQ(codes([](Case& c) {
               c.balls[0].positions = {{0, NAN, 0}};

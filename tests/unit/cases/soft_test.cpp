@@ -14,7 +14,6 @@ namespace {
 
 using namespace sample;
 using contact::Elastic;
-using contact::LawName;
 using contact::Rolling;
 
 /// The planetary mill with these lines in place of its restitution, in line 15 of the file.
@@ -90,44 +89,45 @@ TEST(ReadOrigins, what_an_engine_does_not_look_at_is_not_assumed) {
 
 TEST(ReadLaw, defaults) {
   const Contact c = contact_of("restitution = 0.35");
-  EXPECT_EQ(c.law_choice, contact::LawChoice());
-  EXPECT_EQ(c.law_choice.rolling, Rolling::cdt);
+  EXPECT_EQ(c.model, contact::ContactModel());
+  EXPECT_TRUE(std::holds_alternative<contact::HertzMindlin>(c.model.law));
+  EXPECT_EQ(c.model.rolling, Rolling::cdt);
   EXPECT_EQ(c.softening, 1);
   EXPECT_EQ(c.rolling_friction, 0.01);
   const Case damped = read_sample(with_contact("law = \"adams-impact\""));
-  EXPECT_EQ(damped.contact.law_choice.damping_depth, 0);
+  EXPECT_EQ(damped.contact.model.law, contact::AnyLaw(contact::AdamsImpact()));
   EXPECT_TRUE(assumed(damped, "contact.damping_depth"));
   EXPECT_TRUE(
       assumed(read_sample(with_contact("law = \"walton-braun\"")), "contact.stiffness_speed"));
 }
 
 TEST(ReadLaw, every_word_and_its_numbers) {
-  for (std::size_t i = 0; i < contact::law_words.size(); ++i) {
-    const std::string word(contact::law_words[i]);
+  for (const contact::AnyLaw& law : contact::all_laws()) {
+    const std::string word(contact::name_of(law));
     std::string lines = "law = \"" + word + "\"\n";
     if (word == "jkr") lines += "surface_energy = \"0 J/m2\"";
     if (word == "sjkr") lines += "cohesion = \"10 kJ/m3\"";
     const Contact c = contact_of(lines);
-    EXPECT_EQ(c.law_choice.law, static_cast<LawName>(i)) << word;
+    EXPECT_EQ(c.model.law, law) << word;
     EXPECT_EQ(c.cohesion, word == "sjkr" ? 1e4 : 0);
   }
-  EXPECT_EQ(contact_of("law = \"linear-spring\"\nstiffness = \"1e6 N/m\"").law_choice.stiffness,
-            1e6);
-  EXPECT_EQ(
-      contact_of("law = \"walton-braun\"\nstiffness_speed = \"2 m/s\"").law_choice.stiffness_speed,
-      2);
+  const auto spring = contact_of("law = \"linear-spring\"\nstiffness = \"1e6 N/m\"").model;
+  EXPECT_EQ(spring.law, contact::AnyLaw(contact::LinearSpring{{.stiffness = 1e6}}));
+  const auto quick = contact_of("law = \"walton-braun\"\nstiffness_speed = \"2 m/s\"").model;
+  EXPECT_EQ(quick.law, contact::AnyLaw(contact::WaltonBraun{{.stiffness_speed = 2}}));
   const auto adams =
       contact_of("law = \"adams-impact\"\ndamping = \"published\"\ndamping_depth = \"1 um\"");
-  EXPECT_TRUE(adams.law_choice.published_damping);
-  EXPECT_EQ(adams.law_choice.damping_depth, 1e-6);
-  EXPECT_TRUE(contact_of("curved_walls = true").law_choice.curved_walls);
-  EXPECT_TRUE(contact_of("rescaled_unloading = true").law_choice.rescaled_unloading);
+  contact::AdamsImpact published;
+  published.published_damping = true;
+  published.damping_depth = 1e-6;
+  EXPECT_EQ(adams.model.law, contact::AnyLaw(published));
+  EXPECT_TRUE(contact_of("curved_walls = true").model.curved_walls);
+  EXPECT_TRUE(contact_of("rescaled_unloading = true").model.rescaled_unloading);
 }
 
 TEST(ReadLaw, rolling_resistance) {
   EXPECT_EQ(contact_of("rolling = \"none\"").rolling_friction, 0);
-  EXPECT_EQ(contact_of("rolling = \"epsd\"\nrolling_damping = 0.3").law_choice.rolling_damping,
-            0.3);
+  EXPECT_EQ(contact_of("rolling = \"epsd\"\nrolling_damping = 0.3").model.rolling_damping, 0.3);
   const std::string viscous = "rolling = \"viscous\"\n";
   EXPECT_EQ(contact_of(viscous + "rolling_friction = \"0.2 s/m\"").rolling_friction, 0.2);
   EXPECT_EQ(fault(with_contact(viscous)), "14 missing-value");

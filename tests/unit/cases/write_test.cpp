@@ -246,33 +246,38 @@ class AnyCase {
     for (std::int64_t n = 0; n < set.count; ++n)
       set.positions.push_back({0.1 * r * random_.uniform(), 0, (n == 0 ? -1.1 : 1.1) * r});
   }
-  contact::LawChoice draw_law() {
-    contact::LawChoice law;
-    law.law = static_cast<contact::LawName>(whole(8) - 1);
-    law.rolling = static_cast<contact::Rolling>(whole(5) - 1);
-    law.curved_walls = flip();
-    law.rescaled_unloading = flip();
-    if (has_meaning("rolling_damping", law)) law.rolling_damping = random_.uniform();
-    if (has_meaning("stiffness", law)) (flip() ? law.stiffness : law.stiffness_speed) = size();
-    if (has_meaning("damping", law)) {
-      law.published_damping = flip();
-      law.damping_depth = flip() ? size() : 0;
-    }
-    return law;
+  /// Numbers that may be left out are so at times, and those that others take the place of always.
+  template <class L>
+  void draw_numbers(L& law) {
+    for (const auto& s : contact::switches_of<L>()) law.*s.second = flip();
+    for (const auto& f : L::fields())
+      if (f.may_be_left_out() && flip()) law.*f.value = 0;
+    for (const auto& f : L::fields())
+      if (!contact::is_given(law, f) && !f.may_be_left_out()) law.*f.value = L().*f.value;
+  }
+  contact::ContactModel draw_model() {
+    contact::ContactModel model;
+    pick(model.law);
+    std::visit([&](auto& law) { draw_numbers(law); }, model.law);
+    model.rolling = static_cast<contact::Rolling>(whole(5) - 1);
+    model.curved_walls = flip();
+    model.rescaled_unloading = flip();
+    if (has_meaning("rolling_damping", model)) model.rolling_damping = random_.uniform();
+    return model;
   }
   template <class Owner>
-  void draw_touch(Owner& owner, const contact::LawChoice& law) {
+  void draw_touch(Owner& owner, const contact::ContactModel& model) {
     for (const auto& f : touch_fields<Owner>())
-      owner.*f.value = has_meaning(f.key, law) ? size() : 0;
+      owner.*f.value = has_meaning(f.key, model) ? size() : 0;
   }
   void draw_contact(Contact& contact) {
-    contact.law_choice = draw_law();
+    contact.model = draw_model();
     contact.softening = random_.uniform();
     contact.rule = draw_rule();
     if (flip()) contact.pairs.push_back({{"balls.1", "jar"}, draw_rule()});
     if (flip()) contact.pairs.push_back({{"balls", "balls.1"}, draw_rule()});
-    draw_touch(contact, contact.law_choice);
-    for (PairRule& pair : contact.pairs) draw_touch(pair, contact.law_choice);
+    draw_touch(contact, contact.model);
+    for (PairRule& pair : contact.pairs) draw_touch(pair, contact.model);
     contact.lasting_friction = size();
     contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;
     contact.lasting_speed = size();

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <string>
 
 #include "statement.hpp"
 
@@ -47,7 +46,7 @@ TEST(Laws, effective_moduli_are_those_of_both_bodies) {
 
 TEST(Laws, hertz_gives_the_force_of_hertz) {
   const Touching t = some_contact();
-  const HertzMindlin law{LawChoice{}};
+  const HertzMindlin law;
   const LawNumbers k = law.numbers(t, 0);
   for (const double d : {1e-7, 1e-5, 1e-3}) {
     const double wanted = 4.0 / 3 * 1e8 * std::sqrt(0.005) * std::pow(d, 1.5);
@@ -57,7 +56,7 @@ TEST(Laws, hertz_gives_the_force_of_hertz) {
 
 TEST(Jkr, pulls_off_at_three_pi_gamma_r) {
   const Touching t = some_contact();
-  const Jkr law{LawChoice{}};
+  const Jkr law;
   const LawNumbers k = law.numbers(t, 0);
   const double wanted = -3 * pi * 0.5 * t.radius, reach = law.reach(t);
   double least = 0, at = 0;
@@ -74,7 +73,7 @@ TEST(Jkr, pulls_off_at_three_pi_gamma_r) {
 TEST(Jkr, obeys_its_own_two_equations_at_every_radius_of_contact) {
   const Touching t = some_contact();
   const double e = 1e8, r = t.radius, gamma = 0.5;
-  const LawNumbers k = Jkr{LawChoice{}}.numbers(t, 0);
+  const LawNumbers k = Jkr().numbers(t, 0);
   const double least = std::cbrt(pi * gamma * r * r / (4 * e));  // at pull-off, overlap controlled
   double worst = 0;
   for (double a = 1.01 * least; a < 30 * least; a *= 1.1) {
@@ -89,8 +88,8 @@ TEST(Jkr, obeys_its_own_two_equations_at_every_radius_of_contact) {
 TEST(Jkr, without_adhesion_is_hertz_mindlin) {
   Touching t = some_contact();
   t.pair.surface_energy = 0;
-  const Jkr law{LawChoice{}};
-  const HertzMindlin plain{LawChoice{}};
+  const Jkr law;
+  const HertzMindlin plain;
   const double c = plain.damping(0.6);
   for (const double d : {1e-7, 1e-5, 1e-3})
     for (const double rate : {-0.5, 0.0, 1.0}) {
@@ -101,8 +100,8 @@ TEST(Jkr, without_adhesion_is_hertz_mindlin) {
 
 TEST(Sjkr, pulls_by_the_area_of_contact) {
   const Touching t = some_contact();
-  const HertzMindlin plain{LawChoice{}};
-  const LawNumbers k = Sjkr{LawChoice{}}.numbers(t, 0);
+  const HertzMindlin plain;
+  const LawNumbers k = Sjkr().numbers(t, 0);
   for (const double d : {1e-6, 1e-4}) {
     const double wanted = -2e5 * 2 * pi * d * 2 * t.radius;
     tests::states("SJKR cohesion [N]",
@@ -112,9 +111,8 @@ TEST(Sjkr, pulls_by_the_area_of_contact) {
 }
 
 TEST(WaltonBraun, loses_the_area_of_its_loop) {
-  LawChoice choice;
-  choice.stiffness = 1e5;
-  const WaltonBraun law(choice);
+  WaltonBraun law;
+  law.stiffness = 1e5;
   const LawNumbers k = law.numbers(some_contact(), law.damping(0.6));
   double memory[law_memories] = {};
   const double deepest = 1e-4, step = 1e-9;
@@ -125,33 +123,6 @@ TEST(WaltonBraun, loses_the_area_of_its_loop) {
   for (double d = step; d < deepest; d += step) in += push(d) * step;
   for (double d = deepest; d > 0; d -= step) out += push(d) * step;
   tests::states("work got back over work put in", out / in, 0.36, 1e-4, "e^2, e = sqrt(k1/k2)");
-}
-
-/// What a law says is stored is the work its force does as the bodies part slowly.
-TEST(Laws, store_the_work_their_force_gives_back) {
-  const Touching t = some_contact();
-  for (const LawName name : {LawName::hertz_mindlin, LawName::hertz_tsuji, LawName::linear_spring,
-                             LawName::adams_impact, LawName::jkr, LawName::sjkr}) {
-    LawChoice choice;
-    choice.law = name;
-    std::visit(
-        [&]<class L>(const L& l) {
-          const LawNumbers k = l.numbers(t, 0);
-          double memory[law_memories] = {};
-          l.begin(k, memory, 1);
-          const double deepest = 1e-4;
-          constexpr int parts = 200000;
-          double work = 0;
-          for (int i = 0; i < parts; ++i)
-            work +=
-                L::template push<double>(k.data(), memory, deepest * (i + 0.5) / parts, 0).force *
-                deepest / parts;
-          const double stored = l.stored(k, memory, deepest) - l.stored(k, memory, 0);
-          const std::string word(law_words[static_cast<std::size_t>(name)]);
-          tests::states("stored over work, " + word, stored / work, 1, 1e-6, "integral of F");
-        },
-        law(choice));
-  }
 }
 
 }  // namespace

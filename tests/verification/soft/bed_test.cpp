@@ -11,7 +11,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 /// A box of 0.02 m with balls of 1.6 mm, a dozen layers of them, that fall and come to rest.
@@ -26,7 +26,7 @@ std::unique_ptr<scene::Engine> bed(Rolling rule) {
                          0.05 * random.direction(), 20 * random.direction()});
   contact::Pair pair = pair_of({1e9, 0.2}, {1e9, 0.2}, 0.2, 0.5);
   pair.rolling_friction = 0.05;
-  soft::Rules rules{of_law(LawName::hertz_mindlin, rule), 8e-7, false};
+  soft::Rules rules{of_law(HertzMindlin{}, rule), 8e-7, false};
   return soft::engine({geometry::Box{0.015, 0.015, 0.02}, kinematics::Still{}, {}, {0, 0, -2000}},
                       balls, rules, contact::PairTable(1, geometry::Box::faces, pair), 0);
 }

@@ -12,7 +12,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 constexpr double share = 1.0 / 200;  // of the contact time to a step
 
 /// Largest overlap [m], force [N] and duration [s] of an elastic collision, by hand from Hertz.
@@ -22,7 +22,7 @@ struct Hertz {
 
 void states_hertz(const std::string& what, const Impact& found, const contact::Pair& pair,
                   const Hertz& expected) {
-  const contact::HertzMindlin law{contact::LawChoice{}};
+  const contact::HertzMindlin law;
   const auto numbers = law.numbers(touching(pair, found.before), law.damping(pair.restitution));
   double memory[contact::law_memories] = {};
   const double force =
@@ -42,7 +42,7 @@ TEST(ChungOoi, test_1_two_equal_spheres_along_the_normal) {
     balls[0].velocity = {10, 0, 0};
     balls[1].velocity = {-10, 0, 0};
     const contact::Pair pair = pair_of(of, of, 1, 0.35);
-    states_hertz(what, impact(balls, pair, of_law(LawName::hertz_mindlin), share), pair, expected);
+    states_hertz(what, impact(balls, pair, of_law(HertzMindlin{}), share), pair, expected);
   };
   run("glass", {48e9, 0.20}, 2800, {2.7411e-4, 1.06969e4, 4.0339e-5});
   run("limestone", {20e9, 0.25}, 2500, {3.6830e-4, 7.1082e3, 5.4201e-5});
@@ -53,7 +53,7 @@ TEST(ChungOoi, test_2_a_sphere_on_a_rigid_plane) {
                       const Hertz& expected) {
     const contact::Pair pair = pair_of(of, rigid, 1);
     const Impact found =
-        impact({{0.1, density, {}, {0, 0, -0.2}, {}}}, pair, of_law(LawName::hertz_mindlin), share);
+        impact({{0.1, density, {}, {0, 0, -0.2}, {}}}, pair, of_law(HertzMindlin{}), share);
     states_hertz(what, found, pair, expected);
   };
   run("aluminium alloy", {70e9, 0.30}, 2699, {4.9717e-5, 1.13699e4, 7.3166e-4});
@@ -65,8 +65,8 @@ TEST(ChungOoi, test_3_damped_along_the_normal) {
                       const Hertz& elastic) {
     for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
       const contact::Pair pair = pair_of(of, rigid, e);
-      const Impact found = impact({{0.0025, density, {}, {0, 0, -3.9}, {}}}, pair,
-                                  of_law(LawName::hertz_mindlin), share);
+      const Impact found =
+          impact({{0.0025, density, {}, {0, 0, -3.9}, {}}}, pair, of_law(HertzMindlin{}), share);
       if (e == 1) states_hertz(what, found, pair, elastic);
       states(what + ", e", found.restitution, e, 1e-3, "e asked; Chung and Ooi 2011");
     }

@@ -15,7 +15,8 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
+using contact::LinearSpring;
 using contact::Rolling;
 
 constexpr contact::Elastic soft_steel{1e9, 0.3};
@@ -36,8 +37,7 @@ struct Resting {
     step = 0.02 / std::sqrt(1.5 * load_acceleration / depth);
   }
   std::unique_ptr<scene::Engine> engine(const Vec3& pull, Rolling rolls = Rolling::none) const {
-    return soft_engine(still_box(side, pull), {ball}, of_law(LawName::hertz_mindlin, rolls), pair,
-                       step);
+    return soft_engine(still_box(side, pull), {ball}, of_law(HertzMindlin{}, rolls), pair, step);
   }
 };
 
@@ -47,7 +47,7 @@ TEST(ClosedForms, heights_of_a_bouncing_ball_fall_by_e_squared) {
   scene::Ball ball{0.005, 7850, {}, {}, {}};
   ball.position.z = -0.5 * side + ball.radius + height;
   const double speed = std::sqrt(2 * gravity * height);
-  const auto law = of_law(LawName::hertz_mindlin);
+  const auto law = of_law(HertzMindlin{});
   const double contact = contact_time(law, touching(pair, ball), speed);
   const auto engine =
       soft_engine(still_box(side, {0, 0, -gravity}), {ball}, law, pair, contact / 200, true);
@@ -157,7 +157,7 @@ TEST(ClosedForms, an_oblique_collision_keeps_momentum_and_angular_momentum) {
   for (const Rolling rule : {Rolling::none, Rolling::cdt, Rolling::viscous, Rolling::epsd}) {
     contact::Pair pair = pair_of({1e9, 0.3}, {70e9, 0.2}, 0.6, 0.3);
     pair.rolling_friction = 0.05;
-    const Impact i = impact(unequal(), pair, of_law(LawName::hertz_mindlin, rule), 1.0 / 200);
+    const Impact i = impact(unequal(), pair, of_law(HertzMindlin{}, rule), 1.0 / 200);
     ASSERT_EQ(i.account.collisions, 1);
     Vec3 momentum{}, angular{};
     double size = 0, turning = 0;
@@ -180,7 +180,7 @@ TEST(ClosedForms, an_oblique_collision_keeps_momentum_and_angular_momentum) {
 
 /// The kinetic energy a collision gains over what there was: along the normal e = 1, across it
 /// nothing slips and nothing damps.
-double gained(const contact::LawChoice& law, double spin) {
+double gained(const contact::ContactModel& law, double spin) {
   std::vector<scene::Ball> balls = unequal();
   balls[0].spin = {0, spin, -spin};
   const Impact i = impact(balls, pair_of({70e9, 0.3}, {70e9, 0.3}, 1, INFINITY), law, 1.0 / 1000);
@@ -198,9 +198,9 @@ double gained(const contact::LawChoice& law, double spin) {
 TEST(ClosedForms, an_elastic_oblique_collision_without_slip_makes_no_energy) {
   double linear = 0, plain = 0, rescaled = 0, least_plain = 0, least_rescaled = 0;
   for (const double spin : {-400.0, -100.0, 0.0, 150.0, 500.0}) {
-    contact::LawChoice law = of_law(LawName::linear_spring);
+    contact::ContactModel law = of_law(LinearSpring{});
     linear = std::max(linear, std::abs(gained(law, spin)));
-    law = of_law(LawName::hertz_mindlin);
+    law = of_law(HertzMindlin{});
     plain = std::max(plain, gained(law, spin));
     least_plain = std::min(least_plain, gained(law, spin));
     law.rescaled_unloading = true;
@@ -224,7 +224,7 @@ TEST(ClosedForms, balls_collide_across_the_edges_of_a_periodic_box_as_in_its_mid
     const Vec3 apart{0.009, 0.005, -0.005};
     balls[0].position = place - 0.5 * apart;
     balls[1].position = place + 0.5 * apart;
-    const auto engine = soft_engine(box, balls, of_law(LawName::hertz_mindlin), pair, 1e-7);
+    const auto engine = soft_engine(box, balls, of_law(HertzMindlin{}), pair, 1e-7);
     Recorder recorder;
     engine->advance(0.005, recorder);
     EXPECT_EQ(recorder.all.size(), 1U);

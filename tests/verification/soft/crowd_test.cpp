@@ -20,8 +20,12 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::AdamsImpact;
+using contact::HertzMindlin;
+using contact::Jkr;
+using contact::LinearSpring;
 using contact::Rolling;
+using contact::WaltonBraun;
 
 contact::Pair some_pair() {
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.3);
@@ -52,7 +56,7 @@ struct World {
   std::string name;
   scene::Chamber mill;
   std::vector<scene::Ball> balls;
-  contact::LawChoice law;
+  contact::ContactModel law;
   double step = 2e-6;
 };
 
@@ -72,17 +76,16 @@ std::vector<World> worlds() {
   const scene::Chamber drum{geometry::Cylinder{0.04, 0.04}, kinematics::Tumbling{12},
                             scene::mounted_along({1, 0, 0}), down};
   const scene::Chamber gas{geometry::PeriodicBox{0.03, 0.03, 0.03}, kinematics::Still{}, {}, {}};
-  auto curved = of_law(LawName::adams_impact, Rolling::epsd);
+  auto curved = of_law(AdamsImpact{}, Rolling::epsd);
   curved.curved_walls = true;
   return {
-      {"shaken", shaker, lattice(60, 0.0055, {0.0025}),
-       of_law(LawName::hertz_mindlin, Rolling::cdt)},
+      {"shaken", shaker, lattice(60, 0.0055, {0.0025}), of_law(HertzMindlin{}, Rolling::cdt)},
       {"planetary, two sizes", planet, lattice(60, 0.0042, {0.002, 0.001}),
-       of_law(LawName::walton_braun, Rolling::epsd)},
+       of_law(WaltonBraun{}, Rolling::epsd)},
       {"drum, sticking", drum, lattice(100, 0.0045, {0.002, 0.0015}),
-       of_law(LawName::jkr, Rolling::viscous)},
+       of_law(Jkr{}, Rolling::viscous)},
       {"drum, curved walls", drum, lattice(100, 0.0045, {0.002, 0.0005}), curved},
-      {"periodic", gas, lattice(64, 0.0074, {0.003, 0.0008}, 3), of_law(LawName::linear_spring)},
+      {"periodic", gas, lattice(64, 0.0074, {0.003, 0.0008}, 3), of_law(LinearSpring{})},
   };
 }
 
@@ -173,8 +176,8 @@ World drum_of(int count) {
                             kinematics::Tumbling{10},
                             scene::mounted_along({1, 0, 0}),
                             {0, 0, -gravity}};
-  return {"drum", drum, lattice(count, 0.0022, {0.001}, 0.2),
-          of_law(LawName::hertz_mindlin, Rolling::cdt), 2e-6};
+  return {"drum", drum, lattice(count, 0.0022, {0.001}, 0.2), of_law(HertzMindlin{}, Rolling::cdt),
+          2e-6};
 }
 
 TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
@@ -202,7 +205,7 @@ TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
 TEST(Crowd, has_the_bits_it_has_always_had) {
   const scene::Chamber box = still_box(0.05, {0, 0, -gravity});
   const World w{"box", box, lattice(2000, 0.0035, {0.0015, 0.001}),
-                of_law(LawName::hertz_mindlin, Rolling::cdt), 2e-6};
+                of_law(HertzMindlin{}, Rolling::cdt), 2e-6};
   const auto run = crowd(w, 2);
   Recorder records;
   run->advance(0.01, records);

@@ -18,8 +18,12 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::AdamsImpact;
+using contact::HertzMindlin;
+using contact::Jkr;
 using contact::Rolling;
+using contact::Sjkr;
+using contact::WaltonBraun;
 using Make = std::function<std::unique_ptr<scene::Engine>()>;
 
 contact::Pair soft_pair(double e = 0.7) {
@@ -42,7 +46,8 @@ std::vector<scene::Ball> charge(int count) {
   return balls;
 }
 
-Make made(const scene::Chamber& mill, int count, LawName law, Rolling rolling, bool hop) {
+Make made(const scene::Chamber& mill, int count, const contact::AnyLaw& law, Rolling rolling,
+          bool hop) {
   return [=] {
     return soft_engine(mill, charge(count), of_law(law, rolling), soft_pair(), 2e-6, hop, 0.37);
   };
@@ -76,11 +81,11 @@ std::vector<std::pair<std::string, Make>> runs() {
   const scene::Chamber drum{geometry::Cylinder{0.04, 0.03}, kinematics::Tumbling{12},
                             scene::mounted_along({1, 0, 0}), down};
   return {
-      {"two balls that hop", made(capsule, 2, LawName::hertz_mindlin, Rolling::cdt, true)},
-      {"five balls", made(planet, 5, LawName::walton_braun, Rolling::epsd, false)},
-      {"five that stick", made(drum, 5, LawName::jkr, Rolling::viscous, true)},
-      {"twenty balls", made(capsule, 20, LawName::adams_impact, Rolling::epsd, true)},
-      {"twenty in a drum", made(drum, 20, LawName::sjkr, Rolling::cdt, true)},
+      {"two balls that hop", made(capsule, 2, HertzMindlin{}, Rolling::cdt, true)},
+      {"five balls", made(planet, 5, WaltonBraun{}, Rolling::epsd, false)},
+      {"five that stick", made(drum, 5, Jkr{}, Rolling::viscous, true)},
+      {"twenty balls", made(capsule, 20, AdamsImpact{}, Rolling::epsd, true)},
+      {"twenty in a drum", made(drum, 20, Sjkr{}, Rolling::cdt, true)},
   };
 }
 
@@ -161,10 +166,8 @@ TEST(SoftFaults, a_step_far_too_long_stops_the_run_within_100_steps) {
   for (const double share : {2.0, 3.0, 5.0}) {
     const contact::Pair pair = soft_pair();
     scene::Ball ball = ball_a({}, {0.1, 0.2, -2});
-    const double step =
-        share * contact_time(of_law(LawName::hertz_mindlin), touching(pair, ball), 2);
-    const auto engine =
-        soft_engine(still_box(0.1), {ball}, of_law(LawName::hertz_mindlin), pair, step);
+    const double step = share * contact_time(of_law(HertzMindlin{}), touching(pair, ball), 2);
+    const auto engine = soft_engine(still_box(0.1), {ball}, of_law(HertzMindlin{}), pair, step);
     const auto flight = static_cast<std::int64_t>(0.046 / 2 / step);
     EXPECT_LE(steps_until_error(*engine, step, flight), 100) << share;
   }
@@ -179,7 +182,7 @@ TEST(SoftFaults, a_force_that_is_no_number_stops_the_run_within_100_steps) {
       contact::Pair pair = soft_pair();
       pair.modulus = NAN;
       const auto engine =
-          soft_engine(still_box(0.1), balls, of_law(LawName::hertz_mindlin), pair, 1e-5, hop);
+          soft_engine(still_box(0.1), balls, of_law(HertzMindlin{}), pair, 1e-5, hop);
       EXPECT_LE(steps_until_error(*engine, 1e-5, 0), 100 + 100) << count;  // 100 until touch
     }
 }
@@ -190,7 +193,7 @@ TEST(SoftFaults, a_ball_nearly_stopped_by_a_wall_is_none) {
       geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.015), {}, {0, 0, -gravity}};
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, 0.9, 0.3);
   const auto engine = soft_engine(mill, {ball_a({0.001, 0.002, 0.003}, {0.3, 0.2, 0})},
-                                  of_law(LawName::hertz_mindlin), pair, 3.9398e-7);
+                                  of_law(HertzMindlin{}), pair, 3.9398e-7);
   Recorder none;
   EXPECT_NO_THROW(engine->advance(0.2, none));
 }
@@ -205,7 +208,7 @@ TEST(SoftFaults, a_ball_between_near_walls_touches_none) {
       const double side = 2 * (radius + gap), step = 1e-6;
       const scene::Chamber box = still_box(side);
       const auto engine = soft_engine(box, {{radius, 7850, {}, {0.1, 0.07, 0.03}, {}}},
-                                      of_law(LawName::hertz_mindlin), pair, step, hop);
+                                      of_law(HertzMindlin{}), pair, step, hop);
       Recorder seen;
       engine->advance(gap / 0.1 - 2 * step, seen);
       EXPECT_EQ(engine->account().lost(), 0);
@@ -226,8 +229,7 @@ TEST(SoftFaults, a_charge_at_rest_in_a_shaken_jar_is_none) {
       geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.01), {}, {0, 0, -gravity}};
   std::vector<scene::Ball> balls = charge(18);
   for (scene::Ball& b : balls) b.velocity = b.spin = {};
-  const auto engine =
-      soft_engine(mill, balls, of_law(LawName::hertz_mindlin), soft_pair(0.6), 2e-6, true);
+  const auto engine = soft_engine(mill, balls, of_law(HertzMindlin{}), soft_pair(0.6), 2e-6, true);
   Recorder none;
   EXPECT_NO_THROW(engine->advance(0.1, none));
 }
@@ -242,7 +244,7 @@ TEST(SoftRest, a_pile_of_three_balls_stays) {
                                    {r, 7850, {r + 1e-6, 0, r - 0.0199}, {}, {}},
                                    {r, 7850, {1e-4, 0, 3 * r - 0.0199}, {0.05, 0.01, 0}, {}}};
     const auto engine =
-        soft_engine(box, balls, of_law(LawName::hertz_mindlin, rule), soft_pair(0.4), 5e-6, true);
+        soft_engine(box, balls, of_law(HertzMindlin{}, rule), soft_pair(0.4), 5e-6, true);
     Recorder none;
     engine->advance(1.5, none);
     const auto settled = engine->balls();

@@ -16,7 +16,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
@@ -30,7 +30,7 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
                                          const std::vector<scene::Ball>& balls, double step,
                                          std::size_t few, bool hop = true) {
   const int faces = std::visit([](const auto& s) { return s.faces; }, mill.shape);
-  soft::Rules rules{of_law(LawName::hertz_mindlin, Rolling::cdt), step, hop};
+  soft::Rules rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
   rules.few = few;
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.3, 0.4);
   pair.rolling_friction = 0.02;

@@ -14,7 +14,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 
 struct Followed {
   std::vector<scene::Collision> seen;
@@ -22,7 +22,7 @@ struct Followed {
 };
 Followed followed(const scene::Chamber& mill, const std::vector<scene::Ball>& balls,
                   const contact::Pair& pair, double step, double time, bool hop) {
-  const auto engine = soft_engine(mill, balls, of_law(LawName::hertz_mindlin), pair, step, hop);
+  const auto engine = soft_engine(mill, balls, of_law(HertzMindlin{}), pair, step, hop);
   Recorder recorder;
   engine->advance(time, recorder);
   return {recorder.all, engine->account()};
@@ -49,7 +49,7 @@ void same_collisions(const std::string& what, const scene::Chamber& mill,
                      const std::vector<scene::Ball>& balls, double e, std::size_t count) {
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
   const contact::PairTable pairs(1, 6, pair);
-  const double step = soft::time_steps(balls, of_law(LawName::hertz_mindlin), pairs, 3).usual(0.2);
+  const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).usual(0.2);
   const auto& motion = std::get<kinematics::Vibration>(mill.motion);
   const double off = motion.amplitude * std::pow(2 * std::numbers::pi * motion.frequency * step, 2);
   const Followed hops = followed(mill, balls, pair, step, 0.2, true);
@@ -105,7 +105,7 @@ TEST(TowardsEvent, collisions_tend_to_the_event_engine_s_as_contacts_shorten) {
   double first_time = 0, first_speed = 0, time = 0, speed = 0, first_contact = 0, contact = 0;
   for (const double modulus : {1e9, 1e10, 1e11, 1e12}) {
     const contact::Pair pair = pair_of({modulus, 0.3}, {modulus, 0.3}, 0.9, 0);
-    contact = contact_time(of_law(LawName::hertz_mindlin), touching(pair, ball), 2);
+    contact = contact_time(of_law(HertzMindlin{}), touching(pair, ball), 2);
     const Followed soft = followed(mill, {ball}, pair, contact / 4000, 0.3, true);
     ASSERT_GE(soft.seen.size(), count);
     time = speed = 0;

@@ -14,7 +14,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr contact::Elastic steel{200e9, 0.265};
@@ -45,7 +45,7 @@ scene::Chamber planetary() {  // paper B's mill at 400 rpm
 }
 
 /// What appeared from nowhere over the work done, by the walls and against losses.
-double residual(const scene::Chamber& mill, double radius, const contact::LawChoice& law,
+double residual(const scene::Chamber& mill, double radius, const contact::ContactModel& law,
                 double step, double time) {
   const auto engine = soft_engine(mill, five(radius), law, mill_pair(), step, true);
   Recorder none;
@@ -58,16 +58,16 @@ TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
   for (const bool planet : {false, true}) {
     const scene::Chamber mill = planet ? planetary() : shaken_jar();
     const double radius = planet ? 0.007 : 0.005;
-    contact::LawChoice law = of_law(LawName::hertz_mindlin, Rolling::cdt);
+    contact::ContactModel model = of_law(HertzMindlin{}, Rolling::cdt);
     const contact::PairTable pairs(1, 3, mill_pair());
-    const double usual = soft::time_steps(five(radius), law, pairs, 3).usual(0.2);
+    const double usual = soft::time_steps(five(radius), model.law, pairs, 3).usual(0.2);
     std::printf("    usual step %.3g s\n", usual);
     for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous}) {
-      law.rolling = rule;
+      model.rolling = rule;
       stays_below(std::string(planet ? "planetary mill" : "shaken jar") +
                       ", 5 balls, rolling rule " + std::to_string(static_cast<int>(rule)) +
                       ": residual over work",
-                  residual(mill, radius, law, usual, 0.2), 1e-3, "ledger at the usual step");
+                  residual(mill, radius, model, usual, 0.2), 1e-3, "ledger at the usual step");
     }
   }
 }
@@ -81,7 +81,7 @@ TEST(Ledger, residual_falls_with_the_step) {
       std::vector<scene::Ball> balls(2, {0.0075, 7700, {}, {}, {0, 40.0 + 10 * i, 5}});
       balls[0].velocity = {1, 0.05 * i, 0.3};
       const Impact hit =
-          impact(balls, mill_pair(), of_law(LawName::hertz_mindlin, Rolling::cdt), share, 0.05 * i);
+          impact(balls, mill_pair(), of_law(HertzMindlin{}, Rolling::cdt), share, 0.05 * i);
       sum += std::pow(hit.account.residual() / hit.account.lost(), 2) / 20;
     }
     last = std::sqrt(sum);
@@ -101,7 +101,7 @@ TEST(Order, of_an_elastic_collision_is_above_two) {
     for (int i = 0; i < 32; ++i) {
       const scene::Ball ball{0.0075, 7700, {}, {0, 0, -1}, {}};
       const Impact hit =
-          impact({ball}, pair_of(steel, rigid, 1), of_law(LawName::hertz_mindlin), share, i / 32.0);
+          impact({ball}, pair_of(steel, rigid, 1), of_law(HertzMindlin{}), share, i / 32.0);
       sum += std::pow(hit.restitution - 1, 2) / 32;
     }
     const double now = std::sqrt(sum);

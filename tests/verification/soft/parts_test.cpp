@@ -14,7 +14,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr double pi = std::numbers::pi;
@@ -23,7 +23,7 @@ std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls,
                                       const contact::Pair& pair, double step,
                                       std::size_t few = 32) {
-  soft::Rules rules{of_law(LawName::hertz_mindlin, Rolling::none), step, false};
+  soft::Rules rules{of_law(HertzMindlin{}, Rolling::none), step, false};
   rules.few = few;
   const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);

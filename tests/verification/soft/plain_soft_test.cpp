@@ -15,7 +15,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 contact::Pair soft_pair(double e = 0.7, double mu = 0.3) {
@@ -59,7 +59,7 @@ void same_as_plain(const std::string& what, int count, double time, std::size_t 
   other.advance(steps);
   ASSERT_GE(plain.touches().size(), touches);
   const auto engine =
-      soft_engine(box, balls, of_law(LawName::hertz_mindlin, Rolling::cdt), soft_pair(), dt);
+      soft_engine(box, balls, of_law(HertzMindlin{}, Rolling::cdt), soft_pair(), dt);
   Recorder recorder;
   engine->advance(steps * dt, recorder);
   const double growth = apart(plain.balls(), other.balls());
@@ -92,7 +92,7 @@ void tends_to(const std::string& what, const std::function<double(double dt)>& d
   stays_below(what + ", an eighth of the step over all of it", last / first, 1.0 / 8,
               "order 1 at least");
   const double contact =
-      contact_time(of_law(LawName::hertz_mindlin), {soft_pair(), 0.004, ball_a().mass()}, 1);
+      contact_time(of_law(HertzMindlin{}), {soft_pair(), 0.004, ball_a().mass()}, 1);
   stays_below(what + ", at the shortest step, over radius", last, std::pow(shortest / contact, 2),
               "(dt/t_c)^2, of a method of order 2");
 }
@@ -101,7 +101,7 @@ TEST(Frames, a_vibration_mill_is_the_same_in_the_laboratory) {
   const scene::Chamber mill = mill_a(20, 0.01);
   tends_to("one ball in a shaken capsule", [&](double dt) {
     const scene::Ball ball = ball_a({0.0003, -0.0002, 0.004}, {0.3, 0.1, -0.4}, {10, -20, 30});
-    const auto engine = soft_engine(mill, {ball}, of_law(LawName::hertz_mindlin), soft_pair(), dt);
+    const auto engine = soft_engine(mill, {ball}, of_law(HertzMindlin{}), soft_pair(), dt);
     scene::Ball lifted = ball;
     const auto ride = [&](double t) {
       return std::get<kinematics::Vibration>(mill.motion).ride(t);
@@ -138,8 +138,7 @@ TEST(Frames, a_planetary_mill_is_the_same_as_seen_from_its_turning_jar) {
   for (const double mu : {0.0, 0.3})
     tends_to("one ball in a planetary mill, mu " + std::to_string(mu).substr(0, 3), [&](double dt) {
       const scene::Ball ball{0.005, 7850, {0.01, 0.002, -0.001}, {0.2, 0.3, 0.1}, {}};
-      const auto engine =
-          soft_engine(mill, {ball}, of_law(LawName::hertz_mindlin), soft_pair(0.7, mu), dt);
+      const auto engine = soft_engine(mill, {ball}, of_law(HertzMindlin{}), soft_pair(0.7, mu), dt);
       scene::Ball carried = ball;
       carried.velocity -= cross(w, ball.position);
       carried.spin -= w;

@@ -41,7 +41,7 @@ Seen run(std::uint32_t start, double time) {
   contact::Pair pair = pair_of({208e9, 0.3}, {208e9, 0.3}, 0.35, 0.5);
   pair.rolling_friction = 0.05;
   const auto engine = soft_engine(
-      chamber, balls, of_law(contact::LawName::hertz_mindlin, contact::Rolling::epsd), pair, 1e-6);
+      chamber, balls, of_law(contact::HertzMindlin{}, contact::Rolling::epsd), pair, 1e-6);
   Recorder recorder;
   engine->advance(0.1, recorder);
   const scene::Account before = engine->account();

@@ -13,33 +13,38 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::AdamsImpact;
+using contact::HertzMindlin;
+using contact::HertzTsuji;
+using contact::Jkr;
+using contact::LinearSpring;
+using contact::WaltonBraun;
 
 const scene::Ball steel_ball{0.0075, 7700, {}, {}, {}};
 constexpr contact::Elastic steel{200e9, 0.265};
 
 /// The worst over restitutions, speeds and places of the touch within a step.
-double worst_restitution(LawName name, double share) {
+double worst_restitution(const contact::AnyLaw& law, double share) {
   double worst = 0;
   for (const double e : {0.1, 0.2, 0.35, 0.5, 0.7, 0.8, 0.9, 0.95})
     for (const double speed : {0.1, 5.0})
       for (const double phase : {0.0, 0.4, 0.8}) {
         scene::Ball ball = steel_ball;
         ball.velocity = {0, 0, -speed};
-        const Impact found = impact({ball}, pair_of(steel, rigid, e), of_law(name), share, phase);
+        const Impact found = impact({ball}, pair_of(steel, rigid, e), of_law(law), share, phase);
         worst = std::max(worst, std::abs(found.restitution - e));
       }
   return worst;
 }
 
 TEST(Restitution, found_is_the_one_asked_for) {
-  for (std::size_t law = 0; law < contact::law_words.size(); ++law) {
-    const auto name = static_cast<LawName>(law);
+  for (const contact::AnyLaw& law : contact::all_laws()) {
     // Their force jumps at touch, or grows within a hundredth of the overlap.
-    const bool jumps = name == LawName::linear_spring || name == LawName::adams_impact;
-    stays_below("e of " + std::string(contact::law_words[law]) + ", off by" +
+    const bool jumps =
+        std::holds_alternative<LinearSpring>(law) || std::holds_alternative<AdamsImpact>(law);
+    stays_below("e of " + std::string(contact::name_of(law)) + ", off by" +
                     (jumps ? " (t_c/1000)" : " (t_c/200)"),
-                worst_restitution(name, jumps ? 1e-3 : 5e-3), 1e-3,
+                worst_restitution(law, jumps ? 1e-3 : 5e-3), 1e-3,
                 "e asked, 0.1 to 0.95, at 0.1 and 5 m/s");
   }
 }
@@ -52,13 +57,13 @@ TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
       {0.403, 0.695, 0.993}, {0.395, 0.526, 0.980}, {0.388, 0.413, 0.825}};
   for (int v = 0; v < 3; ++v)
     for (int d = 0; d < 3; ++d) {
-      contact::LawChoice choice = of_law(LawName::adams_impact);
-      choice.published_damping = true;
-      choice.damping_depth = depths[d];
+      AdamsImpact published;
+      published.published_damping = true;
+      published.damping_depth = depths[d];
       std::vector<scene::Ball> balls{steel_ball, steel_ball};
       balls[0].velocity = {speeds[v], 0, 0};
       // Even at 5 m/s some thirty steps for the shallowest damper.
-      const Impact found = impact(balls, pair_of(steel, steel, 0.35), choice, 2e-4);
+      const Impact found = impact(balls, pair_of(steel, steel, 0.35), of_law(published), 2e-4);
       states("e at " + std::to_string(speeds[v]) + " m/s, d = 1e-" + std::to_string(6 - d) + " m",
              found.restitution, expected[v][d], 6e-4,  // 5e-4 by its three digits
              "own integration of paper B eqs. 17-23");
@@ -67,12 +72,12 @@ TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
 
 /// What a collision loses along the normal is (1 - e^2) of the energy it had there.
 TEST(Restitution, is_what_the_record_says_was_lost) {
-  for (const LawName name : {LawName::hertz_mindlin, LawName::hertz_tsuji, LawName::adams_impact,
-                             LawName::walton_braun}) {
+  for (const contact::AnyLaw& law :
+       std::vector<contact::AnyLaw>{HertzMindlin{}, HertzTsuji{}, AdamsImpact{}, WaltonBraun{}}) {
     scene::Ball ball = steel_ball;
     ball.velocity = {0, 0, -1};
-    const Impact found = impact({ball}, pair_of(steel, rigid, 0.6), of_law(name), 5e-3);
-    const std::string word(contact::law_words[static_cast<std::size_t>(name)]);
+    const Impact found = impact({ball}, pair_of(steel, rigid, 0.6), of_law(law), 5e-3);
+    const std::string word(contact::name_of(law));
     states("loss of a collision over its energy, " + word,
            found.record.lost_normal / found.record.energy_normal(), 1 - 0.6 * 0.6, 2e-3,
            "1 - e^2, e to 1e-3");
@@ -92,7 +97,7 @@ TEST(Jkr, spheres_rebound_as_their_adhesion_lets_them) {
   const double sticking = std::sqrt(2 * work / ball.mass());
   for (const double faster : {0.95, 1.2, 2.0, 5.0}) {
     ball.velocity = {0, 0, -faster * sticking};
-    const Impact found = impact({ball}, pair, of_law(LawName::jkr), 1e-4);
+    const Impact found = impact({ball}, pair, of_law(Jkr{}), 1e-4);
     const std::string at = "at " + std::to_string(faster).substr(0, 4) + " of the sticking speed";
     if (faster < 1) {
       states("collisions ended, " + at, static_cast<double>(found.account.collisions), 0, 0,

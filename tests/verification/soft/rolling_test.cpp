@@ -13,7 +13,7 @@
 namespace mahlwerk::tests {
 namespace {
 
-using contact::LawName;
+using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr contact::Elastic plastic{1e8, 0.3};
@@ -36,7 +36,7 @@ double slowed(Rolling rule, double mu_r, double spin) {
   ball.position.z = -0.5 * side + ball.radius - depth;
   ball.spin.y = spin;
   const auto engine = soft_engine(still_box(side, {0, 0, -gravity}), {ball},
-                                  of_law(LawName::hertz_mindlin, rule), pair, step_of(depth));
+                                  of_law(HertzMindlin{}, rule), pair, step_of(depth));
   Recorder none;
   engine->advance(0.002, none);
   const double from = engine->balls()[0].spin.y, t = engine->account().time;
@@ -79,7 +79,7 @@ struct Drum {
             {0, 0, -gravity}};
   }
   /// Mean angle from the bottom, in the sense of turning, and the ball after `time`.
-  std::pair<double, scene::Ball> stays(double angle, const contact::LawChoice& law) const {
+  std::pair<double, scene::Ball> stays(double angle, const contact::ContactModel& law) const {
     scene::Ball ball = big;
     const double r = radius - ball.radius + depth;
     ball.position = {0, r * std::sin(angle), -r * std::cos(angle)};
@@ -99,7 +99,7 @@ struct Drum {
 
 TEST(Rolling, a_ball_stays_at_the_bottom_of_a_turning_drum_without_rolling_friction) {
   const Drum drum(0);
-  const auto [angle, ball] = drum.stays(0, of_law(LawName::hertz_mindlin));
+  const auto [angle, ball] = drum.stays(0, of_law(HertzMindlin{}));
   states("angle from the bottom [rad]", angle, 0, 1e-3, "no torque, no friction");
   states("w R / (W R_v)", ball.spin.x * ball.radius / (drum.speed * drum.radius), 1,
          2 * drum.depth / ball.radius, "w_b R_b = W R_v, lever R_b less the overlap");
@@ -109,7 +109,7 @@ TEST(Rolling, a_ball_stays_where_weight_balances_rolling_friction_in_a_turning_d
   const double mu_r = 0.2;
   const Drum drum(mu_r);
   for (const bool curved : {false, true}) {
-    contact::LawChoice law = of_law(LawName::hertz_mindlin, Rolling::cdt);
+    contact::ContactModel law = of_law(HertzMindlin{}, Rolling::cdt);
     law.curved_walls = curved;
     // The two curvatures of a cylinder make R* their geometric mean.
     const double effective = curved ? std::sqrt(drum.radius / (drum.radius - big.radius)) : 1;
@@ -132,9 +132,8 @@ TEST(Rolling, a_drum_carries_a_ball_round_above_its_critical_speed) {
     ball.position = {0, 0, -r};
     ball.velocity = {0, drum.speed * r, 0};
     ball.spin.x = drum.speed;
-    const auto engine =
-        soft_engine(drum.chamber(), {ball}, of_law(LawName::hertz_mindlin, Rolling::cdt), drum.pair,
-                    step_of(drum.depth));
+    const auto engine = soft_engine(drum.chamber(), {ball}, of_law(HertzMindlin{}, Rolling::cdt),
+                                    drum.pair, step_of(drum.depth));
     Recorder recorder;
     engine->advance(3 * 2 * std::numbers::pi / drum.speed, recorder);  // three turns
     std::printf("    at %.2f of the critical speed: left the wall %zu times\n", share,

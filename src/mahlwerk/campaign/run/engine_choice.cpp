@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
@@ -61,15 +63,18 @@ std::string in_words(const ContactTimeEffect& effect, const cases::Case& what) {
 }
 
 /// The name of the contact law, if bodies stick together by it.
-const char* sticking(const cases::Case& what) {
+std::optional<std::string_view> sticking(const cases::Case& what) {
   const contact::PairTable pairs = cases::pair_table(what);
-  const auto any = [&](double contact::Pair::*property) {
-    return std::ranges::any_of(pairs.all(), [&](const auto& pair) { return pair.*property > 0; });
+  const auto any = [&](const contact::AdhesionParameter& adhesion) {
+    return std::ranges::any_of(pairs.all(),
+                               [&](const auto& pair) { return pair.*adhesion.value > 0; });
   };
-  const contact::LawName law = what.contact.law_choice.law;
-  if (law == contact::LawName::jkr && any(&contact::Pair::surface_energy)) return "jkr";
-  if (law == contact::LawName::sjkr && any(&contact::Pair::cohesion)) return "sjkr";
-  return nullptr;
+  return std::visit(
+      [&]<class L>(const L&) {
+        return std::ranges::any_of(contact::adhesion_of<L>(), any) ? std::optional(L::name)
+                                                                   : std::nullopt;
+      },
+      what.contact.model.law);
 }
 
 /// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
@@ -115,11 +120,11 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
     return {cases::EngineName::soft,
             {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
              "spheres have no room to bounce."}};
-  if (const char* law = sticking(what); law != nullptr && against_soft(what).empty())
+  if (const auto law = sticking(what); law && against_soft(what).empty())
     return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "
                          "the event engine does not know.",
-                         law)}};
+                         *law)}};
   if (balls(what) == 1)
     return {cases::EngineName::event,
             {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."}};
@@ -192,12 +197,12 @@ Notices notes_on(const results::Outcome& outcome, const Choice& choice,
     append(notes, soft_notes(outcome.what));
     return notes;
   }
-  if (const char* law = sticking(outcome.what))
+  if (const auto law = sticking(outcome.what))
     notes.push_back(invalid(
         "sticking-law-ignored",
         fmt::format("law = \"{}\" holds balls together. The event engine does not know that: its "
                     "balls part without a pull (engine = \"soft\" follows it).",
-                    law)));
+                    *law)));
   if (balls(outcome.what) > 1) append(notes, contact_notes(outcome, stop));
   return notes;
 }

@@ -54,9 +54,8 @@ std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
     return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
   if (usual == steps.damper / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
-  return what.contact.law_choice.law == contact::LawName::walton_braun
-             ? "a fiftieth of a collision along the stiff line of unloading"
-             : "a fiftieth of the shortest collision";
+  return fmt::format("a fiftieth of {}",
+                     std::visit([](const auto& l) { return l.shortest; }, what.contact.model.law));
 }
 
 /// The largest of what the step leaves collisions off by, over all pairs of the case.
@@ -65,7 +64,7 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   soft::StepError worst;
   const auto look = [&](const contact::Pair& pair) {
     const soft::StepError e =
-        soft::step_error(s.rules.law.law, pair.restitution, s.steps.contact / s.rules.time_step);
+        soft::step_error(s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
     worst = {std::max(worst.rebound, e.rebound), std::max(worst.across, e.across),
              std::max(worst.spin, e.spin)};
   };
@@ -95,10 +94,11 @@ double rounded_down(double x) {
 
 SoftSettings soft_settings(const cases::Case& what) {
   SoftSettings s;
-  s.rules.law = what.contact.law_choice;
+  s.rules.model = what.contact.model;
   s.rules.hop = what.run.hop;
   s.speed = meeting_speed(what);
-  s.steps = soft::time_steps(one_of_each(what), s.rules.law, cases::pair_table(what), s.speed);
+  s.steps =
+      soft::time_steps(one_of_each(what), s.rules.model.law, cases::pair_table(what), s.speed);
   s.rules.time_step = what.run.time_step ? *what.run.time_step
                                          : rounded_down(s.steps.usual(what.run.time_step_fraction));
   return s;

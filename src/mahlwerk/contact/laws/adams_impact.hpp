@@ -14,16 +14,46 @@ namespace mahlwerk::contact {
 /// touch. It is solved for the wanted e, or the paper's estimate, which misses it (physics of paper
 /// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
 struct AdamsImpact : HertzSpring {
-  static constexpr LawName name = LawName::adams_impact;
+  static constexpr std::string_view name = "adams-impact";
+  static constexpr std::string_view about =
+      "the impact function of MSC Adams: Hertz's spring, a damper that grows with overlap";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors{{{0.7, 0.15, 0.6},
+                                           {0.5, 0.15, 0.5},
+                                           {0.4, 0.15, 0.45},
+                                           {0.25, 0.18, 0.6},
+                                           {0.2, 0.2, 0.7},
+                                           {0.1, 0.15, 0.5},
+                                           {0.06, 0.1, 0.35}}};
   static constexpr bool remembers = true;
   static constexpr double usual_depth = 0.01;  // of the largest overlap
-  explicit AdamsImpact(const LawChoice& choice) : choice_(choice) {}
+  bool published_damping = false;              ///< the paper's (dem.15) instead of one that gives e
+  double damping_depth = 0;                    ///< [m] d; 0: usual_depth of the largest overlap
+  static constexpr auto switches() {
+    return std::array{LawSwitch<AdamsImpact>{"damping",
+                                             {"exact", "published"},
+                                             &AdamsImpact::published_damping,
+                                             "gives the restitution that is asked for"}};
+  }
+  static constexpr auto fields() {
+    return std::array{LawField<AdamsImpact>{{"damping_depth",
+                                             "m",
+                                             &AdamsImpact::damping_depth,
+                                             positive,
+                                             "the overlap at which the damper is fully on",
+                                             {},
+                                             "deeper ones switch the damper off"},
+                                            "",
+                                            "a hundredth of the largest overlap"}};
+  }
 
   /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (dem.15).
   double damping(double e) const {
-    if (choice_.published_damping) return -2 * damping_ratio(e);
+    if (published_damping) return -2 * damping_ratio(e);
     return stepped_damping(std::max(e, least_restitution), usual_depth * scale) / root_of_scale;
   }
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
   double damper_time(const Touching& t, double damping, double speed) const {
     double memory[law_memories];
     begin(numbers(t, damping), memory, speed);
@@ -32,7 +62,7 @@ struct AdamsImpact : HertzSpring {
   LawNumbers numbers(const Touching& t, double damping) const {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t),
-            std::pow(1.25 * t.mass / k, 0.4), choice_.damping_depth};
+            std::pow(1.25 * t.mass / k, 0.4), damping_depth};
   }
   /// Damper c_m [N s/m] and 1/d [1/m].
   void begin(const LawNumbers& k, double* m, double approach) const {
@@ -52,13 +82,12 @@ struct AdamsImpact : HertzSpring {
     const V force = larger(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
     return {force, choose(less(V{}, force), k[2] * half, V{}), V{}, force};
   }
+  bool operator==(const AdamsImpact&) const = default;
 
  private:
   // In units where m = k = v = 1 the largest overlap is (5/4)^(2/5), and k* its square root.
   static constexpr double scale = 1.0933620739432502;          // (5/4)^(2/5)
   static constexpr double root_of_scale = 1.0225651825635728;  // its fourth root: sqrt(k*)
-
-  LawChoice choice_;
 };
 
 }  // namespace mahlwerk::contact

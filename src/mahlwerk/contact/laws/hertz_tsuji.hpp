@@ -13,8 +13,18 @@ namespace mahlwerk::contact {
 /// normal (dem.10). The bodies never pull: the contact ends when the force does, and the damping
 /// is solved for that end, so that e is exact.
 struct HertzTsuji : HertzSpring {
-  static constexpr LawName name = LawName::hertz_tsuji;
-  explicit HertzTsuji(const LawChoice&) {}
+  static constexpr std::string_view name = "hertz-tsuji";
+  static constexpr std::string_view about =
+      "Hertz's spring with Tsuji's damper along and across, never pulls";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors{{{0.3, 0.15, 0.45},
+                                           {0.3, 0.38, 1.3},
+                                           {0.3, 0.22, 0.7},
+                                           {0.25, 0.18, 0.6},
+                                           {0.15, 0.22, 0.75},
+                                           {0.08, 0.2, 0.65},
+                                           {0.06, 0.1, 0.35}}};
+  static constexpr auto fields() { return std::array<LawField<HertzTsuji>, 0>{}; }
 
   double damping(double e) const { return tensionless_damping(std::max(e, least_restitution)); }
   /// The dimensionless damper is in units of sqrt(m* k).
@@ -23,6 +33,8 @@ struct HertzTsuji : HertzSpring {
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t)};
   }
 
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
   /// Across the normal, where the bodies turn, too: 2/7 of the mass.
   double damper_time(const Touching& t, double damping, double speed) const {
     const double k = hertz_stiffness(t), quarter = std::pow(hertz_overlap(t, speed), 0.25);
@@ -36,6 +48,7 @@ struct HertzTsuji : HertzSpring {
     const auto pushes = less(V{}, force);  // in the tail without force nothing rubs either
     return {force, choose(pushes, k[2] * half, V{}), choose(pushes, damping, V{}), force};
   }
+  bool operator==(const HertzTsuji&) const = default;
 };
 
 }  // namespace mahlwerk::contact

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mahlwerk/contact/linear_spring.hpp"
+#include "mahlwerk/contact/spring.hpp"
 
 namespace mahlwerk::contact {
 
@@ -12,16 +12,26 @@ namespace mahlwerk::contact {
 /// that the area of the loop is what the collision loses. The contact ends when the force does, at
 /// a lasting dent that is forgotten when the bodies part.
 struct WaltonBraun : Spring {
-  static constexpr LawName name = LawName::walton_braun;
+  static constexpr std::string_view name = "walton-braun";
+  static constexpr std::string_view about =
+      "linear springs, stiffer on unloading, so that a loop of plastic work is lost";
+  static constexpr std::string_view shortest = "a collision along the stiff line of unloading";
+  static constexpr StepErrors step_errors{{{0.15, 0.2, 0.6},
+                                           {0.15, 0.2, 0.6},
+                                           {0.15, 0.2, 0.6},
+                                           {0.15, 0.2, 0.6},
+                                           {0.15, 0.2, 0.6},
+                                           {0.15, 0.15, 0.5},
+                                           {0.15, 0.1, 0.3}}};
   static constexpr bool remembers = true;
-  using Spring::Spring;
+  static constexpr auto fields() { return spring_fields<WaltonBraun>(); }
 
   double damping(double e) const {
     const double least = std::max(e, least_restitution);
     return 1 / (least * least);
   }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const double k = stiffness(t);
+    const double k = stiffness_of(t);
     return {k, k * damping, 1 - 1 / damping, spring_across * k};
   }
   void begin(const LawNumbers&, double* m, double) const { m[0] = 0; }  // [m] deepest overlap
@@ -37,10 +47,13 @@ struct WaltonBraun : Spring {
     const double left = overlap - k[2] * m[0];
     return left > 0 ? 0.5 * k[1] * left * left : 0;
   }
+  double largest_overlap(const Touching& t, double speed) const { return deepest(t, speed); }
   double shortest_time(const Touching& t, double) const {
-    const double stiffest = stiffness(t) * damping(t.pair.restitution);
+    const double stiffest = stiffness_of(t) * damping(t.pair.restitution);
     return std::numbers::pi * std::sqrt(t.mass / stiffest);
   }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  bool operator==(const WaltonBraun&) const = default;
 };
 
 }  // namespace mahlwerk::contact

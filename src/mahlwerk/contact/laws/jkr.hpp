@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/hertz_mindlin.hpp"
+#include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 
 namespace mahlwerk::contact {
 
@@ -10,12 +10,17 @@ namespace mahlwerk::contact {
 /// dampers of Hertz-Mindlin. A contact begins at touch and ends at the pull-off overlap, beyond it;
 /// friction acts under the load plus twice the pull-off force.
 struct Jkr : HertzSpring {
-  static constexpr LawName name = LawName::jkr;
-  explicit Jkr(const LawChoice& choice) : plain_(choice) {}
+  static constexpr std::string_view name = "jkr";
+  static constexpr std::string_view about =
+      "Johnson, Kendall and Roberts: elastic spheres whose surfaces adhere";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
+  static constexpr std::array adhesion{surface_energy};
+  static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 
-  double damping(double e) const { return plain_.damping(e); }
+  double damping(double e) const { return HertzMindlin().damping(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
-    const LawNumbers h = plain_.numbers(t, damping);
+    const LawNumbers h = HertzMindlin().numbers(t, damping);
     const double root_r = std::sqrt(t.radius);
     const double pull = 2 * std::sqrt(std::numbers::pi * t.pair.surface_energy / t.pair.modulus);
     return {h[0] / root_r, h[1] / std::sqrt(root_r),
@@ -53,6 +58,8 @@ struct Jkr : HertzSpring {
                                t.pair.modulus);
     return hertz_overlap(t, speed) + a * a / (3 * t.radius);
   }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
   static double pull_off(const Touching& t) {
     return 3 * std::numbers::pi * t.pair.surface_energy * t.radius;
   }
@@ -70,9 +77,7 @@ struct Jkr : HertzSpring {
     };
     return from_none(overlap) - from_none(0);
   }
-
- private:
-  HertzMindlin plain_;
+  bool operator==(const Jkr&) const = default;
 };
 
 }  // namespace mahlwerk::contact

@@ -10,8 +10,18 @@ namespace mahlwerk::contact {
 /// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
 /// the overlap does; shortly before it the force pulls, which makes e exact.
 struct HertzMindlin : HertzSpring {
-  static constexpr LawName name = LawName::hertz_mindlin;
-  explicit HertzMindlin(const LawChoice&) {}
+  static constexpr std::string_view name = "hertz-mindlin";
+  static constexpr std::string_view about =
+      "elastic spheres that stick and slip, damped to one restitution at all speeds";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
+                                           {0.5, 0.1, 0.3},
+                                           {0.4, 0.15, 0.45},
+                                           {0.25, 0.25, 0.8},
+                                           {0.2, 0.3, 0.98},
+                                           {0.1, 0.28, 0.95},
+                                           {0.06, 0.1, 0.35}}};
+  static constexpr auto fields() { return std::array<LawField<HertzMindlin>, 0>{}; }
 
   double damping(double e) const { return -2 * std::sqrt(5.0 / 6.0) * damping_ratio(e); }
   LawNumbers numbers(const Touching& t, double damping) const {
@@ -27,6 +37,11 @@ struct HertzMindlin : HertzSpring {
     const V force = k[0] * overlap * half + k[1] * quarter * rate;
     return {force, k[2] * half, k[3] * quarter, force};
   }
+
+  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
+  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  bool operator==(const HertzMindlin&) const = default;
 };
 
 }  // namespace mahlwerk::contact

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/spring.hpp"
+
+namespace mahlwerk::contact {
+
+/// Linear spring and dashpot along and across the normal (Cundall and Strack 1979). The contact
+/// ends when the overlap does; shortly before it the force pulls, which makes e exact.
+struct LinearSpring : Spring {
+  static constexpr std::string_view name = "linear-spring";
+  static constexpr std::string_view about = "linear spring and dashpot along and across the normal";
+  static constexpr std::string_view shortest = whole_collision;
+  static constexpr StepErrors step_errors{{{0.99, 0.2, 0.6},
+                                           {0.99, 0.28, 0.9},
+                                           {0.99, 0.28, 0.95},
+                                           {0.7, 0.28, 0.95},
+                                           {0.4, 0.28, 0.95},
+                                           {0.25, 0.28, 0.9},
+                                           {0.2, 0.23, 0.8}}};
+  static constexpr auto fields() { return spring_fields<LinearSpring>(); }
+
+  double damping(double e) const { return -2 * damping_ratio(e); }
+  LawNumbers numbers(const Touching& t, double damping) const {
+    const double k = stiffness_of(t), c = damping * std::sqrt(t.mass * k);
+    return {k, c, spring_across * k, spring_across * c};
+  }
+  void begin(const LawNumbers&, double*, double) const {}
+
+  template <class V>
+  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
+    const V force = k[0] * overlap + k[1] * rate;
+    return {force, k[2], k[3], force};
+  }
+
+  double stored(const LawNumbers& k, const double*, double overlap) const {
+    return overlap > 0 ? 0.5 * k[0] * overlap * overlap : 0;
+  }
+  double largest_overlap(const Touching& t, double speed) const { return deepest(t, speed); }
+  double shortest_time(const Touching& t, double) const {
+    return std::numbers::pi * std::sqrt(t.mass / stiffness_of(t));
+  }
+  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  bool operator==(const LinearSpring&) const = default;
+};
+
+}  // namespace mahlwerk::contact

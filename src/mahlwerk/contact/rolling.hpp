@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace mahlwerk::contact {
+
+/// Rolling resistance; soft/kernel.hpp has the torques (dem.22 to dem.25).
+enum class Rolling { none, cdt, viscous, epsd };
+
+/// What there is to know of a rule besides its torque.
+struct RollingRule {
+  Rolling rule;
+  std::string_view name, about;
+  bool resists;
+  std::string_view friction_unit;  ///< of the pairs' rolling_friction
+  bool damped;                     ///< reads rolling_damping
+  bool remembers;                  ///< contacts have a spring of rolling
+};
+
+/// The register of rules, in the order of Rolling.
+constexpr std::array rolling_rules{
+    RollingRule{Rolling::none, "none", "balls roll freely", false, "", false, false},
+    RollingRule{Rolling::cdt, "cdt", "constant torque against the rolling (type A)", true, "",
+                false, false},
+    RollingRule{Rolling::viscous, "viscous", "torque in proportion to the speed (type B)", true,
+                "s/m", false, false},
+    RollingRule{Rolling::epsd, "epsd", "elastic-plastic spring and dashpot (type C)", true, "",
+                true, true}};
+constexpr const RollingRule& rule_of(Rolling rolling) {
+  return rolling_rules[static_cast<std::size_t>(rolling)];
+}
+static_assert(std::ranges::all_of(rolling_rules,
+                                  [](const auto& r) { return &rule_of(r.rule) == &r; }),
+              "rolling_rules stand in the order of Rolling");
+
+}  // namespace mahlwerk::contact
