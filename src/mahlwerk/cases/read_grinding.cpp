@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/cases/register.hpp"

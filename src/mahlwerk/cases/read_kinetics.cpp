@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
 

@@ -4,6 +4,7 @@
 // The sizes of the powder, [capture], [breakage], [fragments], [grinding] and [kinetics].
 #include <fmt/format.h>
 
+#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
 #include "mahlwerk/cases/writer.hpp"
 
