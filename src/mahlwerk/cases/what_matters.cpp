@@ -35,7 +35,8 @@ bool matters(std::string_view dotted, const Case& c, EngineName engine) {
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
   if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
   const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
-  return std::ranges::find(of_other, key) == of_other.end() && !(of_law && engine == EngineName::event);
+  return std::ranges::find(of_other, key) == of_other.end() &&
+         !(of_law && engine == EngineName::event);
 }
 
 /// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
