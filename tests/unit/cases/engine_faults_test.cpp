@@ -26,7 +26,8 @@ TEST(EngineFaults, what_an_engine_does_not_carry_can_still_be_read) {
   const auto viscous = engine_faults(read_sample(
       with(vial, "restitution", "rolling = \"viscous\"\nrolling_friction = \"1 s/m\"")));
   ASSERT_EQ(viscous.size(), 1U);
-  EXPECT_EQ(viscous[0].where + " " + viscous[0].code, "case.toml:17 viscous-rolling");
+  EXPECT_EQ(viscous[0].where, "case.toml:17");
+  EXPECT_EQ(viscous[0].code, "viscous-rolling");
 }
 
 TEST(EngineFaults, the_soft_engine_has_one_restitution_for_all_speeds) {
