@@ -129,7 +129,7 @@ void write_model(Writer& out, const contact::ContactModel& model) {
   out.word("law", contact::name_of(model.law));
   out.word("rolling", contact::rule_of(model.rolling).name);
   std::visit([&](const auto& law) { write_switches(out, law); }, model.law);
-  if (has_meaning(rolling_damping.key, model) && model.rolling_damping > 0)
+  if (has_meaning(rolling_damping.key, model))
     out.number(rolling_damping.key, model.rolling_damping, rolling_damping.unit);
   std::visit([&](const auto& law) { write_law_fields(out, law); }, model.law);
   out.line("curved_walls", model.curved_walls ? "true" : "false");

@@ -13,7 +13,7 @@ namespace mahlwerk::observe {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double at_wall = 0.01;  // of a ball's radius: it is at the wall
+constexpr double near_wall = 0.01;  // of a ball's radius: it is at the wall
 
 int angle_slot(double x, double y) {
   const double angle = std::atan2(y, x);
@@ -74,7 +74,7 @@ void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec
                       !std::is_same_v<S, geometry::Attritor>) {
           for (int face = 0; face < shape.faces; ++face) {
             const geometry::Gap gap = shape.gap(face, own.back(ball.position));
-            if (!(gap.distance - ball.radius < at_wall * ball.radius)) continue;
+            if (!(gap.distance - ball.radius < near_wall * ball.radius)) continue;
             const Vec3 n = own * gap.inward, arm = -ball.radius * n;
             const Vec3 slip =
                 ball.velocity + cross(ball.spin, arm) - cross(spin, ball.position + arm);

@@ -128,6 +128,8 @@ TEST(ReadLaw, every_word_and_its_numbers) {
 TEST(ReadLaw, rolling_resistance) {
   EXPECT_EQ(contact_of("rolling = \"none\"").rolling_friction, 0);
   EXPECT_EQ(contact_of("rolling = \"epsd\"\nrolling_damping = 0.3").model.rolling_damping, 0.3);
+  const Case undamped = read_sample(with_contact("rolling = \"epsd\"\nrolling_damping = 0"));
+  EXPECT_EQ(read_sample(write(undamped)).contact.model.rolling_damping, 0) << "not the default";
   const std::string viscous = "rolling = \"viscous\"\n";
   EXPECT_EQ(contact_of(viscous + "rolling_friction = \"0.2 s/m\"").rolling_friction, 0.2);
   EXPECT_EQ(fault(with_contact(viscous)), "14 missing-value");
