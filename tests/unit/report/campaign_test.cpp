@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "mahlwerk/report/notices.hpp"
 #include "unit/report/campaign_fake.hpp"
@@ -163,14 +162,11 @@ TEST(CampaignPage, does_not_take_words_for_markup) {
   for (const auto& [name, picture] : campaign_figures(c)) EXPECT_FALSE(has(picture, "<b>")) << name;
 }
 
-TEST(CampaignPage, of_5000_points_is_below_5_MB_and_made_in_2_s) {
+TEST(CampaignPage, of_5000_points_is_below_5_MB) {
   Campaign wide = grid(100, 50);
   for (const Campaign& c : {scattered(5000), wide}) {
-    const auto start = std::chrono::steady_clock::now();
     const std::string html = campaign_page(c, "1");
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     EXPECT_LT(html.size(), 5U << 20U) << c.title;
-    EXPECT_LT(time.count(), 2) << c.title;
     EXPECT_TRUE(has(html, "The first 1000 of 5000 points; campaign.csv has all of them."));
     const std::string table = html.substr(html.find("id=\"points\""));
     EXPECT_EQ(times(table, "<tr><td"), 1000U);
