@@ -11,6 +11,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "statement.hpp"
 
 // The charges that tests of many balls share.
 namespace mahlwerk::tests {
@@ -74,7 +75,7 @@ inline double deepest_overlap(const std::vector<scene::Ball>& balls, double side
       const Vec3 r = balls[i].position - balls[j].position;
       const double gap =
           norm(Vec3{fold(r.x), fold(r.y), fold(r.z)}) - balls[i].radius - balls[j].radius;
-      deepest = std::max(deepest, -gap / std::min(balls[i].radius, balls[j].radius));
+      deepest = max_or_nan(deepest, -gap / std::min(balls[i].radius, balls[j].radius));
     }
   return deepest;
 }

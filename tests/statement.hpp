@@ -27,4 +27,10 @@ inline void stays_below(const std::string& what, double found, double bound,
   EXPECT_LE(found, bound) << what << " [" << source << "]";
 }
 
+/// The larger of two numbers; not a number if one of them is, which std::max would lose.
+template <class T>
+T max_or_nan(T a, T b) {
+  return a != a || b <= a ? a : b;
+}
+
 }  // namespace mahlwerk::tests

@@ -50,7 +50,7 @@ TEST(MeshOracle, distances_and_sides_are_those_of_cgal) {
       const Kernel::Point_3 q(p.x, p.y, p.z);
       const auto found = wall.nearest(p);
       const double distance = std::sqrt(tree.squared_distance(q));
-      worst = std::max(worst, std::abs(std::abs(found.gap.distance) - distance));
+      worst = max_or_nan(worst, std::abs(std::abs(found.gap.distance) - distance));
       wrong += (side(q) == CGAL::ON_BOUNDED_SIDE) == (found.gap.distance > 0) ? 0 : 1;
       const Vec3 foot = p - found.gap.distance * found.gap.inward;
       foot_off = std::max(

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "law_types.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "register_types.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::tests {
@@ -24,7 +24,7 @@ namespace sample = cases::sample;
 
 template <class L>
 class LawsOfCases : public ::testing::Test {};
-TYPED_TEST_SUITE(LawsOfCases, LawTypes<contact::AnyLaw>::type, NameOfLaw);
+TYPED_TEST_SUITE(LawsOfCases, TypesOf<contact::AnyLaw>::type, NameOfModel);
 
 TEST(LawRegister, names_are_unique_and_each_says_what_it_is) {
   std::set<std::string_view> names;

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-#include "law_types.hpp"
+#include "register_types.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -80,7 +80,7 @@ class HeadOn {
       push(memory_, now);
       e.duration += step_;
       if (now.rate < 0 && spring(now) > 0) e.unloading += step_;
-      e.deepest = std::max(e.deepest, now.overlap);
+      e.deepest = max_or_nan(e.deepest, now.overlap);
     }
     return e;
   }
@@ -150,13 +150,13 @@ class Laws : public ::testing::Test {
   }
   std::string named(const char* what) const { return fmt::format("{}: {}", L::name, what); }
 };
-TYPED_TEST_SUITE(Laws, LawTypes<contact::AnyLaw>::type, NameOfLaw);
+TYPED_TEST_SUITE(Laws, TypesOf<contact::AnyLaw>::type, NameOfModel);
 
 TYPED_TEST(Laws, restitution_is_the_one_asked_for_at_every_speed) {
   double worst = 0;
   this->collide(Adhesion::none, [&](const Touching& t, double speed, const auto& end) {
     EXPECT_TRUE(end.parted);
-    worst = std::max(worst, std::abs(end.rebound / speed - t.pair.restitution));
+    worst = max_or_nan(worst, std::abs(end.rebound / speed - t.pair.restitution));
   });
   stays_below(this->named("restitution off by"), worst, integration + solving, "e asked");
 }
@@ -165,7 +165,7 @@ TYPED_TEST(Laws, collisions_make_no_energy) {
   double most = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
     this->collide(adhesion, [&](const Touching&, double speed, const auto& end) {
-      most = std::max(most, end.rebound / speed);
+      most = max_or_nan(most, end.rebound / speed);
     });
   stays_below(this->named("speed after over speed before"), most, 1 + integration,
               "conservation of energy");
@@ -175,7 +175,7 @@ TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {
   double longest = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
     this->collide(adhesion, [&](const Touching& t, double speed, const auto& end) {
-      longest = std::max(longest, this->law.shortest_time(t, speed) / end.duration);
+      longest = max_or_nan(longest, this->law.shortest_time(t, speed) / end.duration);
     });
   stays_below(this->named("shortest_time over duration"), longest, 1 + integration, "law.hpp");
 }
@@ -184,7 +184,7 @@ TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {
 TYPED_TEST(Laws, shortest_time_is_no_longer_than_twice_the_unloading) {
   double longest = 0;
   this->collide(Adhesion::none, [&](const Touching& t, double speed, const auto& end) {
-    longest = std::max(longest, this->law.shortest_time(t, speed) / (2 * end.unloading));
+    longest = max_or_nan(longest, this->law.shortest_time(t, speed) / (2 * end.unloading));
   });
   // Both ends of the unloading are known to a step of the integration, 1/4000 of it twice.
   stays_below(this->named("shortest_time over twice the unloading"), longest,
@@ -195,7 +195,7 @@ TYPED_TEST(Laws, largest_overlap_is_no_less_than_that_of_any_collision) {
   double deepest = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
     this->collide(adhesion, [&](const Touching& t, double speed, const auto& end) {
-      deepest = std::max(deepest, end.deepest / this->law.largest_overlap(t, speed));
+      deepest = max_or_nan(deepest, end.deepest / this->law.largest_overlap(t, speed));
     });
   stays_below(this->named("overlap over largest_overlap"), deepest, 1 + integration, "law.hpp");
 }
@@ -244,7 +244,7 @@ TYPED_TEST(Laws, damper_time_is_no_longer_than_the_damper_takes_alone) {
       for (int i = 1; i <= 100; ++i) {
         const Slopes s = slopes(contact, 0.01 * i * deepest, speed);
         if (std::isinf(told))
-          damped = std::max(damped, s.along * s.along / (4 * t.mass * s.spring));
+          damped = max_or_nan(damped, s.along * s.along / (4 * t.mass * s.spring));
         else
           quickest =
               std::max({quickest, told * s.along / t.mass, told * s.across / (2.0 / 7.0 * t.mass)});

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
+#include "register_types.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -74,13 +75,6 @@ Tabulated sample() {
   return Tabulated(samples);
 }
 
-template <class Variant>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::variant<T...>> {
-  using type = ::testing::Types<T...>;
-};
-
 template <class M>
 class Motions : public ::testing::Test {
  protected:
@@ -88,7 +82,7 @@ class Motions : public ::testing::Test {
   Random random{3, 2};
   double some_time() { return random.uniform(0, 3); }
 };
-TYPED_TEST_SUITE(Motions, AsTypes<AnyMotion>::type);
+TYPED_TEST_SUITE(Motions, TypesOf<AnyMotion>::type);
 
 /// Central difference; off by h^2/6 of the third derivative plus rounding.
 template <class F>
@@ -133,8 +127,8 @@ TYPED_TEST(Motions, velocity_and_acceleration_are_the_derivatives_of_the_centre)
     const double t = this->some_time();
     const auto centre = [&](double s) { return m.ride(s).centre; };
     const auto velocity = [&](double s) { return m.ride(s).velocity; };
-    worst_v = std::max(worst_v, norm(slope(centre, t, h) - m.ride(t).velocity));
-    worst_a = std::max(worst_a, norm(slope(velocity, t, h) - m.ride(t).acceleration));
+    worst_v = max_or_nan(worst_v, norm(slope(centre, t, h) - m.ride(t).velocity));
+    worst_a = max_or_nan(worst_a, norm(slope(velocity, t, h) - m.ride(t).acceleration));
   }
   stays_below("velocity [m/s]", worst_v, h * h * b.jerk + 1e-9, "kin.1, central differences");
   stays_below("acceleration [m/s2]", worst_a, h * b.jerk + 1e-16 * b.speed / h + 1e-8,
@@ -149,10 +143,10 @@ TYPED_TEST(Motions, spin_is_the_rate_of_turn) {
     const double t = this->some_time();
     for (const Vec3 e : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
       const auto turned = [&](double s) { return m.turn(s) * e; };
-      worst = std::max(worst, norm(slope(turned, t, h) - cross(m.spin(t), m.turn(t) * e)));
+      worst = max_or_nan(worst, norm(slope(turned, t, h) - cross(m.spin(t), m.turn(t) * e)));
     }
     const auto spin = [&](double s) { return m.spin(s); };
-    worst_rate = std::max(worst_rate, norm(slope(spin, t, h) - m.spin_rate(t)));
+    worst_rate = max_or_nan(worst_rate, norm(slope(spin, t, h) - m.spin_rate(t)));
   }
   const Bounds b = m.bounds();
   stays_below("spin [rad/s]", worst, 1e-9 * (1 + b.spin + b.spin_rate + b.spin * b.spin), "kin.1");
@@ -211,7 +205,7 @@ TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {
   double worst = 0;
   for (int i = 0; i < 1000; ++i) {
     const double t = 0.3 * i / 1000;
-    worst = std::max(worst, std::abs(table.ride(t).centre.z - a * std::sin(2 * pi * f * t)));
+    worst = max_or_nan(worst, std::abs(table.ride(t).centre.z - a * std::sin(2 * pi * f * t)));
   }
   // de Boor: 5/384 of the fourth derivative times the spacing to the fourth, doubled for safety.
   const double w = 2 * pi * f, h = 0.1 / n;

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "mahlwerk/base/random.hpp"
+#include "register_types.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -52,13 +53,6 @@ PeriodicBox sample() {
   return {0.03, 0.042, 0.0325};
 }
 
-template <class Variant>
-struct AsTypes;
-template <class... T>
-struct AsTypes<std::variant<T...>> {
-  using type = ::testing::Types<T...>;
-};
-
 template <class S>
 class Shapes : public ::testing::Test {
  protected:
@@ -87,7 +81,7 @@ class Shapes : public ::testing::Test {
     return p;
   }
 };
-TYPED_TEST_SUITE(Shapes, AsTypes<geometry::FormulaShape>::type);
+TYPED_TEST_SUITE(Shapes, TypesOf<geometry::FormulaShape>::type);
 
 TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
   double worst = 0;
@@ -108,7 +102,7 @@ TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
       }
       const Vec3 inward = this->shape.gap(face, p).inward;
       EXPECT_NEAR(norm(inward), 1, 1e-14);
-      worst = std::max(worst, norm(slope - inward));
+      worst = max_or_nan(worst, norm(slope - inward));
     }
   }
   stays_below("difference between gradient and inward normal", worst, 1e-3, "geo.1");
@@ -130,7 +124,7 @@ TYPED_TEST(Shapes, normal_rate_is_the_derivative_of_the_inward_normal) {
         ++across;
         continue;
       }
-      worst = std::max(worst, norm(rate - 0.5 * (ahead + behind)) / (1 + norm(rate)));
+      worst = max_or_nan(worst, norm(rate - 0.5 * (ahead + behind)) / (1 + norm(rate)));
     }
   }
   stays_below("relative difference of the normal's rate", worst, 1e-4, "geo.2");
@@ -174,7 +168,7 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
       EXPECT_LE(look.gap, this->shape.gap(face, start).distance - radius + 1e-15);
       clear = std::min(clear, look.time);
     }
-    longest = std::max(longest, clear);
+    longest = max_or_nan(longest, clear);
     if (TypeParam::faces == 0) continue;  // without walls the promise must be for ever: below
     Vec3 p = start, v = velocity;
     constexpr int steps = 60;
@@ -188,7 +182,7 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
              std::copysign(pull.most.z, this->random.uniform(-1, 1))};
       p += h * (v + 0.5 * h * a);
       v += h * a;
-      deepest = std::max(deepest, -this->nearest(p, radius));
+      deepest = max_or_nan(deepest, -this->nearest(p, radius));
     }
   }
   stays_below("deepest penetration [m]", deepest, 1e-15, "geo.4 to geo.6, 20000 random courses");

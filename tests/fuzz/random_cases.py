@@ -151,8 +151,9 @@ def run(program, text, folder, slow, interrupt):
         command += ["--set", "run.time=1e6 s"]
     with open(folder / "stderr", "wb") as err:
         # Where this runs in the background SIGINT is ignored, and the program would inherit that.
-        process = subprocess.Popen(command, stdout=err, stderr=err, preexec_fn=lambda: signal.signal(
-            signal.SIGINT, signal.SIG_DFL))
+        process = subprocess.Popen(
+            command, stdout=err, stderr=err,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     try:
         if interrupt:
             time.sleep(interrupt * slow)

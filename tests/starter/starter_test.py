@@ -69,8 +69,8 @@ def main():
             if whole:
                 os.killpg(process.pid, signal.SIGINT)
             else:
-                child = subprocess.run(["pgrep", "-P", str(process.pid), "-f", "--", "--build"], capture_output=True,
-                                       text=True, check=True).stdout.split()[0]
+                child = subprocess.run(["pgrep", "-P", str(process.pid), "-f", "--", "--build"],
+                                       capture_output=True, text=True, check=True).stdout.split()[0]
                 os.kill(int(child), signal.SIGINT)
             said = process.communicate(timeout=60)[1]
             assert process.returncode == 130, (process.returncode, said)

@@ -82,11 +82,11 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
         const scene::Account a = engine->account();
         collisions += a.collisions;
         lasting += a.lasting_contacts;
-        worst_collision = std::max(worst_collision, a.worst_collision);
+        worst_collision = max_or_nan(worst_collision, a.worst_collision);
         const double turnover = a.started_with + std::abs(a.wall_work) + a.lost();
         const double relative = std::abs(a.residual()) / turnover;
         EXPECT_LT(relative, 1e-5) << shape.index() << " on " << motion.index() << ", e " << e;
-        worst_run = std::max(worst_run, relative);
+        worst_run = max_or_nan(worst_run, relative);
         const scene::Ball b = engine->balls().front();
         EXPECT_TRUE(finite(b.position) && finite(b.velocity) && finite(b.spin));
       }

@@ -23,7 +23,7 @@ TEST(Flight, free_fall_is_a_parabola) {
     const double t = 0.01 * i;
     engine->advance(t, recorder);
     const Vec3 expected = start + t * velocity + 0.5 * t * t * Vec3{0, 0, -gravity};
-    worst = std::max(worst, norm(engine->balls().front().position - expected));
+    worst = max_or_nan(worst, norm(engine->balls().front().position - expected));
   }
   stays_below("distance from the parabola [m]", worst, 1e-15, "evt.2");
   engine->advance(0.7, recorder);
@@ -92,8 +92,9 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
       return vial_i.gap(0, p.position).distance - 0.004;
     };
     for (int k = 1; k < looks; ++k)
-      deepest = std::max(deepest, -gap_at(start.time + (touch.when.time - start.time) * k / looks));
-    furthest = std::max(furthest, std::abs(gap_at(touch.when.time)));
+      deepest =
+          max_or_nan(deepest, -gap_at(start.time + (touch.when.time - start.time) * k / looks));
+    furthest = max_or_nan(furthest, std::abs(gap_at(touch.when.time)));
   }
   EXPECT_EQ(touched, flights);
   // The margin of the search, and the rounding of positions of 0.1 m.

@@ -11,6 +11,7 @@
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
+#include "statement.hpp"
 
 namespace mahlwerk::tests {
 
@@ -94,7 +95,7 @@ class PlainSwarm {
     const Vec3 p =
         std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
     double fastest = 0;
-    for (const scene::Ball& b : balls_) fastest = std::max(fastest, norm(b.velocity));
+    for (const scene::Ball& b : balls_) fastest = max_or_nan(fastest, norm(b.velocity));
     return std::min({p.x, p.y, p.z}) / (2 * fastest);
   }
 

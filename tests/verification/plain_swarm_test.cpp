@@ -83,8 +83,8 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
     for (PlainSwarm& p : noisy) {
       const PlainSwarm::Bounce b = p.next();
       same = same && b.ball == expected.ball && b.other == expected.other;
-      late = std::max(late, std::abs(b.time - expected.time));
-      fast = std::max(fast, std::abs(b.approach - expected.approach));
+      late = max_or_nan(late, std::abs(b.time - expected.time));
+      fast = max_or_nan(fast, std::abs(b.approach - expected.approach));
     }
     if (!same || late > 1e-6 * expected.time) break;  // chaos has eaten the digits
     for (int i = 0; std::ssize(seen.all) <= k && i < 60; ++i)

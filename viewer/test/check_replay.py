@@ -14,13 +14,12 @@ import json
 import pathlib
 import re
 import shutil
-import struct
 import sys
 import tempfile
-import zlib
 
 import synthetic
 from browser import Browser
+from pictures import changed, colours, pixels
 
 viewer = pathlib.Path(__file__).resolve().parents[1]
 report_style = viewer.parent / "src/mahlwerk/report/page.cpp"
@@ -37,58 +36,6 @@ def page(data, script=None):
             '<section id="replay"></section>'
             f'<script type="application/json" id="replay-data">{json.dumps(data)}</script>'
             f"<script>{script}</script></main></body></html>")
-
-
-def pixels(png):
-    """Width and rows of (red, green, blue) of an 8-bit RGB or RGBA PNG (W3C PNG, section 9)."""
-    at, body = 8, b""
-    while at < len(png):
-        length, kind = struct.unpack(">I4s", png[at:at + 8])
-        if kind == b"IHDR":
-            width, height, depth, colour = struct.unpack(">IIBB", png[at + 8:at + 18])
-        elif kind == b"IDAT":
-            body += png[at + 8:at + 8 + length]
-        at += 12 + length
-    assert depth == 8 and colour in (2, 6), "a PNG of another kind"
-    step = 3 if colour == 2 else 4
-    raw, before, rows = zlib.decompress(body), bytearray(width * step), []
-    for y in range(height):
-        start = y * (width * step + 1)
-        row = bytearray(raw[start + 1:start + 1 + width * step])
-        unfilter(raw[start], row, before, step)
-        rows.append([tuple(row[x:x + 3]) for x in range(0, len(row), step)])
-        before = row
-    return width, rows
-
-
-def unfilter(kind, row, before, step):
-    for i in range(len(row)):
-        left = row[i - step] if i >= step else 0
-        corner = before[i - step] if i >= step else 0
-        up = before[i]
-        if kind == 1:
-            row[i] = row[i] + left & 255
-        elif kind == 2:
-            row[i] = row[i] + up & 255
-        elif kind == 3:
-            row[i] = row[i] + (left + up) // 2 & 255
-        elif kind == 4:
-            guess = left + up - corner
-            row[i] = row[i] + min((left, up, corner), key=lambda v: abs(guess - v)) & 255
-
-
-def colours(png):
-    return len({colour for row in pixels(png)[1] for colour in row})
-
-
-def changed(a, b):
-    """Part of the pixels that differ between two pictures of one size. Up to two of 255 levels may
-    be rounding: a turn there and back in single precision does not end quite where it began."""
-    rows_a, rows_b = pixels(a)[1], pixels(b)[1]
-    assert len(rows_a) == len(rows_b) and len(rows_a[0]) == len(rows_b[0])
-    different = sum(max(abs(i - j) for i, j in zip(p, q)) > 2
-                    for x, y in zip(rows_a, rows_b) for p, q in zip(x, y) if p != q)
-    return different / (len(rows_a) * len(rows_a[0]))
 
 
 class Checks:

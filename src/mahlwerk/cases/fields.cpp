@@ -88,7 +88,7 @@ const std::vector<std::string>& engines() {
 }
 
 std::string_view name_of(EngineName engine) {
-  return engines()[static_cast<std::size_t>(engine)];
+  return word_for(engine, engines());
 }
 
 const std::vector<std::string>& wear_models() {

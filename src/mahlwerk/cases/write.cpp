@@ -153,7 +153,7 @@ void write_contact(Writer& out, const Contact& contact) {
 
 void write_run(Writer& out, const Run& run) {
   out.section("[run]", "run.");
-  out.word("engine", std::string(name_of(run.engine)));
+  out.word("engine", name_of(run.engine));
   if (run.until) {
     out.word("time", fmt::format("until {}", show(run.until->within, "")));
     out.word("until", run.until->quantity);

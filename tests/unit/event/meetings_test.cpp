@@ -143,7 +143,7 @@ TEST(Meetings, of_a_pair_are_those_of_the_plain_formula_with_more_digits) {
     if (expected.kind != Truth::meets || found.partner != 1) continue;
     const Wide clock = half_digit * (s.me.time + expected.since_now);
     const Wide off = std::abs(found.time - (s.me.time + expected.since_now));
-    worst = std::max(worst, off / (expected.tolerance + clock));
+    worst = max_or_nan(worst, off / (expected.tolerance + clock));
   }
   std::printf("    %d of %d pairs meet, %d cannot be told in double\n", met, pairs, unclear);
   EXPECT_GT(met, pairs / 3);

@@ -45,7 +45,7 @@ TEST(SustainedContact, no_collision_gains_energy_beyond_what_is_stored) {
     const auto in = random_approach(random);
     const auto out = sustained.collide(random_rule(random), in);
     const double energy = 0.5 * in.mass * (in.normal * in.normal + in.slip * in.slip) + out.drawn;
-    most = std::max(most, -(out.loss.normal + out.loss.tangential + out.drawn) / energy);
+    most = tests::max_or_nan(most, -(out.loss.normal + out.loss.tangential + out.drawn) / energy);
     ASSERT_GE(out.drawn, 0);
     ASSERT_LE(out.drawn, in.stored);
     draws += out.drawn > 0 ? 1 : 0;

@@ -52,7 +52,7 @@ TEST(Mesh, distance_is_the_least_of_all_triangles_and_its_sign_tells_inside) {
     for (int i = 0; i < 3000; ++i) {
       const Vec3 p = 1.2 * anywhere_in(wall.extent(), random);
       const double found = wall.nearest(p).gap.distance;
-      worst = std::max(worst, std::abs(std::abs(found) - distance_to(t, p)));
+      worst = max_or_nan(worst, std::abs(std::abs(found) - distance_to(t, p)));
       const bool in = winding(t, p) > 0.5;
       inside += in ? 1 : 0;
       wrong += in == (found > 0) ? 0 : 1;
@@ -81,7 +81,7 @@ TEST(Mesh, distances_of_faces_are_those_of_their_triangles) {
         d = std::min(d, norm(p - nearest_on(f.corner, p)));
       }
       for (std::size_t k = 0; k < found.size(); ++k)
-        worst = std::max(worst, std::abs(found[k] - least[k]));
+        worst = max_or_nan(worst, std::abs(found[k] - least[k]));
     }
   }
   stays_below("distance [m]", worst, 1e-15, "all triangles one by one");
@@ -152,7 +152,7 @@ TEST(Mesh, a_box_of_triangles_is_a_box) {
       for (const Gap& g : touched(mesh, p, 1))
         if (norm(g.inward - wall.inward) < 1e-12)
           least = std::min(least, std::abs(g.distance - wall.distance));
-      worst = std::max(worst, least);
+      worst = max_or_nan(worst, least);
     }
   }
   stays_below("gap [m]", worst, 1e-16, "geo.7; roundings of 0.04 m");
@@ -170,7 +170,7 @@ TEST(Mesh, facets_tend_to_the_round_wall_as_their_width_squared) {
     for (int i = 0; i < 2000; ++i) {
       const double r = 0.019 * std::sqrt(random.uniform(0, 1)), a = random.uniform(0, 7);
       const Vec3 p{r * std::cos(a), r * std::sin(a), random.uniform(-0.01, 0.01)};
-      worst = std::max(worst, std::abs(mesh.gap(0, p, 1).distance - (0.021 - r)));
+      worst = max_or_nan(worst, std::abs(mesh.gap(0, p, 1).distance - (0.021 - r)));
     }
     stays_below("error [m]", worst, 0.021 * (1 - std::cos(std::numbers::pi / n)) + 1e-16,
                 "the arrow of a facet's arc, width^2/(8 R)");
@@ -199,8 +199,8 @@ TEST(Mesh, one_ball_over_a_convex_edge_is_one_contact_and_its_direction_turns_st
       ++not_one;
       continue;
     }
-    distance = std::max(distance, std::abs(gaps[0].distance - d));
-    if (i > 0) turned = std::max(turned, norm(gaps[0].inward - last));
+    distance = max_or_nan(distance, std::abs(gaps[0].distance - d));
+    if (i > 0) turned = max_or_nan(turned, norm(gaps[0].inward - last));
     last = gaps[0].inward;
   }
   EXPECT_EQ(not_one, 0);

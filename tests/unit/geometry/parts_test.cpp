@@ -61,10 +61,10 @@ void has_distances(const S& jar) {
     for (int face = 0; face < jar.faces; ++face) {
       const geometry::Gap gap = jar.gap(face, p);
       EXPECT_NEAR(norm(gap.inward), 1, 1e-14);
-      foot = std::max(foot, std::abs(jar.gap(face, p - gap.distance * gap.inward).distance));
+      foot = max_or_nan(foot, std::abs(jar.gap(face, p - gap.distance * gap.inward).distance));
       // Anything nearer than 0.999 d is not on the face: distances change by what one moves.
       const Vec3 q = p + 0.999 * gap.distance * random.direction();
-      nearer = std::max(nearer, 1e-3 * gap.distance - jar.gap(face, q).distance);
+      nearer = max_or_nan(nearer, 1e-3 * gap.distance - jar.gap(face, q).distance);
     }
   }
   stays_below("distance of the foot from its face [m]", foot, 1e-15, "rounding of sizes of 0.1 m");

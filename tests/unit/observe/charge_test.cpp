@@ -127,7 +127,7 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
         if (once.in_carrier.density(x, y) == 0) continue;
         const double speed =
             std::hypot(once.in_carrier.velocity_x(x, y), once.in_carrier.velocity_y(x, y));
-        off = std::max(off, std::abs(speed - std::abs(ratio) * motion.speed * r));
+        off = tests::max_or_nan(off, std::abs(speed - std::abs(ratio) * motion.speed * r));
       }
     }
     const std::string name = "ratio " + std::to_string(ratio).substr(0, 4);

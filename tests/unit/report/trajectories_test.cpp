@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "mahlwerk/cases/build.hpp"
+#include "statement.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -54,7 +55,7 @@ double spread(const std::string& svg) {
     double x = 0, y = 0;
     if (std::sscanf(path.c_str() + i + 1, "%lf %lf", &x, &y) != 2) break;
     if (std::isnan(x0)) x0 = x, y0 = y;
-    most = std::max(most, std::hypot(x - x0, y - y0));
+    most = tests::max_or_nan(most, std::hypot(x - x0, y - y0));
     if (path.find_first_of("ML", i + 1) == std::string::npos) break;
   }
   return most;

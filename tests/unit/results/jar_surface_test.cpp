@@ -103,7 +103,7 @@ TEST(JarSurface, every_vertex_lies_on_the_wall) {
   for (const AnyShape& shape : samples())
     for (const JarMesh& mesh : results::jar_surface(shape)) {
       double farthest = 0;
-      for (const Vec3& p : mesh.vertices) farthest = std::max(farthest, off_wall(shape, mesh, p));
+      for (const Vec3& p : mesh.vertices) farthest = max_or_nan(farthest, off_wall(shape, mesh, p));
       const double reach = of(shape, [](const auto& s) { return s.reach(); });
       stays_below(title(shape, mesh) + ": vertex off the wall [reach]", farthest / reach, 1e-9,
                   "geo.1");

@@ -95,7 +95,7 @@ void every_run_ends(const geometry::AnyShape& jar) {
       const scene::Account a = engine->account();
       const double off =
           std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost() + a.started_with);
-      worst = std::max(worst, off);
+      worst = max_or_nan(worst, off);
       EXPECT_LE(off, 1e-6) << mill.name << ", " << bounce.name;
     }
   std::printf("    %d runs, %d stopped by the guard\n", runs, stopped);

@@ -105,8 +105,8 @@ TEST(Crowd, moves_as_few_balls_do) {
     const auto a = few->balls(), b = many->balls(), c = nudged->balls();
     double off = 0, grown = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      off = std::max(off, norm(a[i].position - b[i].position));
-      grown = std::max(grown, norm(c[i].position - b[i].position));
+      off = max_or_nan(off, norm(a[i].position - b[i].position));
+      grown = max_or_nan(grown, norm(c[i].position - b[i].position));
     }
     EXPECT_GT(by_many.all.size(), 30U);
     EXPECT_EQ(by_few.all.size(), by_many.all.size());

@@ -55,7 +55,7 @@ void feels_its_weight(std::size_t count, std::size_t few) {
   ASSERT_EQ(forces.size(), count);
   const double weight = balls[0].mass() * gravity, fallen = std::sqrt(0.2 * radius * gravity);
   double worst = 0;
-  for (const Vec3& f : forces) worst = std::max(worst, norm(f - Vec3{0, 0, weight}));
+  for (const Vec3& f : forces) worst = max_or_nan(worst, norm(f - Vec3{0, 0, weight}));
   states(arranged(count, few) + "force on the first ball [N]", forces[0].z, weight,
          balls[0].mass() * fallen * rounding / (0.5 * step), "m g");
   stays_below(arranged(count, few) + "farthest of all from their weight [N]", worst,
@@ -101,9 +101,9 @@ TEST(Forces, change_the_momentum_of_every_ball_by_their_mean_over_a_step) {
       for (std::size_t b = 0; b < before.size(); ++b) {
         const Vec3 gained = mass * (after[b].velocity - before[b].velocity);
         const Vec3 given = 0.5 * step * (first[b] + second[b] + mass * (body(n) + body(n + 1)));
-        worst = std::max(worst, norm(gained - given));
-        most = std::max(most, norm(first[b]));
-        fastest = std::max(fastest, norm(after[b].velocity));
+        worst = max_or_nan(worst, norm(gained - given));
+        most = max_or_nan(most, norm(first[b]));
+        fastest = max_or_nan(fastest, norm(after[b].velocity));
       }
     }
     EXPECT_GT(most, 10 * mass * gravity) << "nothing touched";
@@ -124,8 +124,8 @@ TEST(Forces, of_a_colliding_pair_are_opposite) {
     for (int n = 1; n < 1000; ++n) {
       engine->advance(n * step, none);
       const std::vector<Vec3> f = engine->forces();
-      most = std::max(most, norm(f[0]));
-      worst = std::max(worst, norm(f[0] + f[1]));
+      most = max_or_nan(most, norm(f[0]));
+      worst = max_or_nan(worst, norm(f[0] + f[1]));
     }
     ASSERT_EQ(none.all.size(), 1U);
     EXPECT_GT(most, 1);

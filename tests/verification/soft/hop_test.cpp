@@ -37,8 +37,8 @@ Difference difference(const Followed& a, const Followed& b, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     EXPECT_EQ(a.seen[i].ball, b.seen[i].ball) << i;
     EXPECT_EQ(a.seen[i].other, b.seen[i].other) << i;
-    d.time = std::max(d.time, std::abs(a.seen[i].time - b.seen[i].time));
-    d.speed = std::max(d.speed, std::abs(a.seen[i].approach - b.seen[i].approach));
+    d.time = max_or_nan(d.time, std::abs(a.seen[i].time - b.seen[i].time));
+    d.speed = max_or_nan(d.speed, std::abs(a.seen[i].approach - b.seen[i].approach));
   }
   return d;
 }
@@ -111,8 +111,8 @@ TEST(TowardsEvent, collisions_tend_to_the_event_engine_s_as_contacts_shorten) {
     time = speed = 0;
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(soft.seen[i].other, expected.all[i].other) << i;
-      time = std::max(time, std::abs(soft.seen[i].time - expected.all[i].time));
-      speed = std::max(speed, std::abs(soft.seen[i].approach - expected.all[i].approach));
+      time = max_or_nan(time, std::abs(soft.seen[i].time - expected.all[i].time));
+      speed = max_or_nan(speed, std::abs(soft.seen[i].approach - expected.all[i].approach));
     }
     std::printf("    E %.0e Pa, t_c %.3g s: times off by %.3g s, speeds by %.3g m/s\n", modulus,
                 contact, time, speed);

@@ -20,7 +20,7 @@ double apart(const scene::Engine& a, const scene::Engine& b) {
   const auto one = a.balls(), other = b.balls();
   double most = 0;
   for (std::size_t i = 0; i < one.size(); ++i)
-    most = std::max(most, norm(one[i].position - other[i].position));
+    most = max_or_nan(most, norm(one[i].position - other[i].position));
   return most;
 }
 
@@ -133,8 +133,8 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
       const scene::Ball b = engine->balls()[0];
       if (b.position.x < -0.002 || b.position.z < -0.012) continue;
       ++steps_over;
-      most = std::max(most, std::abs(a.kinetic + a.potential + a.elastic - a.started_with));
-      speed = std::max(speed, norm(b.velocity));
+      most = max_or_nan(most, std::abs(a.kinetic + a.potential + a.elastic - a.started_with));
+      speed = max_or_nan(speed, norm(b.velocity));
     }
     EXPECT_GT(steps_over, 100);
     EXPECT_GT(speed, 0.2) << "it has fallen off";
@@ -143,7 +143,8 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
                 most / (ball.mass() * gravity * 0.005), 1e-4,
                 "a smooth hand-over; 200 times less than one contact counted twice");
     double off = 0;
-    for (const scene::Collision& c : recorder.all) off = std::max(off, distance_to(step, c.where));
+    for (const scene::Collision& c : recorder.all)
+      off = max_or_nan(off, distance_to(step, c.where));
     EXPECT_GT(recorder.all.size(), 2U);
     stays_below("records off the wall [m]", off, 1e-6,
                 "one step at 0.8 m/s, faster than 20 mm of fall; the overlap at rest is 1e-7");
@@ -174,7 +175,7 @@ TEST(MeshJar, nothing_leaves_a_closed_surface) {
     double deepest = 0;
     for (const scene::Ball& b : engine->balls())
       trial.mesh.near(q.back(b.position), b.radius, [&](int, const geometry::Gap& gap) {
-        deepest = std::max(deepest, 1 - gap.distance / b.radius);
+        deepest = max_or_nan(deepest, 1 - gap.distance / b.radius);
       });
     stays_below(trial.name + ": overlap with the wall at the end, of a radius", deepest, 0.05,
                 "contacts hold");

@@ -28,7 +28,7 @@ contact::Pair soft_pair(double e = 0.7, double mu = 0.3) {
 double apart(const std::vector<scene::Ball>& a, const std::vector<scene::Ball>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    most = std::max(most, norm(a[i].position - b[i].position) / a[i].radius);
+    most = max_or_nan(most, norm(a[i].position - b[i].position) / a[i].radius);
   return most;
 }
 

@@ -32,7 +32,7 @@ double worst_restitution(const contact::AnyLaw& law, double share) {
         scene::Ball ball = steel_ball;
         ball.velocity = {0, 0, -speed};
         const Impact found = impact({ball}, pair_of(steel, rigid, e), of_law(law), share, phase);
-        worst = std::max(worst, std::abs(found.restitution - e));
+        worst = max_or_nan(worst, std::abs(found.restitution - e));
       }
   return worst;
 }

@@ -51,7 +51,7 @@ soft::StepError largest_error(const contact::AnyLaw& law, double e, double mu, d
     const scene::Ball exact = impact({ball}, pair, of_law(law), share / 40).after[0];
     for (const double phase : phases) {
       const scene::Ball found = impact({ball}, pair, of_law(law), share / shorter, phase).after[0];
-      const auto raise = [](double& most, double off) { most = std::max(most, std::abs(off)); };
+      const auto raise = [](double& most, double off) { most = max_or_nan(most, std::abs(off)); };
       raise(worst.rebound, found.velocity.z / exact.velocity.z - 1);
       raise(worst.across, (found.velocity.x - exact.velocity.x) / vt);
       raise(worst.spin, (found.spin.y - exact.spin.y) / rolls);

@@ -129,8 +129,8 @@ Replica::Replica(const cases::Case& what, int index, std::unique_ptr<scene::Obse
     result_.replay =
         observe::Replay(mill, static_cast<std::size_t>(balls_), what.run.settle, what.run.time);
   last_ = result_.account = result_.at_settled = engine_->account();
-  if (what.run.engine ==
-      cases::EngineName::soft)  // its work is known beforehand: below 0.1 s for 1000 balls
+  // The soft engine's work is known beforehand: below 0.1 s for 1000 balls.
+  if (what.run.engine == cases::EngineName::soft)
     portion_ = std::min(portion_, 1e3 * soft_settings(what).rules.time_step);
 }
 

@@ -8,18 +8,16 @@
 #include <string>
 #include <variant>
 
-#include "mahlwerk/contact/laws.hpp"
-
-// A typed test for each contact law of the register.
+// A typed test for each model of a register: shapes, motions, contact laws.
 namespace mahlwerk::tests {
 
 template <class Variant>
-struct LawTypes;
+struct TypesOf;
 template <class... L>
-struct LawTypes<std::variant<L...>> {
+struct TypesOf<std::variant<L...>> {
   using type = ::testing::Types<L...>;
 };
-struct NameOfLaw {
+struct NameOfModel {
   template <class L>
   static std::string GetName(int) {
     std::string name(L::name);
