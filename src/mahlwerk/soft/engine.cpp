@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/soft/crowd.hpp"
-#include "mahlwerk/soft/soft_balls.hpp"
+#include "mahlwerk/soft/few/solver.hpp"
+#include "mahlwerk/soft/many/solver.hpp"
 
 namespace mahlwerk::soft {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/soft/grid.hpp"
+#include "mahlwerk/soft/neighbours/grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "mahlwerk/base/vec3.hpp"
-#include "mahlwerk/soft/kernel.hpp"
+#include "mahlwerk/soft/kernel/contact_force.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::soft {

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "mahlwerk/soft/edges.hpp"
+#include "mahlwerk/soft/kernel/edges.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 #include "soft.hpp"
 #include "statement.hpp"

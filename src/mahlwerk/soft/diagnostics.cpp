@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+namespace mahlwerk::soft {
+
+RunError went_wrong(double time, std::size_t ball, const char* why, const Vec3& place,
+                    const Vec3& velocity) {
+  return RunError(fmt::format(
+      "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
+      "centre, with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer "
+      "contact",
+      time, ball + 1, why, place.x, place.y, place.z, velocity.x, velocity.y, velocity.z));
+}
+
+InputError overlapping(std::size_t ball, const std::string& with, double overlap) {
+  return InputError(Fault{"balls",
+                          fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
+                                      ball + 1, with, overlap),
+                          "give places apart from each other and from the jar",
+                          "overlapping-balls"});
+}
+
+}  // namespace mahlwerk::soft

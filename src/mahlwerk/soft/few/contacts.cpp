@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/contact_records.hpp"
+#include "mahlwerk/soft/few/solver.hpp"
+
+// Contacts that begin and end, and the records they leave.
+namespace mahlwerk::soft {
+
+void SoftBalls::begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) {
+  for (int l = 0; l < lanes; ++l)
+    if (begun[l] != 0) begin(p, l, m, b);
+  p.touching |= begun;
+}
+void SoftBalls::end(Packet& p, const LaneMask& ended) {
+  for (int l = 0; l < lanes; ++l)
+    if (ended[l] != 0) end(p, l);
+}
+
+void SoftBalls::touches(std::int64_t body, int more) {
+  std::int32_t& count = contacts_of_[static_cast<std::size_t>(body)];
+  const int was = count > 0;
+  count += more;
+  if ((count > 0) == was) return;
+  account_.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
+  in_touch_since_ = swarm_.step;
+  in_touch_ += count > 0 ? 1 : -1;
+}
+
+void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
+  const auto k = static_cast<std::size_t>(lane);
+  touches(p.i[lane], 1);
+  if (p.wall[lane] == 0) touches(p.j[lane], 1);
+  if (p.wall[lane] != 0 && rules_.model.curved_walls) bend(p, lane);
+  const Vec3 n = one(m.n, lane), glide = one(b.relative, lane);
+  p.began[k] = {.step = swarm_.step,
+                .approach = std::max(m.rate[lane], 0.0),
+                .slip = norm(one(m.slip, lane)),
+                .glide = norm(glide - dot(glide, n) * n)};
+  put(p.spring, lane, {});
+  put(p.roll, lane, {});
+  p.stiffness[lane] = 0;
+  p.pulls[lane] = 0;
+  contact::LawNumbers numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = p.numbers[i][lane];
+  double memory[contact::law_memories] = {};
+  std::visit([&](const auto& law) { law.begin(numbers, memory, p.began[k].approach); }, law_);
+  for (int i = 0; i < contact::law_memories; ++i) p.memory[i][lane] = memory[i];
+}
+
+void SoftBalls::bend(Packet& p, int lane) {
+  const auto k = static_cast<std::size_t>(lane);
+  const auto ball = static_cast<std::size_t>(p.i[lane]);
+  const Bent bent = bent_wall(*jar_, p.face[k], swarm_.place.one(ball), clock(swarm_.step),
+                              made_of_[ball].radius, breeds_[p.breed[k]], law_);
+  for (std::size_t i = 0; i < bent.numbers.size(); ++i) p.numbers[i][lane] = bent.numbers[i];
+  p.rolling[lane] = bent.rolling;
+  p.roll_spring[lane] = bent.roll_spring;
+}
+
+void SoftBalls::end(Packet& p, int lane) {
+  const auto k = static_cast<std::size_t>(lane);
+  touches(p.i[lane], -1);
+  const bool wall = p.wall[lane] != 0;
+  if (!wall) touches(p.j[lane], -1);
+  const Beginning& began = p.began[k];
+  const Breed& breed = breeds_[p.breed[k]];
+  const auto ball = static_cast<std::size_t>(p.i[lane]);
+  const double t = clock(swarm_.step);
+  const int face = wall ? p.face[k] : -1;
+  const Vec3 x = swarm_.place.one(ball);
+  const Vec3 apart = wall ? one(p.normal, lane)
+                          : nearest(swarm_.place.one(static_cast<std::size_t>(p.j[lane])) - x);
+  const Vec3 n = (1 / norm(apart)) * apart;
+  const Vec3 where = x + p.radius_i[lane] * n;
+  const Deeds& d = p.deeds;
+  const double duration = time_of(swarm_.step - began.step);
+  ended_.push_back({.time = time_of(began.step),
+                    .duration = duration,
+                    .ball = static_cast<std::int32_t>(p.i[lane]),
+                    .other = wall ? ~p.face[k] : static_cast<std::int32_t>(p.j[lane]),
+                    .where = jar_->own(where, t, face),
+                    .normal = jar_->own(n, t, face),
+                    .mass = breed.touching.mass,
+                    .approach = began.approach,
+                    .slip = began.slip,
+                    .glide = began.glide,
+                    .impulse = d.impulse[lane],
+                    .lost_normal = d.normal[lane],
+                    .lost_tangential = d.tangential[lane] + d.rolling[lane]});
+  ++account_.collisions;
+  if (outlasts(duration, began, breed, law_)) ++account_.lasting_contacts;
+  p.touching[lane] = 0;
+  settle(p, lane);
+}
+
+void SoftBalls::settle(Packet& p, int lane) {
+  Deeds& d = p.deeds;
+  account_.lost_normal += d.normal[lane];
+  account_.lost_tangential += d.tangential[lane];
+  account_.lost_rolling += d.rolling[lane];
+  account_.slid += d.sliding[lane];
+  account_.wall_work += d.wall[lane];
+  const double radius = p.radius_i[lane];
+  if (radius > 0)
+    account_.deepest_overlap = std::max(account_.deepest_overlap, d.deepest[lane] / radius);
+  for (Lanes* sum :
+       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
+    (*sum)[lane] = 0;
+  put(p.spring, lane, {});
+  put(p.roll, lane, {});
+  p.stiffness[lane] = 0;
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/few/solver.hpp"
+
+// Time in which nothing touches and nothing can is passed in one leap (dem.27).
+namespace mahlwerk::soft {
+
+/// Begins a hop if one is due and worth it. It ends where it does, however a run is cut.
+bool SoftBalls::hop() {
+  if (!hops_ || touched_ || swarm_.step < try_hop_) return false;
+  constexpr std::int64_t worth = 8, pause = 4;
+  const std::int64_t steps = free_steps();
+  if (steps < worth) {
+    try_hop_ = swarm_.step + pause;
+    return false;
+  }
+  landing_ = swarm_.step + steps;
+  return true;
+}
+
+/// Whole steps that end before the next touch. Between balls that is a quadratic: all fall alike,
+/// so they pass each other on straight lines.
+std::int64_t SoftBalls::free_steps() const {
+  constexpr double most = 1e6;  // steps
+  double time = most * rules_.time_step;
+  const double now = clock(swarm_.step);
+  if (folds_) return 0;
+  for (std::size_t i = 0; i < swarm_.balls; ++i) {
+    const Vec3 x = swarm_.place.one(i), v = swarm_.velocity.one(i);
+    time = std::min(time, jar_->clear({x, v}, now, made_of_[i].radius));
+    for (std::size_t j = i + 1; j < swarm_.balls; ++j) {
+      const Vec3 r = swarm_.place.one(j) - x, u = swarm_.velocity.one(j) - v;
+      const double touch = made_of_[i].radius + made_of_[j].radius;
+      const double b = dot(r, u), gap = squared(r) - touch * touch;
+      const double d = b * b - squared(u) * gap;
+      if (b < 0 && d > 0) time = std::min(time, std::max(gap, 0.0) / (std::sqrt(d) - b));
+    }
+  }
+  return static_cast<std::int64_t>(time / rules_.time_step) - 1;
+}
+
+SoftBalls::Flown SoftBalls::flown(std::int64_t steps) const {
+  if (steps == 0) return {};
+  const double time = time_of(steps);
+  const kinematics::Ride from = jar_->ride(clock(swarm_.step));
+  const kinematics::Ride to = jar_->ride(clock(swarm_.step + steps));
+  const Vec3& g = jar_->gravity();
+  return {.shift = time * from.velocity + 0.5 * time * time * g - (to.centre - from.centre),
+          .gain = time * g - (to.velocity - from.velocity),
+          .time = time};
+}
+
+void SoftBalls::land() {
+  const Flown way = flown(landing_ - swarm_.step);
+  for (std::size_t b = 0; b < swarm_.balls; ++b) {
+    const Vec3 v = swarm_.velocity.one(b);
+    swarm_.place.put_one(b, swarm_.place.one(b) + way.time * v + way.shift);
+    swarm_.velocity.put_one(b, v + way.gain);
+  }
+  swarm_.step = landing_;
+  try_hop_ = landing_ + 1;
+  landing_ = -1;
+  look();
+}
+
+}  // namespace mahlwerk::soft

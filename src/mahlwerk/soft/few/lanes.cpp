@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "mahlwerk/soft/few/solver.hpp"
+
+// Which lane of which packet a pair has, and what it finds there: its numbers, its foot.
+namespace mahlwerk::soft {
+namespace {
+
+/// Calls `f` with every column of a packet.
+template <class F>
+void each_column(Packet& p, const F& f) {
+  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
+  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.reach, &p.friction, &p.rolling,
+                   &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
+    f(*c);
+  for (Lanes& c : p.numbers) f(c);
+  for (Lanes& c : p.memory) f(c);
+  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.roll}) f(v->x), f(v->y), f(v->z);
+  Deeds& d = p.deeds;
+  for (Lanes* c :
+       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
+    f(*c);
+  f(p.face), f(p.breed), f(p.used), f(p.began);
+}
+
+/// Empties a lane; its bodies are the first ball and itself's place, far from touching: radii 0.
+void clear_lane(Packet& p, int lane) {
+  each_column(p, [&](auto& column) {
+    using One = std::remove_reference_t<decltype(column[0])>;
+    column[static_cast<std::size_t>(lane)] = std::remove_cvref_t<One>{};
+  });
+}
+
+/// Calls `f` with the same column of both.
+template <class F>
+void each_column_of_both(Packet& a, Packet& b, const F& f) {
+  const auto* here = reinterpret_cast<const char*>(&a);
+  auto* there = reinterpret_cast<char*>(&b);
+  each_column(a, [&](auto& column) {
+    using Column = std::remove_reference_t<decltype(column)>;
+    f(column, *reinterpret_cast<Column*>(there + (reinterpret_cast<const char*>(&column) - here)));
+  });
+}
+
+void swap_lanes(Packet& a, int lane, Packet& b, int place) {
+  each_column_of_both(a, b, [&](auto& one, auto& other) {
+    const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(place);
+    const auto kept = one[i];
+    one[i] = other[j];
+    other[j] = kept;
+  });
+}
+
+void move_lane(Packet& from, int lane, Packet& to, int place) {
+  swap_lanes(from, lane, to, place);
+  clear_lane(from, lane);
+}
+
+}  // namespace
+
+/// Pairs that touch sit in the first packets, so that the others are passed over.
+bool SoftBalls::touching_first() {
+  std::vector<Packet>& packets = swarm_.packets;
+  bool moved = false;
+  std::size_t from = packets.size(), to = 0;
+  int lane = 0, place = 0;
+  const auto next_waiting = [&] {  // a lane that does not touch, from the front
+    for (; to < packets.size(); ++to, place = 0)
+      for (; place < lanes; ++place)
+        if (packets[to].touching[place] == 0) return;
+  };
+  while (from-- > to + 1)
+    for (lane = 0; lane < lanes; ++lane) {
+      if (packets[from].touching[lane] == 0) continue;
+      next_waiting();
+      if (to >= from) return moved;
+      swap_lanes(packets[from], lane, packets[to], place);
+      moved = true;
+    }
+  return moved;
+}
+
+/// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
+/// lanes, and the last packets give theirs to the first.
+void SoftBalls::fill_lanes(const std::vector<Candidate>& wanted) {
+  std::vector<Packet>& packets = swarm_.packets;
+  std::vector<bool> seated(wanted.size());
+  for (Packet& p : packets)
+    for (int l = 0; l < lanes; ++l) {
+      const auto k = static_cast<std::size_t>(l);
+      if (!p.used[k]) continue;
+      const bool wall = p.face[k] >= 0;
+      const Candidate c{static_cast<std::int32_t>(p.i[l]),
+                        wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[k]};
+      const auto at = std::ranges::lower_bound(wanted, c);
+      if (at != wanted.end() && *at == c) {
+        seated[static_cast<std::size_t>(at - wanted.begin())] = true;
+        continue;
+      }
+      if (p.touching[l] != 0) end(p, l);
+      settle(p, l);
+      clear_lane(p, l);
+    }
+  std::size_t at = 0;
+  int lane = 0;
+  const auto next_free = [&] {
+    for (; at < packets.size(); ++at, lane = 0)
+      for (; lane < lanes; ++lane)
+        if (!packets[at].used[static_cast<std::size_t>(lane)]) return;
+    packets.emplace_back();
+    lane = 0;
+  };
+  for (std::size_t n = 0; n < wanted.size(); ++n) {
+    if (seated[n]) continue;
+    next_free();
+    give_lane(packets[at], lane, wanted[n]);
+  }
+  while (!packets.empty()) {
+    Packet& last = packets.back();
+    const auto used = std::ranges::find(last.used, true);
+    if (used == last.used.end()) {
+      packets.pop_back();
+      continue;
+    }
+    next_free();
+    if (at + 1 >= packets.size()) break;
+    move_lane(last, static_cast<int>(used - last.used.begin()), packets[at], lane);
+  }
+  while (!packets.empty() &&
+         std::ranges::find(packets.back().used, true) == packets.back().used.end())
+    packets.pop_back();
+}
+
+void SoftBalls::give_lane(Packet& p, int lane, const Candidate& c) {
+  clear_lane(p, lane);
+  const auto k = static_cast<std::size_t>(lane);
+  const auto i = static_cast<std::size_t>(c.i);
+  const bool wall = c.face >= 0;
+  const std::int32_t mine = breeds_.species_of(i);
+  p.breed[k] = wall ? breeds_.wall(mine, c.face)
+                    : breeds_.balls(mine, breeds_.species_of(static_cast<std::size_t>(c.j)));
+  const Breed& breed = breeds_[p.breed[k]];
+  const Species& a = breeds_.species(mine);
+  p.used[k] = true;
+  p.face[k] = c.face;
+  p.i[lane] = c.i;
+  p.j[lane] = wall ? 0 : c.j;
+  p.wall[lane] = wall ? -1 : 0;
+  p.radius_i[lane] = a.radius;
+  p.share[lane] = wall ? 1 : 0.5;
+  p.inertia[lane] = a.inertia;
+  if (!wall) {
+    const Species& b = breeds_.of(static_cast<std::size_t>(c.j));
+    p.radius_j[lane] = b.radius;
+    p.inertia[lane] = a.inertia * b.inertia / (a.inertia + b.inertia);
+  }
+  p.lag[lane] = breed.lag(rules_.time_step);
+  p.reach[lane] = breed.reach;
+  for (std::size_t n = 0; n < breed.numbers.size(); ++n) p.numbers[n][lane] = breed.numbers[n];
+  p.friction[lane] = breed.touching.pair.friction;
+  const double arm = breed.touching.pair.rolling_friction * breed.touching.radius;
+  p.rolling[lane] = arm;
+  p.roll_spring[lane] = 2.25 * arm * arm * breed.secant;
+}
+
+/// A foot for each ball at a wall, in the order of the lanes.
+void SoftBalls::find_feet() {
+  Swarm& w = swarm_;
+  w.near.clear();
+  for (Packet& p : w.packets)
+    for (int l = 0; l < lanes; ++l) {
+      const auto k = static_cast<std::size_t>(l);
+      if (!p.used[k] || p.face[k] < 0) continue;
+      p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.near.size());
+      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k],
+                        (1 + past_touch) * p.radius_i[l] + reach_});
+    }
+  const std::size_t blocks =
+      w.blocks + std::max<std::size_t>(1, (w.near.size() + lanes - 1) / lanes);
+  for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(std::max(blocks, c->x.size()));
+}
+
+void SoftBalls::find_owners() {
+  Swarm& w = swarm_;
+  w.few = w.blocks == 1 && w.near.size() <= lanes;
+  w.owners.assign(w.packets.size(), {});
+  if (!w.few) return;
+  for (std::size_t n = 0; n < w.packets.size(); ++n) {
+    const Packet& p = w.packets[n];
+    std::array<int, lanes> count{};
+    for (int l = 0; l < lanes; ++l) {
+      if (!p.used[static_cast<std::size_t>(l)]) continue;
+      const auto give = [&](std::int64_t ball, int from) {
+        Owners& o = w.owners[n];
+        const auto k = static_cast<std::size_t>(count[static_cast<std::size_t>(ball)]++);
+        o.from[k][ball] = from;
+        o.has[k][ball] = -1;
+        o.most = std::max(o.most, static_cast<int>(k) + 1);
+      };
+      give(p.i[l], l);
+      if (p.wall[l] == 0) give(p.j[l], lanes + l);
+    }
+  }
+}
+
+}  // namespace mahlwerk::soft

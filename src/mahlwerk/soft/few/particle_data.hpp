@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/soft/kernel/contact_force.hpp"
+#include "mahlwerk/soft/walls/moving_wall.hpp"
+
+namespace mahlwerk::soft {
+
+/// Vectors, a component at a time, eight bodies to a block.
+struct Columns {
+  std::vector<Eight> x, y, z;
+
+  void resize(std::size_t blocks) { x.resize(blocks), y.resize(blocks), z.resize(blocks); }
+  Vec<Lanes> at(std::size_t block) const { return {x[block].is, y[block].is, z[block].is}; }
+  void put(std::size_t block, const Vec<Lanes>& a) {
+    x[block].is = a.x, y[block].is = a.y, z[block].is = a.z;
+  }
+  Vec3 one(std::size_t body) const {
+    const std::size_t b = body / lanes, l = body % lanes;
+    return {x[b].is[l], y[b].is[l], z[b].is[l]};
+  }
+  void put_one(std::size_t body, const Vec3& a) {
+    const std::size_t b = body / lanes, l = body % lanes;
+    x[b].is[l] = a.x, y[b].is[l] = a.y, z[b].is[l] = a.z;
+  }
+};
+
+/// One column as plain numbers.
+inline double* numbers(std::vector<Eight>& column) {
+  return reinterpret_cast<double*>(column.data());
+}
+inline const double* numbers(const std::vector<Eight>& column) {
+  return reinterpret_cast<const double*>(column.data());
+}
+
+/// Where each of up to eight balls finds its contacts in a packet: the k-th at lane `from[k]`, from
+/// `lanes` on with the opposite sign.
+struct alignas(64) Owners {
+  std::array<LaneMask, lanes> from{}, has{};
+  int most = 0;  ///< contacts of one ball
+};
+
+/// All bodies and contacts, and how far they have come. Bodies: the balls, up to a whole number of
+/// blocks; then the feet of the walls that are near (Surroundings::feet).
+struct Swarm {
+  std::int64_t step = 0;
+  std::size_t balls = 0, blocks = 0;  ///< blocks of balls
+  Columns place;                      ///< [m] of all bodies, in the jar frame
+  Columns seen, seen_spin;            ///< [m/s], [rad/s] of all bodies, as the contacts see them
+  Columns velocity, spin;             ///< of the balls, at the end of the step
+  Columns force, torque;              ///< [N], [N m] of the contacts on the balls
+  std::vector<Eight> half_kick;       ///< [s/kg] half a step over mass
+  std::vector<Eight> half_turn;       ///< [s/(kg m2)] half a step over inertia
+  std::vector<Packet> packets;
+  std::vector<Owners> owners;  ///< of each packet, where `few`
+  std::vector<Near> near;      ///< foot k belongs to near[k]
+  Columns looked;              ///< places when nearness was last looked at
+  std::vector<Eight> moved;    ///< [m2] the square of how far balls have moved since
+  bool few = false;            ///< all bodies fit into two registers
+  bool feet_due = true;        ///< every foot must be found at the next step, near or far
+};
+
+/// What happens seldom, outside the innermost loop.
+class Seldom {
+ public:
+  virtual ~Seldom() = default;
+  /// Which pairs are near each other must be looked at anew: a body has moved far.
+  virtual void look() = 0;
+  /// Contacts of a packet begin.
+  virtual void begin(Packet& packet, const LaneMask& begun, const Meeting& meeting,
+                     const Bodies& bodies) = 0;
+  /// Contacts end, after their last push.
+  virtual void end(Packet& packet, const LaneMask& ended) = 0;
+};
+
+/// Everything a stretch of steps needs.
+struct alignas(64) Stretch {
+  Swarm& swarm;
+  const Surroundings& jar;
+  Seldom& seldom;
+  Frame frame;
+  std::span<const Beat> beats;   ///< one more than steps
+  double start = 0;              ///< [s] the mill's clock at step 0
+  double moved = 0;              ///< [m] a ball may move before nearness is looked at anew
+  std::int64_t swept_since = 0;  ///< the step at which it was last looked at
+  bool idle_ends = false;        ///< stop after a step in which nothing touched
+};
+
+/// Takes steps; returns whether anything touched in the last one.
+using Steps = bool (*)(Stretch&);
+
+/// The steps of each law, compiled for this machine.
+template <class Law>
+Steps steps_of();
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/few/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/diagnostics.hpp"
+
+namespace mahlwerk::soft {
+namespace {
+
+constexpr std::int64_t energy_check = 64;  // steps between two looks at the energy
+constexpr std::size_t hopping = 32;        // balls: beyond, something touches at nearly all times
+
+Vec<Lanes> periods_of(const Vec3& p) {
+  const Lanes none{};
+  return {none + p.x, none + p.y, none + p.z};
+}
+
+}  // namespace
+
+SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+                     const Rules& rules, const contact::PairTable& pairs, double start)
+    : jar_(std::move(jar)),
+      made_of_(balls),
+      rules_(rules),
+      law_(rules.model.law),
+      breeds_(balls, pairs, law_),
+      steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
+      start_(start),
+      hops_(rules.hop && balls.size() <= hopping),
+      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
+             std::isfinite(jar_->periods().z)),
+      gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
+      contacts_of_(balls.size()) {
+  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
+  Swarm& w = swarm_;
+  w.balls = balls.size();
+  w.blocks = (balls.size() + lanes - 1) / lanes;
+  for (Columns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.looked}) c->resize(w.blocks);
+  for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(w.blocks + 1);
+  w.half_kick.resize(w.blocks);
+  w.half_turn.resize(w.blocks);
+  w.moved.resize(w.blocks);
+  double smallest = geometry::never;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    w.place.put_one(b, balls[b].position);
+    w.velocity.put_one(b, balls[b].velocity);
+    w.spin.put_one(b, balls[b].spin);
+    w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).mass;
+    w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
+    smallest = std::min(smallest, balls[b].radius);
+    mass_ += breeds_.of(b).mass;
+  }
+  skin_ = 0.03 * smallest;
+  look();
+  refuse_overlaps();
+  account_.started_with = 0;
+  const scene::Account now = reckoned();
+  account_.started_with = now.kinetic + now.potential + now.elastic;
+  watch_.begin(now);
+}
+
+/// Bodies that overlap much at the start would fly apart.
+void SoftBalls::refuse_overlaps() const {
+  const double t = clock(swarm_.step);
+  for (const Candidate& c : seated_) {
+    const auto i = static_cast<std::size_t>(c.i);
+    const double radius = made_of_[i].radius;
+    const Vec3 x = swarm_.place.one(i);
+    if (c.face >= 0) {
+      const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
+      if (overlap > rules_.most_overlap) throw overlapping(i, "the jar", overlap);
+      continue;
+    }
+    const auto j = static_cast<std::size_t>(c.j);
+    const double touch = radius + made_of_[j].radius;
+    const double overlap = (touch - norm(nearest(swarm_.place.one(j) - x))) / radius;
+    if (overlap > rules_.most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
+  }
+}
+
+double SoftBalls::time_of(std::int64_t step) const {
+  return static_cast<double>(step) * rules_.time_step;
+}
+double SoftBalls::clock(std::int64_t step) const {
+  return start_ + time_of(step);
+}
+
+void SoftBalls::advance(double time, scene::Observer& observer) {
+  const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  asked_ = time;
+  const auto hand_over = [&] {
+    if (!ended_.empty()) observer.collisions(ended_);
+    ended_.clear();
+  };
+  try {
+    while (now_ < until) {
+      if (stopped()) break;
+      if (landing_ >= 0) {
+        now_ = std::min(landing_, until);
+        if (now_ == landing_) land();
+      } else if (!hop()) {
+        stretch(until);
+        now_ = swarm_.step;
+      }
+      if (ended_.size() > 1000) hand_over();
+    }
+  } catch (...) {
+    now_ = swarm_.step;
+    hand_over();
+    throw;
+  }
+  hand_over();
+}
+
+/// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
+void SoftBalls::stretch(std::int64_t until) {
+  Swarm& w = swarm_;
+  std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
+  const bool waits = hops_ && !touched_ && w.step < try_hop_;
+  if (waits) end = std::min(end, try_hop_);
+  beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
+  jar_->beats(start_, rules_.time_step, w.step, beats_);
+  Stretch s{.swarm = w,
+            .jar = *jar_,
+            .seldom = *this,
+            .frame = {.step = rules_.time_step,
+                      .per_step = 1 / rules_.time_step,
+                      .jar_speed = {},
+                      .rolling = rules_.model.rolling,
+                      .rolling_damping = rules_.model.rolling_damping,
+                      .rescaled = rules_.model.rescaled_unloading,
+                      .periodic = folds_,
+                      .periods = periods_of(jar_->periods())},
+            .beats = beats_,
+            .start = start_,
+            .moved = 0.5 * skin_,
+            .swept_since = looked_step_,
+            .idle_ends = hops_ && !waits};
+  const std::int64_t before = w.step;
+  touched_ = steps_(s);
+  account_.time_steps += w.step - before;
+  if (w.step % energy_check == 0) check_energy();
+}
+
+SoftBalls::Stored SoftBalls::stored() const {
+  Stored energy;
+  for (const Packet& p : swarm_.packets)
+    for (int l = 0; l < lanes; ++l) {
+      if (p.touching[l] == 0) continue;
+      contact::LawNumbers k;
+      for (std::size_t n = 0; n < k.size(); ++n) k[n] = p.numbers[n][l];
+      const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
+      const Vec3 apart = nearest(swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
+                                 swarm_.place.one(static_cast<std::size_t>(p.i[l])));
+      const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
+      if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
+      energy.normal +=
+          std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
+      const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};
+      energy.tangential += 0.5 * p.stiffness[l] * squared(spring);
+    }
+  return energy;
+}
+
+scene::Account SoftBalls::reckoned() const {
+  scene::Account a = account_;
+  a.time = time_of(now_);
+  if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
+  const kinematics::Ride ride = jar_->ride(clock(swarm_.step));
+  const Flown way = flown(now_ - swarm_.step);
+  const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;
+  a.kinetic = a.potential = 0;
+  for (std::size_t b = 0; b < swarm_.balls; ++b) {
+    const Species& of = breeds_.of(b);
+    const Vec3 v0 = swarm_.velocity.one(b);
+    const Vec3 v = v0 + way.gain + there.velocity;
+    const Vec3 x = swarm_.place.one(b) + way.time * v0 + way.shift + there.centre;
+    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(swarm_.spin.one(b)));
+    a.potential -= of.mass * dot(jar_->gravity(), x);
+  }
+  const Stored kept = stored();
+  a.elastic = kept.normal + kept.tangential;
+  for (const Packet& p : swarm_.packets)
+    for (int l = 0; l < lanes; ++l) {
+      if (!p.used[static_cast<std::size_t>(l)]) continue;
+      a.lost_normal += p.deeds.normal[l];
+      a.lost_tangential += p.deeds.tangential[l];
+      a.lost_rolling += p.deeds.rolling[l];
+      a.lost_open += p.deeds.normal[l] + p.deeds.tangential[l] + p.deeds.rolling[l];
+      a.slid += p.deeds.sliding[l];
+      a.wall_work += p.deeds.wall[l];
+      a.deepest_overlap = std::max(a.deepest_overlap, p.deeds.deepest[l] / p.radius_i[l]);
+    }
+  a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
+  a.lost_tangential -= kept.tangential;
+  a.lost_open -= a.elastic;
+  a.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
+  return a;
+}
+
+scene::Account SoftBalls::account() const {
+  return reckoned();
+}
+
+void SoftBalls::check_energy() {
+  const scene::Account a = reckoned();
+  const double t = clock(swarm_.step);
+  const double wall = jar_->fastest(t);
+  const Species& first = breeds_.species(0);
+  const double least = first.mass * norm(jar_->gravity()) * first.radius;
+  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
+  std::size_t fastest = 0;
+  for (std::size_t b = 1; b < swarm_.balls; ++b)
+    if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
+  stop(fastest, energy_jumped);
+}
+
+void SoftBalls::stop(std::size_t ball, const char* why) const {
+  throw went_wrong(time_of(swarm_.step), ball, why, swarm_.place.one(ball),
+                   swarm_.velocity.one(ball));
+}
+
+std::vector<scene::Ball> SoftBalls::balls() const {
+  std::vector<scene::Ball> all = made_of_;
+  const Flown way = flown(now_ - swarm_.step);
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const Vec3 v = swarm_.velocity.one(b);
+    all[b].position = swarm_.place.one(b) + way.time * v + way.shift;
+    all[b].velocity = v + way.gain;
+    all[b].spin = swarm_.spin.one(b);
+  }
+  return all;
+}
+
+/// Those of the last step; in a hop there are none.
+std::vector<Vec3> SoftBalls::forces() const {
+  std::vector<Vec3> all(made_of_.size());
+  for (std::size_t b = 0; b < all.size(); ++b) all[b] = swarm_.force.one(b);
+  return all;
+}
+
+void SoftBalls::carry(Archive& archive) {
+  Swarm& w = swarm_;
+  archive(w.step)(w.feet_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
+  for (Columns* c :
+       {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
+    archive(c->x)(c->y)(c->z);
+  archive(w.packets)(w.near)(contacts_of_)(seated_);
+  archive(account_)(in_touch_)(in_touch_since_)(watch_)(asked_);
+  if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
+  if (archive.reading()) find_owners();
+}
+
+}  // namespace mahlwerk::soft

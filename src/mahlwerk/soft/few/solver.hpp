@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/scene/engine.hpp"
+#include "mahlwerk/soft/energy_watch.hpp"
+#include "mahlwerk/soft/engine.hpp"
+#include "mahlwerk/soft/few/particle_data.hpp"
+#include "mahlwerk/soft/species_pairs.hpp"
+
+namespace mahlwerk::soft {
+
+/// The soft engine: balls and their contacts, followed in small steps (docs/theory/soft.md).
+class SoftBalls final : public scene::Engine, private Seldom {
+ public:
+  SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+            const Rules& rules, const contact::PairTable& pairs, double start);
+
+  void advance(double time, scene::Observer& observer) override;
+  scene::Account account() const override;
+  std::vector<scene::Ball> balls() const override;
+  std::vector<Vec3> forces() const override;
+  void carry(Archive& archive) override;
+
+ private:
+  // The main loop (soft_balls.cpp).
+  void stretch(std::int64_t until);
+  double clock(std::int64_t step) const;    // [s] of the mill
+  double time_of(std::int64_t step) const;  // [s] since the start of the run
+  void check_energy();
+  scene::Account reckoned() const;
+  struct Stored {
+    double normal = 0, tangential = 0;  // [J]
+  };
+  Stored stored() const;  // in contacts, now
+  void refuse_overlaps() const;
+  [[noreturn]] void stop(std::size_t ball, const char* why) const;
+
+  // Who is near whom (near.cpp).
+  struct Candidate {
+    std::int32_t i, j, face;  // face < 0: two balls
+    friend auto operator<=>(const Candidate&, const Candidate&) = default;
+  };
+  void look() override;
+  void near_walls(std::size_t ball);
+  void near_ball(std::size_t i, std::size_t j);
+  Vec3 nearest(const Vec3& apart) const;
+  void near_balls();
+
+  // Which lane each pair has (seats.cpp).
+  bool touching_first();
+  void fill_lanes(const std::vector<Candidate>& wanted);
+  void give_lane(Packet& p, int lane, const Candidate& c);
+  void find_feet();
+  void find_owners();
+
+  // Contacts that begin and end (contacts.cpp).
+  void begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) override;
+  void end(Packet& p, const LaneMask& ended) override;
+  void begin(Packet& p, int lane, const Meeting& m, const Bodies& b);
+  void end(Packet& p, int lane);
+  void settle(Packet& p, int lane);           // its deeds are done
+  void touches(std::int64_t body, int more);  // a contact more or less of a ball
+  void bend(Packet& p, int lane);             // R* of a curved wall
+
+  // Free flight (hop.cpp).
+  bool hop();
+  std::int64_t free_steps() const;
+  struct Flown {
+    Vec3 shift, gain;  // of every place and velocity, besides those of straight flight
+    double time = 0;
+  };
+  Flown flown(std::int64_t steps) const;
+  void land();
+
+  std::unique_ptr<const Surroundings> jar_;
+  std::vector<scene::Ball> made_of_;  // radius, density, kind; places of the start
+  Rules rules_;
+  contact::AnyLaw law_;
+  Breeds breeds_;
+  Steps steps_;
+  double start_, skin_;
+  double mass_ = 0;           // [kg] of all balls
+  double reach_ = 0;          // [m] farthest that a contact holds beyond touch
+  bool hops_, folds_;         // over free flight; places repeat
+  std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at
+
+  Swarm swarm_;
+  std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane
+  std::int64_t looked_step_ = 0;
+  std::int64_t try_hop_ = 0;   // not before this step
+  std::int64_t landing_ = -1;  // of a hop under way; < 0: none
+  std::int64_t now_ = 0;       // the step reached; ahead of the swarm's in a hop
+  bool touched_ = true;        // in the last step
+  double asked_ = 0;           // [s] where the last call wanted to go
+
+  scene::Account account_;                 // of contacts that have ended
+  std::vector<std::int32_t> contacts_of_;  // each ball
+  std::int64_t in_touch_ = 0;              // balls that touch something
+  std::int64_t in_touch_since_ = 0;
+  Watch watch_;
+  std::vector<scene::Collision> ended_;
+  std::vector<Beat> beats_;
+};
+
+}  // namespace mahlwerk::soft

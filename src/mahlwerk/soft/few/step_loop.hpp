@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/soft/few/particle_data.hpp"
+#include "mahlwerk/soft/kernel/isa.hpp"
+
+// The innermost loop: one text, compiled for each law and each kind of machine.
+namespace mahlwerk::soft {
+
+/// Numbers of a column at the bodies of eight lanes. With `wide` registers, two of them hold all
+/// bodies and one instruction picks eight.
+template <bool wide>
+[[gnu::always_inline]] inline Lanes pick(const std::vector<Eight>& column, const LaneMask& at,
+                                         bool few) {
+#ifdef MAHLWERK_WIDE
+  if constexpr (wide)
+    if (few) return __builtin_shuffle(column[0].is, column[1].is, at);
+#endif
+  const double* all = numbers(column);
+  Lanes found;
+  for (int l = 0; l < lanes; ++l) found[l] = all[at[l]];
+  return found;
+}
+template <bool wide>
+[[gnu::always_inline]] inline Vec<Lanes> pick(const Columns& c, const LaneMask& at, bool few) {
+  return {pick<wide>(c.x, at, few), pick<wide>(c.y, at, few), pick<wide>(c.z, at, few)};
+}
+
+/// Half a kick, a drift, and the speeds the contacts of this step will see (dem.26). Returns
+/// where a ball has moved farther than it may.
+[[gnu::always_inline]] inline bool drift(Stretch& s, const Beat& before, const Beat& after) {
+  Swarm& w = s.swarm;
+  const Lanes none{}, step = none + s.frame.step, half = 0.5 * step;
+  const Vec<Lanes> pull0{none + before.pull.x, none + before.pull.y, none + before.pull.z};
+  const Vec<Lanes> pull1{none + after.pull.x, none + after.pull.y, none + after.pull.z};
+  const double slack =
+      s.moved - s.jar.sweep() * static_cast<double>(w.step - s.swept_since) * s.frame.step;
+  const double limit = slack > 0 ? slack * slack : -1;
+  LaneMask far{};
+  for (std::size_t b = 0; b < w.blocks; ++b) {
+    const Vec<Lanes> kick = w.half_kick[b].is * w.force.at(b);
+    const Vec<Lanes> v = w.velocity.at(b) + kick + half * pull0;
+    const Vec<Lanes> x = w.place.at(b) + step * v;
+    w.place.put(b, x);
+    w.seen.put(b, v + kick + half * pull1);
+    w.velocity.put(b, v + half * pull1);  // lacks the second kick of the contacts
+    const Vec<Lanes> turn = w.half_turn[b].is * w.torque.at(b), spin = w.spin.at(b) + turn;
+    w.spin.put(b, spin);
+    w.seen_spin.put(b, spin + turn);
+    const Vec<Lanes> way = x - w.looked.at(b);
+    const Lanes moved = dot(way, way);
+    w.moved[b].is = moved;
+    far |= ~less(moved, none + limit);
+  }
+  return any(far);
+}
+
+/// The second half of the kick.
+[[gnu::always_inline]] inline void kick(Swarm& w, std::size_t b, const Vec<Lanes>& force,
+                                        const Vec<Lanes>& torque) {
+  w.force.put(b, force);
+  w.torque.put(b, torque);
+  w.velocity.put(b, w.velocity.at(b) + w.half_kick[b].is * force);
+  w.spin.put(b, w.spin.at(b) + w.half_turn[b].is * torque);
+}
+
+/// Adds what a packet does to each of eight balls, in the order of its lanes.
+template <bool wide>
+[[gnu::always_inline]] inline void add(const Owners& owners, const Push& push, Vec<Lanes>& force,
+                                       Vec<Lanes>& torque) {
+#ifdef MAHLWERK_WIDE
+  const auto sum = [&](Lanes& all, const Lanes& i, const Lanes& j, int k) {
+    const Lanes part = __builtin_shuffle(i, j, owners.from[static_cast<std::size_t>(k)]);
+    all += choose(owners.has[static_cast<std::size_t>(k)], part, Lanes{});
+  };
+  const Vec<Lanes> back = -push.force;
+  for (int k = 0; k < owners.most; ++k) {
+    sum(force.x, push.force.x, back.x, k);
+    sum(force.y, push.force.y, back.y, k);
+    sum(force.z, push.force.z, back.z, k);
+    sum(torque.x, push.torque_i.x, push.torque_j.x, k);
+    sum(torque.y, push.torque_i.y, push.torque_j.y, k);
+    sum(torque.z, push.torque_i.z, push.torque_j.z, k);
+  }
+#endif
+}
+
+/// The same through memory, for any number of balls.
+[[gnu::always_inline]] inline void scatter(Swarm& w, const Packet& p, const Push& push) {
+  const auto give = [&](std::vector<Eight>& column, const Lanes& i, const Lanes& j) {
+    double* all = numbers(column);
+    for (int l = 0; l < lanes; ++l) {
+      all[p.i[l]] += i[l];
+      if (p.wall[l] == 0) all[p.j[l]] += j[l];
+    }
+  };
+  const Vec<Lanes> back = -push.force;
+  give(w.force.x, push.force.x, back.x);
+  give(w.force.y, push.force.y, back.y);
+  give(w.force.z, push.force.z, back.z);
+  give(w.torque.x, push.torque_i.x, push.torque_j.x);
+  give(w.torque.y, push.torque_i.y, push.torque_j.y);
+  give(w.torque.z, push.torque_i.z, push.torque_j.z);
+}
+
+/// One packet in a step. Returns false where nothing touches.
+template <class Law, bool wide>
+[[gnu::always_inline]] inline bool act(Stretch& s, Packet& p, Push& out) {
+  const Swarm& w = s.swarm;
+  Bodies b;
+  b.apart = pick<wide>(w.place, p.j, w.few) - pick<wide>(w.place, p.i, w.few);
+  if (s.frame.periodic)
+    b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
+               folded(b.apart.z, s.frame.periods.z)};
+  const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p, p.touching);
+  const LaneMask touching = less(squared, near * near);
+  const Edges edges{touching & ~p.touching, p.touching & ~touching};
+  const bool changes = any(touching ^ p.touching);
+  if (!changes && !any(touching)) return false;
+  b.vj = pick<wide>(w.seen, p.j, w.few);
+  b.relative = pick<wide>(w.seen, p.i, w.few) - b.vj;
+  b.wi = pick<wide>(w.seen_spin, p.i, w.few);
+  b.wj = pick<wide>(w.seen_spin, p.j, w.few);
+  const Meeting m = meet(p, b, squared);
+  if (changes) s.seldom.begin(p, edges.begun, m, b);
+  out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, changes ? &edges : nullptr, true);
+  if (changes) s.seldom.end(p, edges.ended);
+  p.normal = m.n;
+  return true;
+}
+
+/// The main loop of the soft engine.
+template <class Law, bool wide>
+[[gnu::always_inline]] inline bool steps(Stretch& s) {
+  Swarm& w = s.swarm;
+  bool touched = false;
+  for (std::size_t k = 0; k + 1 < s.beats.size(); ++k) {
+    const Beat& beat = s.beats[k + 1];
+    const bool far = drift(s, s.beats[k], beat);
+    ++w.step;
+    if (far) {
+      s.seldom.look();
+      s.swept_since = w.step;
+    }
+    if (!w.near.empty()) {
+      const std::size_t f = w.blocks * lanes;
+      s.jar.feet(w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat,
+                 {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
+                  w.feet_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
+                  numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
+                  numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
+                  numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});
+      w.feet_due = false;
+    }
+    const Lanes none{};
+    s.frame.jar_speed = {none + beat.speed.x, none + beat.speed.y, none + beat.speed.z};
+    touched = false;
+    Push push;
+    if (wide && w.few) {
+      Vec<Lanes> force{}, torque{};
+      for (std::size_t n = 0; n < w.packets.size(); ++n)
+        if (act<Law, wide>(s, w.packets[n], push)) {
+          touched = true;
+          add<wide>(w.owners[n], push, force, torque);
+        }
+      kick(w, 0, force, torque);
+    } else {
+      for (std::size_t b = 0; b < w.blocks; ++b) {
+        w.force.put(b, Vec<Lanes>{});
+        w.torque.put(b, Vec<Lanes>{});
+      }
+      for (Packet& p : w.packets)
+        if (act<Law, wide>(s, p, push)) {
+          touched = true;
+          scatter(w, p, push);
+        }
+      for (std::size_t b = 0; b < w.blocks; ++b) kick(w, b, w.force.at(b), w.torque.at(b));
+    }
+    if (!touched && s.idle_ends) return false;
+  }
+  return touched;
+}
+
+#ifdef MAHLWERK_WIDE
+template <class Law>
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool steps_wide(Stretch& s) {
+  return steps<Law, true>(s);
+}
+#endif
+#ifdef MAHLWERK_MIDDLING
+template <class Law>
+[[gnu::target("avx2"), gnu::flatten]] bool steps_middling(Stretch& s) {
+  return steps<Law, false>(s);
+}
+#endif
+template <class Law>
+[[gnu::flatten]] bool steps_plain(Stretch& s) {
+  return steps<Law, false>(s);
+}
+
+template <class Law>
+Steps steps_of() {
+#ifdef MAHLWERK_WIDE
+  if (machine() == Machine::wide) return steps_wide<Law>;
+#endif
+#ifdef MAHLWERK_MIDDLING
+  if (machine() == Machine::middling) return steps_middling<Law>;
+#endif
+  return steps_plain<Law>;
+}
+
+}  // namespace mahlwerk::soft

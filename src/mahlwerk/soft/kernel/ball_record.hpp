@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstring>
+
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/soft/kernel/isa.hpp"
+
+// Balls in rows: what the contacts ask of a ball lies in one line of the cache, so that eight balls
+// anywhere are eight loads, turned into columns in registers.
+namespace mahlwerk::soft {
+
+/// A ball as contacts see it, in the jar frame.
+struct alignas(64) Row {
+  double x = 0, y = 0, z = 0;  ///< [m]
+  double radius = 0;           ///< [m]
+  double u = 0, v = 0, w = 0;  ///< [m/s] predicted (dem.26)
+  double none = 0;
+
+  Vec3 place() const { return {x, y, z}; }
+};
+struct alignas(32) Turn {
+  double x = 0, y = 0, z = 0;  ///< [rad/s] predicted
+  double none = 0;
+};
+/// Two vectors side by side: velocity and spin, or force and torque.
+struct alignas(64) Twin {
+  double x = 0, y = 0, z = 0, none = 0;
+  double a = 0, b = 0, c = 0, empty = 0;
+};
+
+/// Where a ball was, to a few nanometres.
+struct alignas(16) Spot {
+  float x = 0, y = 0, z = 0, none = 0;
+};
+
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using FourFloats = float __attribute__((vector_size(4 * sizeof(float)), may_alias));
+using EightAnywhere = double __attribute__((vector_size(8 * sizeof(double)), may_alias));
+using FourAnywhere = double __attribute__((vector_size(4 * sizeof(double)), may_alias));
+
+template <class R>
+[[gnu::always_inline]] inline Lanes eight(const R& row) {
+  return *reinterpret_cast<const EightAnywhere*>(&row);
+}
+template <class R>
+[[gnu::always_inline]] inline void put_eight(R& row, const Lanes& a) {
+  *reinterpret_cast<EightAnywhere*>(&row) = a;
+}
+template <class R>
+[[gnu::always_inline]] inline Four four(const R& row) {
+  return *reinterpret_cast<const FourAnywhere*>(&row);
+}
+/// Side by side. Said outright: GCC 12 would load both and then shuffle.
+[[gnu::always_inline]] inline Lanes joined(const FourAnywhere& a, const FourAnywhere& b) {
+  Lanes both;
+#ifdef MAHLWERK_WIDE
+  asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
+#else
+  both = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+  return both;
+}
+/// The first four numbers of two rows, or the last.
+template <class R>
+[[gnu::always_inline]] inline Lanes fours(const R& a, const R& b) {
+  return joined(*reinterpret_cast<const FourAnywhere*>(&a),
+                *reinterpret_cast<const FourAnywhere*>(&b));
+}
+template <class R>
+[[gnu::always_inline]] inline Lanes last_fours(const R& a, const R& b) {
+  return joined(*(reinterpret_cast<const FourAnywhere*>(&a) + 1),
+                *(reinterpret_cast<const FourAnywhere*>(&b) + 1));
+}
+template <class R>
+[[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
+  *reinterpret_cast<FourAnywhere*>(&row) = a;
+}
+/// Past the cache: to where nobody looks before everything else has been through it.
+template <class R, class A>
+[[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
+#ifdef MAHLWERK_WIDE
+  asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
+#else
+  std::memcpy(&row, &a, sizeof row);
+#endif
+}
+/// Before anybody else looks there.
+[[gnu::always_inline]] inline void all_are_put() {
+#ifdef MAHLWERK_WIDE
+  asm volatile("sfence" ::: "memory");
+#endif
+}
+[[gnu::always_inline]] inline Four four(const Spot& spot) {
+  return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);
+}
+
+/// Rows k and k + 4 side by side, of four numbers each, to four columns of eight, in place.
+[[gnu::always_inline]] inline void transpose(Lanes (&r)[4]) {
+  const auto unpack = [](const Lanes& a, const Lanes& b, Lanes& even, Lanes& odd) {
+    even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  };
+  Lanes even[2], odd[2];
+  unpack(r[0], r[1], even[0], odd[0]);
+  unpack(r[2], r[3], even[1], odd[1]);
+  r[0] = __builtin_shufflevector(even[0], even[1], 0, 1, 8, 9, 4, 5, 12, 13);
+  r[1] = __builtin_shufflevector(odd[0], odd[1], 0, 1, 8, 9, 4, 5, 12, 13);
+  r[2] = __builtin_shufflevector(even[0], even[1], 2, 3, 10, 11, 6, 7, 14, 15);
+  r[3] = __builtin_shufflevector(odd[0], odd[1], 2, 3, 10, 11, 6, 7, 14, 15);
+}
+/// Eight rows to eight columns, in place; or back.
+[[gnu::always_inline]] inline void transpose(Lanes (&r)[8]) {
+  Lanes t[8], s[8];
+  for (int k = 0; k < 8; k += 2) {
+    t[k] = __builtin_shufflevector(r[k], r[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    t[k + 1] = __builtin_shufflevector(r[k], r[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int k = 0; k < 8; k += 4)
+    for (int odd = 0; odd < 2; ++odd) {
+      const Lanes &a = t[k + odd], &b = t[k + 2 + odd];
+      s[k + odd] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+      s[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  for (int k = 0; k < 4; ++k) {
+    r[k] = __builtin_shufflevector(s[k], s[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    r[k + 4] = __builtin_shufflevector(s[k], s[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/contact/law.hpp"
+#include "mahlwerk/soft/kernel/contact_packet.hpp"
+
+// Contacts begin and end between two steps. What the force of a whole step would give them too
+// much or too little there is made up for (dem.35, dem.36).
+namespace mahlwerk::soft {
+
+/// Lanes whose contact begins in this step, or was there a step ago and is not now.
+struct alignas(64) Edges {
+  LaneMask begun{}, ended{};
+};
+
+/// By how much a force that goes as the fourth root of the time since touch counts for more than a
+/// step at the first of them, `since` of a step after touch, times that root: -zeta(-1/4, 1 +
+/// since), the end of the Euler-Maclaurin sum, to 1.1e-4.
+[[gnu::always_inline]] inline Lanes rooted_share(const Lanes& since) {
+  return 0.31709151755564424 +
+         since *
+             (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
+}
+
+/// A mix of what jumps and what grows as a root.
+[[gnu::always_inline]] inline Lanes mixed(const Lanes& whole, const Lanes& jump,
+                                          const Lanes& rooted, const Lanes& jumped) {
+  return rooted * whole + (jumped - rooted) * jump;
+}
+
+/// Of contacts that begin or end.
+struct alignas(64) AtEdges {
+  LaneMask counts{};  ///< those that push
+  Lanes lead{};       ///< [s] of slip, the spring of those that begin
+  Lanes before{};     ///< [N] the normal force a step ago
+};
+
+/// The push of contacts that begin or end becomes what it counts for instead of a step.
+template <class Law>
+[[gnu::always_inline]] inline AtEdges at_the_edges(const Make& p, const History& past,
+                                                   const Edges& edges, const Lanes& overlap,
+                                                   const Lanes& rate, double step,
+                                                   contact::Push<Lanes>& f) {
+  const Lanes none{}, one = none + 1.0, way = step * choose(edges.ended, -rate, rate);
+  const LaneMask moves = less(none, way);
+  const Lanes per_way = 1.0 / choose(moves, way, one);
+  Lanes abrupt = Law::template abrupt<Lanes>(past.memory);  // 0 or passed over within a step
+  abrupt = choose(edges.begun & less(abrupt, way), abrupt, none);
+  const Lanes edge = choose(edges.ended, -p.reach, abrupt);
+  const Lanes raw = per_way * choose(edges.ended, overlap + p.reach + way, overlap);
+  const LaneMask odd =
+      (edges.begun & less(raw, none + 1.5)) | (edges.ended & less(none - 0.5, raw));
+  const LaneMask counts = odd & moves;
+  const Lanes since = smaller(larger(raw, none + 1e-9), one);  // of a step, to or from the edge
+  const Lanes at = choose(edges.ended, since * way - p.reach, larger(overlap, abrupt));
+  const auto push_at = [&](const Lanes& where) {
+    Lanes memory[contact::law_memories];
+    for (int i = 0; i < contact::law_memories; ++i) memory[i] = past.memory[i];
+    return Law::template push<Lanes>(p.numbers, memory, choose(counts, where, none),
+                                     choose(counts, rate, none));
+  };
+  const contact::Push<Lanes> whole = push_at(at), jump = push_at(edge);
+  const Lanes taken = choose(edges.ended, one, none);  // ended: a whole step has been counted
+  const Lanes rooted = rooted_share(since) / root(root(since)) - taken;
+  const Lanes jumped = 0.5 + since - 0.5 * abrupt * per_way - taken;
+  const auto mix = [&](const Lanes& a, const Lanes& b, Lanes& out) {
+    out = choose(counts, mixed(a, b, rooted, jumped), out);
+  };
+  mix(whole.force, jump.force, f.force);
+  mix(whole.stiffness, jump.stiffness, f.stiffness);
+  mix(whole.damping, jump.damping, f.damping);
+  mix(whole.load, jump.load, f.load);
+  return {counts, choose(counts & edges.begun, step * (since - 0.5), none),
+          choose(counts & edges.ended, whole.force, none)};
+}
+
+}  // namespace mahlwerk::soft

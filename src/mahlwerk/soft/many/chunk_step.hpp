@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/soft/many/chunk.hpp"
+#include "mahlwerk/soft/walls/moving_wall.hpp"
+
+namespace mahlwerk::soft {
+
+/// Contacts of a chunk that begin and end, seldom enough to stand outside the innermost loop.
+class Comings {
+ public:
+  virtual ~Comings() = default;
+  /// Lanes of `grips[g]` that touch for the first time.
+  virtual void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m,
+                     const Bodies& b) = 0;
+  /// Lanes that touched, and do not now.
+  virtual void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) = 0;
+  /// Two balls that touch for the first time get a lane.
+  virtual void seize(Chunk& chunk, const Nigh& pair) = 0;
+  /// So do balls that touch a wall.
+  virtual void look_at_walls(Chunk& chunk) = 0;
+};
+
+/// Everything a step of one chunk needs. Rows are those of all balls.
+struct alignas(64) Pass {
+  const Row* rows = nullptr;
+  const Turn* turns = nullptr;
+  Row* next = nullptr;  ///< a step later
+  Turn* next_turns = nullptr;
+  Twin* half = nullptr;          ///< velocity and spin half a step back
+  const Spot* looked = nullptr;  ///< places when nearness was last looked at
+  const Eight* kicks =
+      nullptr;  ///< [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
+  const std::int32_t* species = nullptr;
+  const Make* makes = nullptr;  ///< of each breed, eight alike
+  const Surroundings* jar = nullptr;
+  Comings* comings = nullptr;
+  double time = 0;         ///< [s] the mill's clock
+  double bin = 0;          ///< [m] width of the bins of pairs that wait
+  double reach = 0;        ///< [m] farthest that a contact holds beyond touch
+  Beat before, after;      ///< now, and a step later
+  bool large = false;      ///< more than the processor's cache holds
+  bool turning = false;    ///< some faces turn by themselves
+  bool remembers = false;  ///< laws or rolling that need Memory
+  Frame frame;
+};
+
+/// Force and torque on each ball of a chunk.
+using Loads = std::vector<Twin>;
+
+/// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean. The
+/// memory of the one `following`, if any, is fetched meanwhile.
+using PassOf = void (*)(Pass&, Chunk&, const Chunk* following, Loads&, Drift& drift);
+
+/// The pass of each law, compiled for this machine.
+template <class Law>
+PassOf pass_of();
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/contact_records.hpp"
+#include "mahlwerk/soft/many/solver.hpp"
+
+// Contacts of a crowd that begin and end, and the records they leave.
+namespace mahlwerk::soft {
+namespace {
+
+bool is_wall(const Nigh& pair) {
+  return pair.other < 0;
+}
+
+}  // namespace
+
+void Crowd::look_at_walls(Chunk& chunk) {
+  Waiting& w = chunk.near_wall;
+  const auto touches = [&](const Nigh& pair) {
+    const Row& ball = now_[static_cast<std::size_t>(pair.ball)];
+    return jar_->gap(~pair.other, ball.place(), clock(step_), ball.radius).distance < ball.radius;
+  };
+  const std::size_t due = w.due(chunk.wall_bound, skin_ * Waiting::width);
+  for (std::size_t k = due; k-- > 0;) {
+    if (!touches(w.pairs[k])) continue;
+    seize(chunk, w.pairs[k]);
+    w.remove(k);
+  }
+  for (std::size_t k = w.parted.size(); k-- > 0;) {
+    if (!touches(w.parted[k])) continue;
+    seize(chunk, w.parted[k]);
+    w.parted[k] = w.parted.back();
+    w.parted.pop_back();
+  }
+  chunk.doings.tests += static_cast<std::int64_t>(due);
+}
+
+void Crowd::seize(Chunk& chunk, const Nigh& pair) {
+  const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
+  const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
+  Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.cross;
+  const std::int32_t breed =
+      is_wall(pair) ? breeds_.wall(mine, ~pair.other)
+                    : breeds_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
+  const std::int32_t at = free_lane(grips, breed, pair.ball);
+  Grip& g = grips.grips[static_cast<std::size_t>(at / lanes)];
+  const auto l = static_cast<std::size_t>(at % lanes);
+  g.i[l] = pair.ball;
+  g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
+  g.touching |= bit(at % lanes);
+  g.fresh |= bit(static_cast<int>(l));
+}
+
+/// A lane for a contact of `ball` and of that breed, its history cleared.
+std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
+  if (grips.free.empty()) {
+    const auto g = static_cast<std::int32_t>(grips.grips.size());
+    const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
+    // An eighth more, not twice as many: it is most of the memory.
+    if (const std::size_t n = grips.grips.size(); n == grips.grips.capacity())
+      grips.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
+    grips.grips.emplace_back();
+    Grip& fresh = grips.grips.back();
+    fresh.breed.fill(breed);
+    fresh.i.fill(ball);
+    fresh.j.fill(wall ? 0 : ball);
+    grips.began.emplace_back();
+    if (remembers_) grips.memories.emplace_back();
+    if (wall) grips.facings.emplace_back();
+    if (rules_.model.curved_walls && wall)
+      grips.makes.push_back(makes_[static_cast<std::size_t>(breed)]);
+    for (int l = lanes - 1; l >= 0; --l) grips.free.push_back(g * lanes + l);
+  }
+  const std::int32_t at = grips.free.back();
+  grips.free.pop_back();
+  const auto n = static_cast<std::size_t>(at / lanes);
+  const int l = at % lanes;
+  Grip& g = grips.grips[n];
+  g.breed[static_cast<std::size_t>(l)] = breed;
+  g.alike = true;
+  for (int k = 0; k < lanes; ++k)
+    g.alike = g.alike && (!g.touches(k) || g.breed[static_cast<std::size_t>(k)] == breed);
+  if (g.alike) g.breed.fill(breed);
+  g.pulling &= ~bit(l);
+  put(g.spring, l, {});
+  g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
+  if (remembers_) {
+    Memory& m = grips.memories[n];
+    for (Lanes& memory : m.memory) memory[l] = 0;
+    put(m.roll, l, {});
+    m.stiffness[l] = 0;
+  }
+  return at;
+}
+
+void Crowd::touches(Chunk& chunk, std::int32_t ball, int more) {
+  std::int32_t& count = contacts_of_[static_cast<std::size_t>(ball)];
+  const bool was = count > 0;
+  count += more;
+  if ((count > 0) != was) chunk.in_touch += count > 0 ? 1 : -1;
+}
+
+void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, const Bodies& b) {
+  Grip& g = grips.grips[n];
+  for (int l = 0; l < lanes; ++l) {
+    if ((g.fresh & bit(l)) == 0) continue;
+    const auto k = static_cast<std::size_t>(l);
+    touches(chunk, g.i[k], 1);
+    if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
+    if (!grips.makes.empty()) bend(grips, n, l);
+    const Vec3 normal = one(m.n, l), glide = one(b.relative, l);
+    Beginning& began = grips.began[n][k];
+    began = {.step = step_,
+             .approach = std::max(m.rate[l], 0.0),
+             .slip = norm(one(m.slip, l)),
+             .glide = norm(glide - dot(glide, normal) * normal)};
+    if (!remembers_) continue;
+    const Make& make =
+        grips.makes.empty() ? makes_[static_cast<std::size_t>(g.breed[k])] : grips.makes[n];
+    contact::LawNumbers numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = make.numbers[i][l];
+    double memory[contact::law_memories] = {};
+    std::visit([&](const auto& law) { law.begin(numbers, memory, began.approach); }, law_);
+    for (int i = 0; i < contact::law_memories; ++i) grips.memories[n].memory[i][l] = memory[i];
+  }
+  g.fresh = 0;
+}
+
+/// The ball at a curved wall: R* from both principal curvatures (dem.4).
+void Crowd::bend(Grips& grips, std::size_t n, int lane) {
+  const Grip& g = grips.grips[n];
+  const auto k = static_cast<std::size_t>(lane);
+  const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
+  const Bent bent =
+      bent_wall(*jar_, g.j[k], ball.place(), clock(step_), ball.radius, breeds_[g.breed[k]], law_);
+  Make& make = grips.makes[n];
+  for (std::size_t i = 0; i < bent.numbers.size(); ++i) make.numbers[i][lane] = bent.numbers[i];
+  make.radius_i[lane] = ball.radius;
+  make.per_radius[lane] = 1 / ball.radius;
+  make.friction[lane] = breeds_[g.breed[k]].touching.pair.friction;
+  make.reach[lane] = breeds_[g.breed[k]].reach;
+  make.lag[lane] = breeds_[g.breed[k]].lag(rules_.time_step);
+  make.inertia[lane] = breeds_.species(species_[static_cast<std::size_t>(g.i[k])]).inertia;
+  make.rolling[lane] = bent.rolling;
+  make.roll_spring[lane] = bent.roll_spring;
+}
+
+void Crowd::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {
+  Grip& g = grips.grips[n];
+  const bool wall = &grips == &chunk.wall;
+  for (int l = 0; l < lanes; ++l) {
+    if (!g.touches(l) || touching[l] != 0) continue;
+    const auto k = static_cast<std::size_t>(l);
+    touches(chunk, g.i[k], -1);
+    if (&grips == &chunk.own) touches(chunk, g.j[k], -1);
+    if (&grips != &chunk.cross || g.i[k] < g.j[k]) record(chunk, grips, n, l);
+    (wall ? chunk.near_wall : chunk.near).parted.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
+    g.touching &= ~bit(l);
+    put(g.spring, l, {});
+    grips.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
+  }
+}
+
+void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
+  const Grip& g = grips.grips[n];
+  const bool wall = &grips == &chunk.wall;
+  const auto k = static_cast<std::size_t>(l);
+  const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
+  const Beginning& began = grips.began[n][k];
+  const Breed& breed = breeds_[g.breed[k]];
+  const double t = clock(step_), duration = time_of(step_ - began.step);
+  const int face = wall ? g.j[k] : -1;
+  const Vec3 apart = wall ? one(grips.facings[n].normal, l)
+                          : nearest(now_[static_cast<std::size_t>(g.j[k])].place() - ball.place());
+  const Vec3 normal = (1 / norm(apart)) * apart;
+  chunk.ended.push_back({step_,
+                         {.time = time_of(began.step),
+                          .duration = duration,
+                          .ball = id_[static_cast<std::size_t>(g.i[k])],
+                          .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
+                          .where = jar_->own(ball.place() + ball.radius * normal, t, face),
+                          .normal = jar_->own(normal, t, face),
+                          .mass = breed.touching.mass,
+                          .approach = began.approach,
+                          .slip = began.slip,
+                          .glide = began.glide,
+                          .impulse = g.impulse[l],
+                          .lost_normal = g.lost_normal[l],
+                          .lost_tangential = g.lost_across[l]}});
+  ++chunk.doings.collisions;
+  if (outlasts(duration, began, breed, law_)) ++chunk.doings.lasting;
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <tuple>
+
+#include "mahlwerk/soft/many/solver.hpp"
+
+// The contacts of a crowd move with the balls to a new order, and to other chunks.
+namespace mahlwerk::soft {
+namespace {
+
+enum ListKind : std::int32_t { own_list, cross_list, wall_list, list_kinds };
+
+Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
+  Chunk& chunk = chunks[static_cast<std::size_t>(list / list_kinds)];
+  return list % list_kinds == own_list     ? chunk.own
+         : list % list_kinds == cross_list ? chunk.cross
+                                           : chunk.wall;
+}
+
+}  // namespace
+
+/// Every contact once, by the rows its balls will have: `to` of each old row is the new one.
+Crowd::Carried Crowd::take_contacts(const std::vector<std::int32_t>& to) {
+  Carried all;
+  const auto each = [&](const auto& f) {
+    for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
+      const Grips& list = list_of(chunks_, number);
+      for (std::int32_t at = 0; at < lanes * std::ssize(list.grips); ++at) {
+        const Grip& g = list.grips[static_cast<std::size_t>(at / lanes)];
+        const auto l = static_cast<std::size_t>(at % lanes);
+        if (!g.touches(at % lanes)) continue;
+        if (number % list_kinds == cross_list && g.i[l] > g.j[l])
+          continue;  // the other chunk's is taken
+        const std::int32_t j =
+            number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
+        f(Kept{to[static_cast<std::size_t>(g.i[l])], j, number, at});
+      }
+    }
+  };
+  for (Chunk& chunk : chunks_) chunk.near = chunk.near_wall = {};
+  all.first.assign(to.size() + 2, 0);
+  each([&](const Kept& k) { ++all.first[static_cast<std::size_t>(k.i) + 2]; });
+  std::partial_sum(all.first.begin(), all.first.end(), all.first.begin());
+  all.contacts.resize(static_cast<std::size_t>(all.first.back()));
+  each([&](const Kept& k) {
+    auto& next = all.first[static_cast<std::size_t>(k.i) + 1];  // in the end where i ends
+    all.contacts[static_cast<std::size_t>(next++)] = k;
+  });
+  const auto order = [](const Kept& k) {
+    return std::tuple(k.list % list_kinds == wall_list, k.j);
+  };
+  for (std::size_t i = 0; i < to.size(); ++i)
+    std::sort(all.contacts.begin() + all.first[i], all.contacts.begin() + all.first[i + 1],
+              [&](const Kept& a, const Kept& b) { return order(a) < order(b); });
+  return all;
+}
+
+/// Into the chunks there are now, from those there were, each by its own thread.
+void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
+  // Contacts that a chunk has besides those of its balls: of others' with its balls.
+  std::vector<std::vector<std::int32_t>> besides(chunks_.size());
+  for (std::size_t n = 0; n < all.contacts.size(); ++n) {
+    const Kept& k = all.contacts[n];
+    Grips& from = list_of(old, k.list);
+    ++from.leaving;
+    if (k.list % list_kinds == wall_list) continue;
+    const std::int32_t other = chunk_of(k.j);
+    if (other == chunk_of(k.i)) continue;
+    ++from.leaving;
+    besides[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
+  }
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    const std::vector<std::int32_t>& beside = besides[static_cast<std::size_t>(c)];
+    const std::int32_t begin = all.first[static_cast<std::size_t>(chunk.first)];
+    const std::int32_t end = all.first[static_cast<std::size_t>(chunk.last)];
+    make_room(chunk, {all.contacts.begin() + begin, all.contacts.begin() + end}, beside.size());
+    const auto give = [&](std::int32_t n) {
+      const Kept& k = all.contacts[static_cast<std::size_t>(n)];
+      Grips& from = list_of(old, k.list);
+      give_contact(chunk, k, from);
+      if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // room for the others
+    };
+    auto at = beside.begin();
+    for (; at != beside.end() && *at < begin; ++at) give(*at);
+    for (std::int32_t n = begin; n < end; ++n) give(n);
+    for (; at != beside.end(); ++at) give(*at);
+  });
+}
+
+/// For contacts that its balls have, `beside` besides, and some that will begin.
+void Crowd::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const {
+  std::array<std::size_t, list_kinds> count{0, beside, 0};
+  for (const Kept& k : kept)
+    ++count[k.list % list_kinds == wall_list         ? wall_list
+            : k.j >= chunk.first && k.j < chunk.last ? own_list
+                                                     : cross_list];
+  const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
+  chunk.own.make_room(room(own_list), remembers_, false);
+  chunk.cross.make_room(room(cross_list), remembers_, false);
+  chunk.wall.make_room(room(wall_list), remembers_, rules_.model.curved_walls);
+}
+
+/// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
+/// second.
+void Crowd::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
+  const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
+  if (k.list % list_kinds == wall_list)
+    return give(chunk.wall, k, from, k.i, k.j, breeds_.wall(species, k.j), 1);
+  const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
+  const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
+  if (!has(k.i)) return give(chunk.cross, k, from, k.j, k.i, breeds_.balls(other, species), -1);
+  Grips& list = has(k.j) ? chunk.own : chunk.cross;
+  give(list, k, from, k.i, k.j, breeds_.balls(species, other), 1);
+}
+
+/// A lane for the contact as ball `i` sees it, with all that it remembers.
+void Crowd::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i, std::int32_t j,
+                 std::int32_t breed, double sign) {
+  const std::int32_t at = free_lane(list, breed, i);
+  const auto n = static_cast<std::size_t>(at / lanes),
+             old = static_cast<std::size_t>(k.lane / lanes);
+  const int l = at % lanes, m = k.lane % lanes;
+  Grip& g = list.grips[n];
+  const Grip& was = from.grips[old];
+  g.touching |= bit(l);
+  if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
+  g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
+  list.began[n][static_cast<std::size_t>(l)] = from.began[old][static_cast<std::size_t>(m)];
+  put(g.spring, l, sign * one(was.spring, m));
+  g.impulse[l] = was.impulse[m];
+  g.lost_normal[l] = was.lost_normal[m], g.lost_across[l] = was.lost_across[m];
+  if (remembers_) {
+    Memory& memory = list.memories[n];
+    const Memory& past = from.memories[old];
+    for (int a = 0; a < contact::law_memories; ++a) memory.memory[a][l] = past.memory[a][m];
+    put(memory.roll, l, sign * one(past.roll, m));
+    memory.stiffness[l] = past.stiffness[m];
+  }
+  if (!list.facings.empty()) put(list.facings[n].normal, l, one(from.facings[old].normal, m));
+  if (!list.makes.empty()) copy_lane(from.makes[old], m, list.makes[n], l);
+}
+
+}  // namespace mahlwerk::soft

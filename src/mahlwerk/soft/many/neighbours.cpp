@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/soft/diagnostics.hpp"
+#include "mahlwerk/soft/many/solver.hpp"
+
+// Who is near whom in a crowd: balls are put in order along a curve through space and cut into
+// chunks, contacts move with them, and each chunk looks for pairs that may touch before any ball
+// has moved far.
+namespace mahlwerk::soft {
+namespace {
+
+/// Sorts pairs into bins of `width` by their gaps.
+void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<double>& gaps,
+               double width) {
+  std::array<std::int32_t, Waiting::bins + 1> count{};
+  constexpr double most = Waiting::bins - 1;
+  std::vector<std::uint8_t> bins(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    bins[k] = static_cast<std::uint8_t>(std::min(std::max(0.0, gaps[k] / width), most));
+    ++count[bins[k] + 1U];
+  }
+  for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
+  w.end = count;
+  w.pairs.resize(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    w.pairs[static_cast<std::size_t>(count[bins[k]]++)] = found[k];
+  w.parted.clear();
+}
+
+}  // namespace
+
+void Crowd::rebuild() {
+  settle();
+  gather();
+  tune_skin();
+  put_in_order();
+  std::vector<Wrong> wrong(chunks_.size());
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    find_near(chunk);
+    wrong[static_cast<std::size_t>(c)] = near_walls(chunk);
+  });
+  grids_.clear();
+  spent_ = 0;
+  mark_places();
+  for (const Wrong& w : wrong)
+    if (w.why != nullptr) stop(w.row, w.why);
+}
+
+/// From here on motion is reckoned.
+void Crowd::mark_places() {
+  widest_ = 0;
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    const Row& row = now_[k];
+    widest_ = std::max({widest_, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
+    looked_[k] = {static_cast<float>(row.x), static_cast<float>(row.y), static_cast<float>(row.z)};
+  }
+  looked_step_ = step_;
+  sorted_at_ = tests();
+  drifts_.assign(chunks_.size(), {});
+  guesses_.assign(chunks_.size(), {});
+  for (Chunk& chunk : chunks_) chunk.bound = chunk.wall_bound = 0;
+}
+
+std::int64_t Crowd::tests() const {
+  std::int64_t all = account_.search_steps;
+  for (const Chunk& chunk : chunks_) all += chunk.doings.tests;
+  return all;
+}
+
+/// Looking at pairs has cost what sorting them anew does, after which fewer need be looked at. (7
+/// was found by trial; 4 to 12 make no difference.)
+bool Crowd::worth_sorting() const {
+  std::int64_t pairs = 0;
+  for (const Chunk& c : chunks_)
+    pairs += std::ssize(c.near.pairs) + std::ssize(c.near.parted) + std::ssize(c.near_wall.pairs);
+  return tests() - sorted_at_ > 7 * pairs;
+}
+
+/// Near pairs by their gaps now.
+void Crowd::sort_pairs() {
+  double most = 0;
+  for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
+  spent_ += most;
+  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    std::vector<double> gaps;
+    for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
+      std::vector<Nigh> pairs = w->pairs;
+      pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
+      gaps.resize(pairs.size());
+      if (w == &chunk.near)
+        find_gaps(now_.data(), pairs, jar_->periods(), gaps);
+      else
+        std::ranges::transform(pairs, gaps.begin(), [&](const Nigh& p) { return wall_gap(p); });
+      into_bins(*w, pairs, gaps, skin_ * Waiting::width);
+    }
+  });
+  for (const Chunk& c : chunks_)
+    pairs_sorted_ += std::ssize(c.near.pairs) + std::ssize(c.near_wall.pairs);
+  mark_places();
+}
+
+double Crowd::wall_gap(const Nigh& pair) const {
+  const Row& a = now_[static_cast<std::size_t>(pair.ball)];
+  return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
+}
+
+/// The skin for which looking for near pairs and looking at them cost least together, in counts, so
+/// that every machine takes the same.
+void Crowd::tune_skin() {
+  const auto steps = static_cast<double>(step_ - tuning_.step);
+  tuning_.step = step_;
+  if (steps < 2) return;
+  // In ns: of a pair at a step, of sorting it, of looking for those of a ball.
+  constexpr double look = 2, sort = 6, find = 700;
+  const auto all = static_cast<double>(account_.search_steps);
+  const double cost = (look * (all - tuning_.looked) + sort * static_cast<double>(pairs_sorted_) +
+                       find * static_cast<double>(now_.size())) /
+                      steps;
+  pairs_sorted_ = 0;
+  if (tuning_.last_cost > 0 && cost > tuning_.last_cost) tuning_.growing = 1 / tuning_.growing;
+  tuning_.last_cost = cost;
+  tuning_.looked = all;
+  double smallest = geometry::never;
+  for (const Species& s : breeds_.all_species()) smallest = std::min(smallest, s.radius);
+  skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
+}
+
+/// Balls that may be near to those from `from` on that share a cell, less those of the chunk before
+/// them, whose pairs are found; returns where these end.
+std::int32_t Crowd::gather_near(const Chunk& chunk, std::int32_t from,
+                                Candidates& candidates) const {
+  const Row& first = now_[static_cast<std::size_t>(from)];
+  const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
+  const std::size_t cell = own.cell(first.place());
+  Vec3 low = first.place(), high = low;
+  std::int32_t to = from + 1;
+  for (; to < chunk.last; ++to) {
+    const Vec3 x = now_[static_cast<std::size_t>(to)].place();
+    if (own.cell(x) != cell) break;
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  candidates.clear();
+  for (const Grid& grid : grids_) {
+    const double far = own.radius() + grid.radius() + skin_ + reach_;
+    grid.near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
+              [&](std::int32_t a, std::int32_t b) {
+                if (a < chunk.first || b > from) candidates.add(now_.data(), a, b);
+              });
+  }
+  return to;
+}
+
+/// Near pairs that have no contact yet. A pair with a ball of another chunk is found by both.
+void Crowd::find_near(Chunk& chunk) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> touching;
+  for (const Grips* list : {&chunk.own, &chunk.cross})
+    for (const Grip& g : list->grips)
+      for (std::size_t l = 0; l < lanes; ++l) {
+        if (!g.touches(static_cast<int>(l))) continue;
+        const bool own = list == &chunk.own;
+        touching.emplace_back(own ? std::min(g.i[l], g.j[l]) : g.i[l],
+                              own ? std::max(g.i[l], g.j[l]) : g.j[l]);
+      }
+  std::ranges::sort(touching);
+  std::vector<Nigh> found;
+  std::vector<double> gaps;
+  auto at = touching.begin();
+  std::vector<bool> beside(chunks_.size());
+  const auto outside = [&](std::int32_t j) { return j < chunk.first || j >= chunk.last; };
+  Candidates candidates(jar_->periods());
+  for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
+    to = gather_near(chunk, from, candidates);
+    for (std::int32_t i = from; i < to; ++i) {
+      const Row& ball = now_[static_cast<std::size_t>(i)];
+      const auto begin = at;
+      while (at != touching.end() && at->first == i) ++at;
+      const Candidates::Sought sought{ball.place(), ball.radius + skin_ + reach_, i, chunk.first};
+      for (const auto& [j, gap] : candidates.near(sought)) {
+        if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
+        if (std::find(begin, at, std::pair(i, j)) != at) continue;
+        found.push_back({i, j});
+        gaps.push_back(gap - ball.radius);
+      }
+    }
+  }
+  for (const auto& [i, j] : touching)
+    if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
+  chunk.beside.clear();
+  for (std::size_t c = 0; c < beside.size(); ++c)
+    if (beside[c]) chunk.beside.push_back(static_cast<std::int32_t>(c));
+  into_bins(chunk.near, found, gaps, skin_ * Waiting::width);
+}
+
+/// Finds a ball that has gone wrong, too.
+Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> touching;
+  for (const Grip& g : chunk.wall.grips)
+    for (std::size_t l = 0; l < lanes; ++l)
+      if (g.touches(static_cast<int>(l))) touching.emplace_back(g.i[l], g.j[l]);
+  std::ranges::sort(touching);
+  std::vector<Nigh> found;
+  std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
+  const double t = clock(step_);
+  for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
+    const Row& ball = now_[static_cast<std::size_t>(i)];
+    jar_->distances(ball.place(), t, ball.radius + skin_ + reach_, all);
+    for (int face = 0; face < jar_->faces(); ++face) {
+      const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
+      if (gap > skin_ + reach_ || !jar_->meets(face, ball.radius)) continue;
+      if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), "it is outside the jar"};
+      if (std::ranges::binary_search(touching, std::pair(i, face))) continue;
+      found.push_back({i, ~face});
+      gaps.push_back(gap);
+    }
+  }
+  into_bins(chunk.near_wall, found, gaps, skin_ * Waiting::width);
+  return {};
+}
+
+/// Bodies that overlap much at the start would fly apart.
+void Crowd::refuse_overlaps() const {
+  for (const Chunk& chunk : chunks_) {
+    for (const Waiting* w : {&chunk.near, &chunk.near_wall})
+      for (const Nigh& pair : w->pairs) {
+        const Row& a = now_[static_cast<std::size_t>(pair.ball)];
+        const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
+        if (pair.other < 0) {
+          const double gap = jar_->gap(~pair.other, a.place(), clock(0), a.radius).distance;
+          const double overlap = (a.radius - gap) / a.radius;
+          if (overlap > rules_.most_overlap) throw overlapping(ball, "the jar", overlap);
+          continue;
+        }
+        const Row& b = now_[static_cast<std::size_t>(pair.other)];
+        const double distance = norm(nearest(b.place() - a.place()));
+        const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
+        if (overlap > rules_.most_overlap)
+          throw overlapping(
+              ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
+      }
+  }
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/soft/many/solver.hpp"
+
+// The balls of a crowd are put in order along a curve through space and cut into chunks.
+namespace mahlwerk::soft {
+namespace {
+
+constexpr std::int32_t chunk_size = 1024;
+
+/// Into how many chunks so many balls are cut.
+std::int32_t parts(std::int32_t balls) {
+  return (balls + chunk_size - 1) / chunk_size;
+}
+
+/// In place, along the cycles of the permutation: another array would be a tenth of all memory.
+template <class Rows>
+void permute(Rows& all, const std::vector<std::int32_t>& from) {
+  std::vector<bool> done(from.size());
+  for (std::size_t first = 0; first < from.size(); ++first) {
+    if (done[first]) continue;
+    const auto kept = all[first];
+    std::size_t at = first;
+    for (auto next = static_cast<std::size_t>(from[at]); next != first;
+         next = static_cast<std::size_t>(from[at])) {
+      all[at] = all[next];
+      done[at] = true;
+      at = next;
+    }
+    all[at] = kept;
+    done[at] = true;
+  }
+}
+
+/// By their keys, those of one key in the order in which they are.
+struct Keyed {
+  std::uint64_t key = 0;
+  std::int32_t row = 0;
+};
+void sort_by_key(std::vector<Keyed>& all) {
+  constexpr int digit = 11;
+  std::uint64_t bits = 0;
+  for (const Keyed& k : all) bits |= k.key;
+  std::vector<Keyed> other(all.size());
+  for (int shift = 0; shift < 64 && bits >> shift != 0; shift += digit) {
+    std::array<std::size_t, (1 << digit) + 1> at{};
+    const auto of = [&](const Keyed& k) { return k.key >> shift & ((1 << digit) - 1); };
+    for (const Keyed& k : all) ++at[of(k) + 1];
+    for (std::size_t d = 1; d < at.size(); ++d) at[d] += at[d - 1];
+    for (const Keyed& k : all) other[at[of(k)]++] = k;
+    all.swap(other);
+  }
+}
+
+}  // namespace
+
+/// Balls along the curve, cut into chunks anew, and their contacts with them.
+void Crowd::put_in_order() {
+  const std::vector<std::int32_t> from = sort_balls();
+  std::vector<std::int32_t> to(from.size());
+  for (std::size_t k = 0; k < from.size(); ++k)
+    to[static_cast<std::size_t>(from[k])] = static_cast<std::int32_t>(k);
+  const Carried carried = take_contacts(to);
+  reorder(from);
+  std::vector<Chunk> old = divide();
+  share_work();
+  give_contacts(carried, old);
+  share_work();
+}
+
+/// The old row of each new one: by class of sizes, then along the curve.
+std::vector<std::int32_t> Crowd::sort_balls() {
+  std::vector<std::vector<Vec3>> places(class_radius_.size());
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    const Vec3 x = now_[k].place();
+    if (!std::isfinite(squared(x))) stop(k, "its place or speed is no number");
+    places[class_of(k)].push_back(x);
+  }
+  grids_.clear();
+  class_first_.assign(1, 0);
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    grids_.emplace_back(places[c], class_radius_[c], skin_ + reach_, jar_->periods());
+    class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(places[c].size()));
+  }
+  places = {};
+  std::vector<std::int32_t> from;
+  from.reserve(now_.size());
+  std::vector<Keyed> order;
+  for (std::size_t c = 0; c < grids_.size(); ++c) {
+    order.clear();
+    for (std::size_t k = 0; k < now_.size(); ++k)
+      if (class_of(k) == c)
+        order.push_back({grids_[c].key(now_[k].place()), static_cast<std::int32_t>(k)});
+    sort_by_key(order);
+    for (const Keyed& k : order) from.push_back(k.row);
+  }
+  return from;
+}
+
+void Crowd::reorder(const std::vector<std::int32_t>& from) {
+  permute(now_, from);
+  permute(turns_, from);
+  permute(half_, from);
+  permute(id_, from);
+  permute(species_, from);
+  permute(contacts_of_, from);
+  std::vector<Vec3> places;
+  for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
+    places.clear();
+    for (std::int32_t row = class_first_[c]; row < class_first_[c + 1]; ++row)
+      places.push_back(now_[static_cast<std::size_t>(row)].place());
+    grids_[c].fill(places, class_first_[c]);
+  }
+}
+
+/// Chunks of about equal size; returns those there were.
+std::vector<Chunk> Crowd::divide() {
+  std::vector<Chunk> old = std::move(chunks_);
+  chunks_.clear();
+  for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
+    const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
+    const std::int32_t all = parts(count);
+    for (std::int32_t p = 0; p < all; ++p) {
+      Chunk& chunk = chunks_.emplace_back();
+      chunk.first = first + static_cast<std::int32_t>(std::int64_t{count} * p / all);
+      chunk.last = first + static_cast<std::int32_t>(std::int64_t{count} * (p + 1) / all);
+      for (std::int32_t row = chunk.first; row < chunk.last; ++row)
+        if (contacts_of_[static_cast<std::size_t>(row)] > 0) ++chunk.in_touch;
+    }
+  }
+  return old;
+}
+
+std::int32_t Crowd::chunk_of(std::int32_t ball) const {
+  std::int32_t chunk = 0;
+  std::size_t c = 0;
+  for (; ball >= class_first_[c + 1]; ++c) chunk += parts(class_first_[c + 1] - class_first_[c]);
+  const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
+  chunk += static_cast<std::int32_t>(std::int64_t{ball - first} * parts(count) / count);
+  return chunk + (ball >= chunks_[static_cast<std::size_t>(chunk)].last ? 1 : 0);  // rounding
+}
+
+/// Which chunks each thread does: about the same of balls and contacts.
+void Crowd::share_work() {
+  const auto weight = [](const Chunk& c) {
+    return c.last - c.first +
+           2 * lanes *
+               static_cast<std::int64_t>(c.own.grips.size() + c.cross.grips.size() +
+                                         c.wall.grips.size());
+  };
+  std::int64_t all = 0, done = 0;
+  for (const Chunk& c : chunks_) all += weight(c);
+  share_.assign(1, 0);
+  std::int32_t c = 0;
+  for (int t = 1; t < crew_.size(); ++t) {
+    for (; static_cast<std::size_t>(c) < chunks_.size() && done * crew_.size() < all * t; ++c)
+      done += weight(chunks_[static_cast<std::size_t>(c)]);
+    share_.push_back(c);
+  }
+  share_.push_back(static_cast<std::int32_t>(chunks_.size()));
+  for (Loads& loads : loads_) loads.resize(chunk_size);
+}
+
+}  // namespace mahlwerk::soft

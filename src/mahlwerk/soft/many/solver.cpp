@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/many/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/diagnostics.hpp"
+
+namespace mahlwerk::soft {
+namespace {
+
+constexpr std::size_t in_cache = 30000;     // balls that a processor's cache holds, with contacts
+constexpr std::int64_t block = 64;          // steps between two looks at the energy
+constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
+
+/// How many threads find something to do at every step.
+int most_helpful(std::size_t balls) {
+  constexpr std::size_t each = 1000;
+  return static_cast<int>(std::clamp<std::size_t>(balls / each, 1, 1024));
+}
+
+/// Eight alike.
+Make make_of(const Breed& breed, const Species& a, const Species* b, double step) {
+  Make m;
+  const Lanes none{};
+  m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
+  m.radius_i = none + a.radius;
+  m.radius_j = none + (b != nullptr ? b->radius : 0.0);
+  m.per_radius = none + 1 / a.radius;
+  m.share = none + (b != nullptr ? 0.5 : 1.0);
+  m.reach = none + breed.reach;
+  for (std::size_t n = 0; n < breed.numbers.size(); ++n) m.numbers[n] = none + breed.numbers[n];
+  m.friction = none + breed.touching.pair.friction;
+  const double arm = breed.touching.pair.rolling_friction * breed.touching.radius;
+  m.rolling = none + arm;
+  m.roll_spring = none + 2.25 * arm * arm * breed.secant;
+  m.lag = none + breed.lag(step);
+  m.inertia = none + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
+  return m;
+}
+
+}  // namespace
+
+Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+             const Rules& rules, const contact::PairTable& pairs, double start)
+    : jar_(std::move(jar)),
+      rules_(rules),
+      law_(rules.model.law),
+      breeds_(balls, pairs, law_),
+      pass_(std::visit([]<class L>(const L&) { return pass_of<L>(); }, law_)),
+      start_(start),
+      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
+             std::isfinite(jar_->periods().z)),
+      large_(balls.size() > in_cache),
+      remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
+                 contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
+      crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
+  const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
+  makes_.resize(breeds_.all().size());
+  double smallest = geometry::never;
+  std::map<int, int> classes;  // octaves of radius that there are
+  for (const Species& s : breeds_.all_species()) smallest = std::min(smallest, s.radius);
+  const auto octave = [&](double r) {
+    return static_cast<int>(std::floor(std::log2(r / smallest)));
+  };
+  for (const Species& s : breeds_.all_species()) classes[octave(s.radius)] = 0;
+  for (int count = 0; auto& [at, number] : classes) number = count++;
+  class_radius_.resize(classes.size());
+  for (std::int32_t a = 0; a < species; ++a) {
+    const Species& s = breeds_.species(a);
+    for (std::int32_t b = 0; b < species; ++b) {
+      const std::int32_t k = breeds_.balls(a, b);
+      makes_[static_cast<std::size_t>(k)] =
+          make_of(breeds_[k], s, &breeds_.species(b), rules_.time_step);
+    }
+    for (int face = 0; face < pairs.faces(); ++face) {
+      const std::int32_t k = breeds_.wall(a, face);
+      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, nullptr, rules_.time_step);
+    }
+    const double kick = 0.5 * rules.time_step / s.mass, turn = 0.5 * rules.time_step / s.inertia;
+    kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
+    class_of_.push_back(classes[octave(s.radius)]);
+    double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
+    widest = std::max(widest, s.radius);
+  }
+  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
+  skin_ = 0.5 * smallest;
+  loads_.resize(static_cast<std::size_t>(crew_.size()));
+  start_moving(balls);
+  account_.started_with = 0;
+  const scene::Account now = reckoned();
+  account_.started_with = now.kinetic + now.potential + now.elastic;
+  watch_.begin(now);
+}
+
+/// Rows of step 0, and of step 1 before any contact is known (dem.26).
+void Crowd::start_moving(const std::vector<scene::Ball>& balls) {
+  const std::size_t n = balls.size();
+  now_.resize(n), next_.resize(n), looked_.resize(n), turns_.resize(n), next_turns_.resize(n);
+  half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
+  const std::vector<Beat> b = beats(0, 1);
+  const double dt = rules_.time_step;
+  for (std::size_t k = 0; k < n; ++k) {
+    const scene::Ball& ball = balls[k];
+    mass_ += breeds_.of(k).mass;
+    id_[k] = static_cast<std::int32_t>(k);
+    species_[k] = breeds_.species_of(k);
+    const Vec3& x = ball.position;
+    now_[k] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
+  }
+  rebuild();
+  refuse_overlaps();
+  for (std::size_t k = 0; k < n; ++k) {
+    const scene::Ball& ball = balls[static_cast<std::size_t>(id_[k])];
+    const Vec3 v = ball.velocity + 0.5 * dt * b[0].pull, seen = v + 0.5 * dt * b[1].pull;
+    const Vec3 x = ball.position + dt * v;
+    const Vec3& w = ball.spin;
+    half_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
+    next_[k] = {x.x, x.y, x.z, ball.radius, seen.x, seen.y, seen.z, 0};
+    next_turns_[k] = {w.x, w.y, w.z, 0};
+  }
+  for (Drift& d : drifts_) d.spread = geometry::never;  // this motion nobody watched
+}
+
+double Crowd::time_of(std::int64_t step) const {
+  return static_cast<double>(step) * rules_.time_step;
+}
+
+std::vector<Beat> Crowd::beats(std::int64_t first, std::int64_t last) const {
+  std::vector<Beat> all(static_cast<std::size_t>(last - first) + 1);
+  jar_->beats(start_, rules_.time_step, first, all);
+  return all;
+}
+
+void Crowd::advance(double time, scene::Observer& observer) {
+  const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  asked_ = time;
+  const auto hand_over = [&] {
+    gather();
+    std::vector<scene::Collision> all;
+    all.reserve(ended_.size());
+    for (const Ended& e : ended_) all.push_back(e.collision);
+    ended_.clear();
+    if (!all.empty()) observer.collisions(all);
+  };
+  try {
+    while (step_ < until) {
+      const std::int64_t end = std::min(until, (step_ / block + 1) * block);
+      const std::vector<Beat> all = beats(step_ + 1, end + 1);
+      for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+        if (stopped()) return hand_over();
+        step(all[k], all[k + 1]);
+        if (records() > most_records) hand_over();
+      }
+      hand_over();
+      if (step_ % block != 0) continue;
+      settle();
+      check_energy();
+    }
+  } catch (...) {
+    hand_over();
+    throw;
+  }
+}
+
+/// The main loop of a crowd: balls as they are, nearness where it is due, then every chunk.
+void Crowd::step(const Beat& before, const Beat& after) {
+  ++step_;
+  now_.swap(next_);
+  turns_.swap(next_turns_);
+  if (!reach_bounds())
+    look_anew();
+  else if (worth_sorting())
+    sort_pairs();
+  const Lanes none{};
+  Pass pass{
+      .rows = now_.data(),
+      .turns = turns_.data(),
+      .next = next_.data(),
+      .next_turns = next_turns_.data(),
+      .half = half_.data(),
+      .looked = looked_.data(),
+      .kicks = kicks_.data(),
+      .species = species_.data(),
+      .makes = makes_.data(),
+      .jar = jar_.get(),
+      .comings = this,
+      .time = clock(step_),
+      .bin = skin_ * Waiting::width,
+      .reach = reach_,
+      .before = before,
+      .after = after,
+      .large = large_,
+      .turning = jar_->turning_from() < jar_->faces(),
+      .remembers = remembers_,
+      .frame = {.step = rules_.time_step,
+                .per_step = 1 / rules_.time_step,
+                .jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z},
+                .rolling = rules_.model.rolling,
+                .rolling_damping = rules_.model.rolling_damping,
+                .rescaled = rules_.model.rescaled_unloading,
+                .periodic = folds_,
+                .periods = {none + jar_->periods().x, none + jar_->periods().y,
+                            none + jar_->periods().z}}};
+  crew_.each(share_, [&](int thread, std::int32_t c, std::int32_t next) {
+    const auto k = static_cast<std::size_t>(c);
+    const Chunk* following =
+        large_ && next >= 0 ? &chunks_[static_cast<std::size_t>(next)] : nullptr;
+    Drift& d = drifts_[k];
+    const Vec3 last = d.mean;
+    pass_(pass, chunks_[k], following, loads_[static_cast<std::size_t>(thread)], d);
+    // The guess of the next step; the one just used belongs to the spread.
+    guesses_[k] = 2.0 * d.mean - last;
+  });
+}
+
+void Crowd::look_anew() {
+  try {
+    rebuild();
+  } catch (const RunError&) {
+    next_ = now_;  // the last that is known of the balls
+    next_turns_ = turns_;
+    throw;
+  }
+}
+
+/// How much nearer pairs may have come since nearness was looked at (dem.34); false if too near to
+/// go on.
+bool Crowd::reach_bounds() {
+  const double swept = jar_->sweep() * time_of(step_ - looked_step_);
+  const double rounding = 3e-7 * widest_;  // of places as floats, twice
+  bool good = true;
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    Chunk& chunk = chunks_[c];
+    const Drift& mine = drifts_[c];
+    double most = mine.spread;
+    for (const std::int32_t other : chunk.beside) {
+      const Drift& its = drifts_[static_cast<std::size_t>(other)];
+      most = std::max(most, its.spread + norm(its.guess - mine.guess));
+    }
+    chunk.bound = mine.spread + most + rounding;
+    chunk.wall_bound = norm(mine.guess) + mine.spread + swept + rounding;
+    good = good && spent_ + chunk.bound < skin_ && spent_ + chunk.wall_bound < skin_;
+  }
+  if (good)
+    for (std::size_t c = 0; c < chunks_.size(); ++c) drifts_[c].guess = guesses_[c];
+  return good;
+}
+
+/// Sums of the chunks so far. At fixed steps, for every sum is rounded.
+void Crowd::settle() {
+  for (Chunk& chunk : chunks_) {
+    add_doings(account_, chunk);
+    chunk.doings = {};
+  }
+}
+
+void Crowd::add_doings(scene::Account& a, const Chunk& chunk) const {
+  const Doings& d = chunk.doings;
+  for (int l = 0; l < lanes; ++l) {
+    a.lost_normal += d.deeds.normal[l];
+    a.lost_tangential += d.deeds.tangential[l];
+    a.lost_rolling += d.deeds.rolling[l];
+    a.slid += d.deeds.sliding[l];
+    a.wall_work += d.deeds.wall[l];
+    a.deepest_overlap = std::max(a.deepest_overlap, d.deeds.deepest[l]);
+  }
+  a.contact_time += time_of(d.ball_steps);
+  a.collisions += d.collisions;
+  a.lasting_contacts += d.lasting;
+  a.search_steps += d.tests;
+}
+
+std::size_t Crowd::records() const {
+  std::size_t all = ended_.size();
+  for (const Chunk& chunk : chunks_) all += chunk.ended.size();
+  return all;
+}
+
+/// Records of the chunks so far, in the order of their steps.
+void Crowd::gather() {
+  for (Chunk& chunk : chunks_) {
+    ended_.insert(ended_.end(), chunk.ended.begin(), chunk.ended.end());
+    chunk.ended.clear();
+  }
+  std::ranges::stable_sort(ended_, {}, &Ended::step);
+}
+
+void Crowd::check_energy() {
+  const scene::Account a = reckoned();
+  const double t = clock(step_);
+  const double wall = jar_->fastest(t);
+  const Species& first = breeds_.species(0);
+  const double least = first.mass * norm(jar_->gravity()) * first.radius;
+  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
+  std::size_t fastest = 0;
+  for (std::size_t k = 1; k < now_.size(); ++k)
+    if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
+  stop(fastest, energy_jumped);
+}
+
+void Crowd::stop(std::size_t row, const char* why) const {
+  throw went_wrong(time_of(step_), static_cast<std::size_t>(id_[row]), why, now_[row].place(),
+                   velocity(row, pulls()));
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/scene/engine.hpp"
+#include "mahlwerk/soft/energy_watch.hpp"
+#include "mahlwerk/soft/many/chunk_step.hpp"
+#include "mahlwerk/soft/many/thread_team.hpp"
+#include "mahlwerk/soft/neighbours/candidates.hpp"
+#include "mahlwerk/soft/neighbours/grid.hpp"
+#include "mahlwerk/soft/rules.hpp"
+#include "mahlwerk/soft/species_pairs.hpp"
+
+namespace mahlwerk::soft {
+
+/// The soft engine for many balls (docs/theory/soft.md): balls in chunks that lie together, each
+/// chunk with its contacts. A step of a chunk reads the balls as they are and writes its own as
+/// they will be, so chunks are done in any order, by any number of threads, with the same bits.
+class Crowd final : public scene::Engine, private Comings {
+ public:
+  Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+        const Rules& rules, const contact::PairTable& pairs, double start);
+
+  void advance(double time, scene::Observer& observer) override;
+  scene::Account account() const override;
+  std::vector<scene::Ball> balls() const override;
+  std::vector<Vec3> forces() const override;
+  void carry(Archive& archive) override;
+
+ private:
+  // The main loop (crowd.cpp).
+  void start_moving(const std::vector<scene::Ball>& balls);
+  void step(const Beat& before, const Beat& after);
+  double clock(std::int64_t step) const { return start_ + time_of(step); }
+  double time_of(std::int64_t step) const;
+  std::vector<Beat> beats(std::int64_t first, std::int64_t last) const;
+  bool reach_bounds();
+  void look_anew();
+  void check_energy();
+  void settle();
+  std::size_t records() const;
+  void add_doings(scene::Account& a, const Chunk& chunk) const;
+  void gather();
+  [[noreturn]] void stop(std::size_t row, const char* why) const;
+
+  // What it tells (crowd_account.cpp).
+  scene::Account reckoned() const;
+  struct Stored {
+    double normal = 0, tangential = 0;  // [J]
+    double taken = 0;                   // [J] by contacts that go on, since they began
+  };
+  Stored stored(const Chunk& chunk) const;
+  Vec3 pulls() const;  // [m/s] half a step of what the body field changes by
+  Vec3 velocity(std::size_t row, const Vec3& pulls) const;
+  Vec3 spin(std::size_t row) const;
+
+  // In which order, and in which chunk (crowd_order.cpp).
+  void put_in_order();
+  std::vector<std::int32_t> sort_balls();
+  void reorder(const std::vector<std::int32_t>& from);
+  std::vector<Chunk> divide();
+  void share_work();
+  std::int32_t chunk_of(std::int32_t ball) const;
+  std::size_t class_of(std::size_t row) const {
+    return static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[row])]);
+  }
+
+  // Contacts that move with their balls (crowd_carry.cpp).
+  struct Kept {
+    std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
+    std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
+    std::int32_t lane = 0;      // lane l of grip g: 8 g + l
+  };
+  struct Carried {
+    std::vector<Kept> contacts;
+    std::vector<std::int32_t> first;  // of each ball
+  };
+  Carried take_contacts(const std::vector<std::int32_t>& to);
+  void give_contacts(const Carried& all, std::vector<Chunk>& old);
+  void make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const;
+  void give_contact(Chunk& chunk, const Kept& kept, const Grips& from);
+  void give(Grips& list, const Kept& kept, const Grips& from, std::int32_t i, std::int32_t j,
+            std::int32_t breed, double sign);
+
+  // Who is near whom (crowd_lists.cpp).
+  void rebuild();
+  void tune_skin();
+  void mark_places();
+  std::int64_t tests() const;
+  bool worth_sorting() const;
+  void sort_pairs();
+  double wall_gap(const Nigh& pair) const;
+  std::int32_t gather_near(const Chunk& chunk, std::int32_t from, Candidates& candidates) const;
+  void find_near(Chunk& chunk);
+  struct Wrong {
+    std::size_t row = 0;
+    const char* why = nullptr;
+  };
+  Wrong near_walls(Chunk& chunk);
+  Vec3 nearest(const Vec3& apart) const {  // to the nearest image, where places repeat
+    if (!folds_) return apart;
+    const Vec3& period = jar_->periods();
+    return {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
+            std::remainder(apart.z, period.z)};
+  }
+  void refuse_overlaps() const;
+
+  // Contacts that begin and end (crowd_contacts.cpp).
+  void look_at_walls(Chunk& chunk) override;
+  void seize(Chunk& chunk, const Nigh& pair) override;
+  std::int32_t free_lane(Grips& grips, std::int32_t breed, std::int32_t ball);
+  void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m, const Bodies& b) override;
+  void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
+  void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
+  void bend(Grips& grips, std::size_t g, int lane);
+  void touches(Chunk& chunk, std::int32_t ball, int more);
+
+  std::unique_ptr<const Surroundings> jar_;
+  Rules rules_;
+  contact::AnyLaw law_;
+  Breeds breeds_;
+  PassOf pass_;
+  double start_, reach_ = 0, mass_ = 0;
+  bool folds_, large_, remembers_;
+  std::vector<Make> makes_;           // of each breed
+  std::vector<Eight> kicks_;          // of each species
+  std::vector<int> class_of_;         // each species' class of sizes
+  std::vector<double> class_radius_;  // [m] of the largest ball of each class
+  mutable Crew crew_;
+
+  // The balls, in the order of their rows.
+  std::int64_t step_ = 0;
+  RoomyVector<Row> now_, next_;  // at the step; one later
+  RoomyVector<Spot> looked_;     // when nearness was last looked at
+  RoomyVector<Turn> turns_, next_turns_;
+  RoomyVector<Twin> half_;
+  std::vector<std::int32_t> id_, species_, contacts_of_;
+
+  std::vector<Chunk> chunks_;
+  std::vector<Drift> drifts_;
+  std::vector<Vec3> guesses_;              // [m] of how far each chunk will have moved a step on
+  std::vector<std::int32_t> class_first_;  // row with which each class begins, and the end
+  std::vector<Loads> loads_;               // of each thread
+  std::vector<std::int32_t> share_;        // first chunk of each thread, and the end
+  std::vector<Grid> grids_;                // of each class, while nearness is looked at
+
+  double skin_ = 0;    // [m]
+  double widest_ = 0;  // [m] the largest coordinate when places were marked
+  double spent_ = 0;   // [m] of the skin, when pairs were last sorted
+  std::int64_t looked_step_ = 0, sorted_at_ = 0, pairs_sorted_ = 0;
+  struct Tuning {
+    std::int64_t step = 0;
+    double last_cost = 0, looked = 0, growing = 1.15;
+  } tuning_;
+
+  scene::Account account_;
+  Watch watch_;
+  double asked_ = 0;
+  std::vector<Ended> ended_;
+};
+
+}  // namespace mahlwerk::soft

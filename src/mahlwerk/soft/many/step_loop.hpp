@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/kernel/isa.hpp"
+#include "mahlwerk/soft/many/bodies.hpp"
+#include "mahlwerk/soft/many/chunk_step.hpp"
+#include "mahlwerk/soft/many/prefetch_queue.hpp"
+#include "mahlwerk/soft/neighbours/pair_gaps.hpp"
+
+// A step of a chunk of a crowd: contacts, then the balls. One text for each law and kind of
+// machine.
+namespace mahlwerk::soft {
+
+/// Lane by lane what their breeds are.
+[[gnu::always_inline]] inline void gather(const Make* makes, const Grip& g, Make& out) {
+  for (int l = 0; l < lanes; ++l) copy_lane(makes[g.breed[static_cast<std::size_t>(l)]], l, out, l);
+}
+
+/// Contacts of one kind: what they do to the balls of the chunk.
+template <class Law, bool wide>
+[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, Twin* loads,
+                                        Ahead& ahead, Deeds& sums) {
+  Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
+  Make made;
+  for (std::size_t n = 0; n < list.grips.size(); ++n) {
+    Grip& g = list.grips[n];
+    ahead.fetch();
+    if (g.touching == 0) continue;
+    if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
+    const LaneMask touched = mask(g.touching);
+    const Bodies b = bodies<wide>(s, g, touched, whose);
+    const Make* make = &s.makes[g.breed[0]];
+    if (!list.makes.empty())
+      make = &list.makes[n];
+    else if (!g.alike)
+      gather(s.makes, g, made), make = &made;
+    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, touched);
+    const LaneMask touching = less(squared, near * near) & touched;
+    const Meeting m = meet(*make, b, squared);
+    const Edges edges{mask(g.fresh), touching ^ touched};
+    const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
+    if (g.fresh != 0) {
+      s.comings->begin(chunk, list, n, m, b);
+      if (!list.makes.empty()) make = &list.makes[n];
+    }
+    History past;
+    past.spring = g.spring;
+    past.pulls = mask(g.pulling);
+    if (s.remembers) {
+      const Memory& k = list.memories[n];
+      for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
+      past.roll = k.roll, past.stiffness = k.stiffness;
+    }
+    Deeds d;
+    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching, changes ? &edges : nullptr,
+                               whose == Whose::wall);
+    g.spring = past.spring;
+    g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
+    if (s.remembers) {
+      Memory& k = list.memories[n];
+      for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
+      k.roll = past.roll, k.stiffness = past.stiffness;
+    }
+    g.impulse += d.impulse;
+    g.lost_normal += d.normal;
+    g.lost_across += d.tangential + d.rolling;
+    sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
+    sums.sliding += d.sliding;
+    if (whose == Whose::wall) sums.wall += d.wall;
+    sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
+    add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
+    if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
+    if (ends) s.comings->end(chunk, list, n, touching);
+    if (whose == Whose::wall) list.facings[n].normal = m.n;
+  }
+}
+
+/// Which of the pairs from `at` on, up to eight, touch: a bit for each.
+template <bool wide>
+[[gnu::always_inline]] inline std::uint32_t touching_of(const Pass& s, const Nigh* pairs,
+                                                        std::size_t count) {
+  Apart pair = apart<wide>(s.rows, pairs, count);
+  if (s.frame.periodic)
+    pair.centres = {folded(pair.centres.x, s.frame.periods.x),
+                    folded(pair.centres.y, s.frame.periods.y),
+                    folded(pair.centres.z, s.frame.periods.z)};
+  const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
+  if (!any(mask)) return 0;
+  return bits(mask, count);
+}
+
+/// Pairs that are near: those that touch now become contacts.
+template <bool wide>
+[[gnu::always_inline]] inline void look(const Pass& s, Chunk& chunk) {
+  Waiting& w = chunk.near;
+  const auto scan = [&](const std::vector<Nigh>& pairs, std::size_t end) {
+    chunk.met.clear();
+    for (std::size_t k = 0; k < end; k += lanes) {
+      constexpr std::size_t ahead = 4 * lanes;  // so that rows are there when they are asked for
+      for (std::size_t n = k + ahead; n < std::min(end, k + ahead + lanes); ++n)
+        __builtin_prefetch(&s.rows[pairs[n].other]);
+      std::uint32_t bits =
+          touching_of<wide>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+      for (; bits != 0; bits &= bits - 1)
+        chunk.met.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
+    }
+    chunk.doings.tests += static_cast<std::int64_t>(end);
+  };
+  scan(w.pairs, w.due(chunk.bound, s.bin));
+  for (std::size_t n = chunk.met.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.met[n]);
+    s.comings->seize(chunk, w.pairs[k]);
+    w.remove(k);
+  }
+  scan(w.parted, w.parted.size());
+  for (std::size_t n = chunk.met.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.met[n]);
+    s.comings->seize(chunk, w.parted[k]);
+    w.parted[k] = w.parted.back();
+    w.parted.pop_back();
+  }
+}
+
+/// The balls of a chunk, a step on (dem.26).
+template <bool wide, bool past_cache>
+[[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const Twin* loads,
+                                        Drift& drift) {
+  const double dt = s.frame.step;
+  const Vec3 &b0 = s.before.pull, &b1 = s.after.pull;
+  const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
+  const Four guess{drift.guess.x, drift.guess.y, drift.guess.z};
+  Four sum{}, most{};
+  for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
+    const Lanes kick = s.kicks[s.species[i]].is * eight(loads[i - chunk.first]);
+    const Lanes half = eight(s.half[i]) + 2.0 * kick + pull0;
+    const Lanes seen = half + kick + pull1;
+    put_eight(s.half[i], half);
+    const Lanes row = eight(s.rows[i]);
+    const Lanes place = row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
+    const Lanes next = __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15);
+    const Four turn = __builtin_shufflevector(seen, seen, 4, 5, 6, 15);
+    if constexpr (past_cache) {
+      put_past_cache(s.next[i], next);
+      put_past_cache(s.next_turns[i], turn);
+    } else {
+      put_eight(s.next[i], next);
+      put_four(s.next_turns[i], turn);
+    }
+    const Four way = __builtin_shufflevector(place, place, 0, 1, 2, 2) - four(s.looked[i]);
+    const Four off = way - guess;
+    sum += way;
+    most = most > off ? most : off;
+    most = most > -off ? most : -off;
+  }
+  if constexpr (past_cache) all_are_put();
+  const double count = std::max(1, chunk.last - chunk.first);
+  drift.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
+  drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+/// What the chunk after this one will ask for.
+[[gnu::always_inline]] inline Ahead fetching(const Pass& s, const Chunk& chunk,
+                                             const Chunk* following) {
+  Ahead ahead;
+  if (following == nullptr) return ahead;
+  const Chunk& c = *following;
+  const auto balls = static_cast<std::size_t>(c.last - c.first);
+  ahead.add(&s.rows[c.first], balls);
+  ahead.add(&s.turns[c.first], balls);
+  ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
+  ahead.add(c.own.grips.data(), c.own.grips.size());
+  ahead.add(c.cross.grips.data(), c.cross.grips.size());
+  ahead.add(&s.half[c.first], balls);
+  ahead.add(&s.looked[c.first], balls);
+  ahead.divide(chunk.own.grips.size() + chunk.cross.grips.size());
+  return ahead;
+}
+
+/// The main loop's body for a crowd.
+template <class Law, bool wide>
+[[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, const Chunk* following, Loads& loads,
+                                        Drift& drift) {
+  Ahead ahead = fetching(s, chunk, following);
+  look<wide>(s, chunk);
+  s.comings->look_at_walls(chunk);
+  std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
+#pragma GCC unroll 1
+  for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
+    Deeds d;
+    grip<Law, wide>(s, chunk, whose, loads.data(), ahead, d);
+    const double part = whose == Whose::cross ? 0.5 : 1;
+    Deeds& all = chunk.doings.deeds;
+    all.normal += part * d.normal;
+    all.tangential += part * d.tangential;
+    all.rolling += part * d.rolling;
+    all.sliding += part * d.sliding;
+    all.wall += d.wall;
+    all.deepest = larger(all.deepest, d.deepest);
+  }
+  chunk.doings.ball_steps += chunk.in_touch;
+  if (wide && s.large)
+    move<wide, wide>(s, chunk, loads.data(), drift);
+  else
+    move<wide, false>(s, chunk, loads.data(), drift);
+}
+
+#ifdef MAHLWERK_WIDE
+template <class Law>
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void pass_wide(Pass& s, Chunk& c,
+                                                                          const Chunk* next,
+                                                                          Loads& l, Drift& d) {
+  pass<Law, true>(s, c, next, l, d);
+}
+#endif
+#ifdef MAHLWERK_MIDDLING
+template <class Law>
+[[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, const Chunk* next,
+                                                         Loads& l, Drift& d) {
+  pass<Law, false>(s, c, next, l, d);
+}
+#endif
+template <class Law>
+[[gnu::flatten]] void pass_plain(Pass& s, Chunk& c, const Chunk* next, Loads& l, Drift& d) {
+  pass<Law, false>(s, c, next, l, d);
+}
+
+template <class Law>
+PassOf pass_of() {
+#ifdef MAHLWERK_WIDE
+  if (machine() == Machine::wide) return pass_wide<Law>;
+#endif
+#ifdef MAHLWERK_MIDDLING
+  if (machine() == Machine::middling) return pass_middling<Law>;
+#endif
+  return pass_plain<Law>;
+}
+
+}  // namespace mahlwerk::soft

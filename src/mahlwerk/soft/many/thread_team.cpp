@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/many/thread_team.hpp"
+
+#include <algorithm>
+
+namespace mahlwerk::soft {
+namespace {
+
+constexpr int patience = 1000;  // looks before a thread goes to sleep: some ten microseconds
+
+/// Waits until `value` is another than `old`.
+template <class T>
+void await(const std::atomic<T>& value, T old) {
+  for (int i = 0; i < patience; ++i) {
+    if (value.load(std::memory_order_acquire) != old) return;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Crew::Crew(int threads) : left_(new Left[static_cast<std::size_t>(std::max(threads, 1))]) {
+  for (int k = 1; k < threads; ++k) team_.emplace_back([this, k] { serve(k); });
+}
+
+std::int32_t Crew::Left::take(bool from_the_end) {
+  std::uint64_t old = range_.load(std::memory_order_relaxed);
+  for (;;) {
+    const auto first = static_cast<std::int32_t>(old >> 32);
+    const auto end = static_cast<std::int32_t>(old & 0xffffffff);
+    if (first >= end) return -1;
+    const std::uint64_t rest = from_the_end ? range(first, end - 1) : range(first + 1, end);
+    if (range_.compare_exchange_weak(old, rest, std::memory_order_relaxed))
+      return from_the_end ? end - 1 : first;
+  }
+}
+
+std::int32_t Crew::take(int thread) {
+  const int all = size();
+  for (int k = 0; k < all; ++k) {
+    const std::int32_t item = left_[static_cast<std::size_t>((thread + k) % all)].take(k > 0);
+    if (item >= 0) return item;
+  }
+  return -1;
+}
+
+Crew::~Crew() {
+  ends_ = true;
+  ++turn_;
+  turn_.notify_all();
+}
+
+void Crew::serve(int k) {
+  std::uint32_t seen = 0;
+  for (;;) {
+    await(turn_, seen);
+    ++seen;
+    if (ends_) return;
+    call_(work_, k);
+    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
+  }
+}
+
+void Crew::do_all(Call call, const void* work) {
+  call_ = call;
+  work_ = work;
+  busy_.store(static_cast<int>(team_.size()), std::memory_order_release);
+  turn_.fetch_add(1, std::memory_order_acq_rel);
+  turn_.notify_all();
+  call(work, 0);
+  for (int left = busy_.load(std::memory_order_acquire); left > 0;
+       left = busy_.load(std::memory_order_acquire))
+    await(busy_, left);
+}
+
+}  // namespace mahlwerk::soft

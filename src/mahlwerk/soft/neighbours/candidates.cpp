@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/neighbours/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/soft/kernel/isa.hpp"
+#include "mahlwerk/soft/neighbours/pair_gaps.hpp"
+
+namespace mahlwerk::soft {
+
+Candidates::Candidates(const Vec3& periods)
+    : periods_(periods),
+      folds_(std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z)),
+      wide_(machine() == Machine::wide) {}
+
+void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
+  for (std::int32_t j = first; j < last; ++j, ++count_) {
+    if (count_ == lanes * blocks_.size()) blocks_.emplace_back();
+    Block& block = blocks_[count_ / lanes];
+    const auto l = static_cast<int>(count_ % lanes);
+    const Row& ball = rows[j];
+    block.x[l] = ball.x, block.y[l] = ball.y, block.z[l] = ball.z;
+    block.radius[l] = ball.radius, block.row[l] = j;
+  }
+}
+
+[[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
+                                                        Lanes& squared) const {
+  Vec<Lanes> apart{b.x - sought.place.x, b.y - sought.place.y, b.z - sought.place.z};
+  if (folds_) to_nearest(apart, periods_);
+  squared = dot(apart, apart);
+  const Lanes far = b.radius + sought.beyond, none{};
+  return less(squared, far * far) &
+         (less(none + sought.after, b.row) | less(b.row, none + sought.before));
+}
+
+[[gnu::always_inline]] inline void Candidates::find(const Sought& sought) {
+  found_.clear();
+  for (std::size_t n = 0; n * lanes < count_; ++n) {
+    const Block& b = blocks_[n];
+    Lanes squared;
+    const LaneMask near = test(b, sought, squared);
+    if (!any(near)) continue;
+    std::uint32_t those = bits(near, std::min<std::size_t>(lanes, count_ - n * lanes));
+    for (; those != 0; those &= those - 1) {
+      const int l = __builtin_ctz(those);
+      found_.push_back({static_cast<std::int32_t>(b.row[l]), std::sqrt(squared[l]) - b.radius[l]});
+    }
+  }
+}
+
+#ifdef MAHLWERK_WIDE
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_wide(
+    const Sought& sought) {
+  find(sought);
+}
+#endif
+
+std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
+#ifdef MAHLWERK_WIDE
+  if (wide_) {
+    find_wide(sought);
+    return found_;
+  }
+#endif
+  find(sought);
+  return found_;
+}
+
+}  // namespace mahlwerk::soft

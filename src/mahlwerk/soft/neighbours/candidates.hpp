@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/soft/kernel/ball_record.hpp"
+
+namespace mahlwerk::soft {
+
+/// Balls that may be near to one of a few that lie together, in columns, to be looked at eight at a
+/// time.
+class Candidates {
+ public:
+  /// `periods` [m] are infinite where places do not repeat.
+  explicit Candidates(const Vec3& periods);
+
+  void clear() { count_ = 0; }
+  /// Balls first to last of the rows.
+  void add(const Row* rows, std::int32_t first, std::int32_t last);
+
+  struct Found {
+    std::int32_t row = 0;
+    double gap = 0;  ///< [m] to the surface
+  };
+  struct Sought {
+    Vec3 place;
+    double beyond = 0;                   ///< [m] from the surfaces of those that are found, or less
+    std::int32_t after = 0, before = 0;  ///< rows after the one, or before the other
+  };
+  /// Those that are near, until the next are sought. Their gaps are to the point `place`.
+  std::span<const Found> near(const Sought& sought);
+
+ private:
+  struct alignas(64) Block {
+    Lanes x{}, y{}, z{}, radius{}, row{};
+  };
+  void find(const Sought& sought);
+  void find_wide(const Sought& sought);  // the same with the widest registers
+  LaneMask test(const Block& b, const Sought& sought, Lanes& squared) const;
+
+  Vec3 periods_;
+  bool folds_;
+  [[maybe_unused]] bool wide_;
+  std::vector<Block> blocks_;
+  std::vector<Found> found_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mahlwerk/soft/kernel/ball_record.hpp"
+
+namespace mahlwerk::soft {
+
+/// Cells of a size that suits some balls of about one size, in the order of a curve that fills
+/// space, so that balls near each other stand near each other in memory.
+class Grid {
+ public:
+  /// Of balls with radii up to `radius` [m] at `places`; pairs are sought up to `margin` [m] beyond
+  /// touch. `periods` [m] are infinite where places do not repeat.
+  Grid(std::span<const Vec3> places, double radius, double margin, const Vec3& periods);
+
+  double radius() const { return radius_; }  ///< [m] of the largest ball
+  /// Where along the curve a place lies.
+  std::uint64_t key(const Vec3& place) const;
+  /// Balls `first` on stand in the order of their keys.
+  void fill(std::span<const Vec3> sorted, std::int32_t first);
+
+  std::size_t cell(const Vec3& place) const;
+  /// Calls `f(first, last)` with ranges of balls, among which are all whose centres are within
+  /// `reach` [m] of `place` along each axis.
+  template <class F>
+  void near(const Vec3& place, const Vec3& reach, const F& f) const {
+    std::array<std::array<std::int32_t, 2>, 3> range{};
+    for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(place, a), at(reach, a), a);
+    for (std::int32_t z = range[2][0]; z <= range[2][1]; ++z)
+      for (std::int32_t y = range[1][0]; y <= range[1][1]; ++y)
+        for (std::int32_t x = range[0][0]; x <= range[0][1]; ++x) {
+          const auto c = cell(wrapped(x, 0), wrapped(y, 1), wrapped(z, 2));
+          if (from_[c] < to_[c]) f(from_[c], to_[c]);
+        }
+  }
+
+ private:
+  static double at(const Vec3& a, std::size_t axis) {
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+  }
+  double folded(double x, std::size_t axis) const;
+  std::int32_t index(double x, std::size_t axis) const;
+  std::array<std::int32_t, 2> cells(double x, double reach, std::size_t axis) const;
+  std::int32_t wrapped(std::int32_t c, std::size_t axis) const {
+    const std::int32_t n = count_[axis];
+    return !repeats_[axis] ? c : c < 0 ? c + n : c >= n ? c - n : c;
+  }
+  std::size_t cell(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) +
+            static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(count_[0]) +
+           static_cast<std::size_t>(x);
+  }
+
+  double radius_;
+  std::array<double, 3> origin_{}, size_{}, period_{};
+  std::array<bool, 3> repeats_{};
+  std::array<std::int32_t, 3> count_{};
+  std::vector<std::int32_t> from_, to_;  // balls of each cell
+};
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/soft/kernel/ball_record.hpp"
+
+namespace mahlwerk::soft {
+
+constexpr std::uint32_t bit(int lane) {
+  return 1U << lane;
+}
+/// The lanes whose bits are set.
+[[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
+  constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
+  return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
+}
+/// The bits of the lanes that are set, of the first `count`.
+[[gnu::always_inline]] inline std::uint32_t bits(const LaneMask& mask, std::size_t count) {
+  std::uint32_t all = 0;
+  for (int l = 0; l < static_cast<int>(count); ++l) all |= mask[l] != 0 ? bit(l) : 0;
+  return all;
+}
+
+/// A pair that is near; other < 0: the face ~other.
+struct Nigh {
+  std::int32_t ball = 0, other = 0;
+};
+
+/// Eight pairs of balls.
+struct Apart {
+  Vec<Lanes> centres;  ///< [m] from one to the other
+  Lanes touch;         ///< [m] sum of the radii
+};
+
+/// Up to eight pairs; lanes from `count` on are those of the first.
+template <bool wide>
+[[gnu::always_inline]] inline Apart apart(const Row* rows, const Nigh* pairs, std::size_t count) {
+  Lanes c[4];
+  const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
+  const auto pair = [&](std::size_t k) -> const Nigh& { return pairs[k < count ? k : 0]; };
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Row &a = rows[pair(k).ball], &b = rows[pair(k).other];
+    const auto l = static_cast<int>(k);
+    if constexpr (!wide)
+      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = b.radius + a.radius;
+    else if (k < 4)
+      c[k] = fours(b, rows[pair(k + 4).other]) - sign * fours(a, rows[pair(k + 4).ball]);
+  }
+  if constexpr (wide) transpose(c);
+  return {{c[0], c[1], c[2]}, c[3]};
+}
+
+/// To the nearest image, however far apart; `periods` [m] are infinite where places do not repeat.
+inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
+  for (int l = 0; l < lanes; ++l) {
+    apart.x[l] = std::remainder(apart.x[l], periods.x);
+    apart.y[l] = std::remainder(apart.y[l], periods.y);
+    apart.z[l] = std::remainder(apart.z[l], periods.z);
+  }
+}
+
+/// How far the surfaces of pairs of balls are from each other [m].
+void find_gaps(const Row* rows, std::span<const Nigh> pairs, const Vec3& periods,
+               std::span<double> gaps);
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/species_pairs.hpp"
+
+#include <map>
+#include <tuple>
+
+namespace mahlwerk::soft {
+
+Breeds::Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
+               const contact::AnyLaw& law) {
+  std::map<std::tuple<std::int32_t, double, double>, std::int32_t> known;
+  for (const scene::Ball& b : balls) {
+    const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
+                                               static_cast<std::int32_t>(species_.size()));
+    if (fresh) species_.push_back({b.radius, b.density, b.mass(), b.inertia(), b.kind});
+    of_.push_back(at->second);
+  }
+  row_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
+  std::map<double, double> dampings;  // the same for all pairs of one restitution
+  const auto breed = [&](const contact::Pair& pair, double radius, double mass) {
+    return std::visit(
+        [&](const auto& l) {
+          Breed made{{pair, radius, mass}, 0, {}, 0, 0};
+          const auto [at, fresh] = dampings.try_emplace(pair.restitution);
+          if (fresh) at->second = l.damping(pair.restitution);
+          made.damping = at->second;
+          made.numbers = l.numbers(made.touching, made.damping);
+          made.reach = l.reach(made.touching);
+          made.secant = l.secant(made.touching);
+          return made;
+        },
+        law);
+  };
+  for (const Species& a : species_) {
+    for (const Species& b : species_)
+      breeds_.push_back(breed(pairs.balls(a.kind, b.kind),
+                              a.radius * b.radius / (a.radius + b.radius),
+                              a.mass * b.mass / (a.mass + b.mass)));
+    for (int face = 0; face < pairs.faces(); ++face)
+      breeds_.push_back(breed(pairs.wall(a.kind, face), a.radius, a.mass));
+  }
+}
+
+}  // namespace mahlwerk::soft

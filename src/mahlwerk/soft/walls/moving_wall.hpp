@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "mahlwerk/scene/jar.hpp"
+#include "mahlwerk/soft/kernel/ball_record.hpp"
+
+namespace mahlwerk::soft {
+
+/// What moves the balls at one step, in the jar frame.
+struct Beat {
+  Vec3 pull;   ///< [m/s2] gravity less the acceleration of the jar's centre
+  Vec3 speed;  ///< [m/s] of the jar's centre
+  Vec3 spin;   ///< [rad/s] of the jar
+  Vec3 rotor;  ///< [rad/s] of faces that turn by themselves
+};
+
+/// Of a radius: so far beyond touch a wall is looked for under balls that have just left it
+/// (dem.36).
+constexpr double past_touch = 0.01;
+
+/// A ball that is near a face. Its foot may stay where it is while the ball has not moved by
+/// `slack` since nearness was looked at: from a point of the wall it is even farther.
+struct Near {
+  std::int32_t ball = 0, face = 0;
+  double within = 0;  ///< [m] farther away it does not matter how far the face is
+  double slack = 0;   ///< [m]
+};
+
+/// The balls' places and the walls' feet, component by component. A foot is the point of a face
+/// under a ball's centre; it moves as the wall there does.
+struct Places {
+  const double *x, *y, *z;  // [m] of the balls
+  const double* moved;      // [m2] squared, since nearness was looked at; null: every foot is due
+  double *fx, *fy, *fz;     // [m] of the feet
+  double *fu, *fv, *fw;     // [m/s]
+  double *sx, *sy, *sz;     // [rad/s] spin of the wall
+};
+
+/// A jar on its mill with its types hidden. Times are the mill's own; places and velocities those
+/// of the jar frame.
+class Surroundings {
+ public:
+  virtual ~Surroundings() = default;
+
+  virtual void beats(double start, double step, std::int64_t first, std::span<Beat> out) const = 0;
+  virtual kinematics::Ride ride(double t) const = 0;
+  virtual Vec3 spin(double t) const = 0;
+  /// Where a ball at `position` meets a face; any larger distance where it is not `within` [m].
+  virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
+  /// How far `position` is from every face [m], any larger number where it is not `within`. At most
+  /// the distance of gap(), and changes by no more than one moves.
+  virtual void distances(const Vec3& position, double t, double within,
+                         std::span<double> out) const = 0;
+  virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
+  /// Where the balls meet the faces they are near to.
+  virtual void feet(std::span<const Near> near, double t, const Beat& beat,
+                    const Places& places) const = 0;
+  /// The same of the balls that touch, of eight at a face each; faces matter up to `beyond` [m]
+  /// from a ball's surface.
+  virtual void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+                    const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
+                    double t, double beyond, Eight (&feet)[3]) const = 0;
+  /// A time in which a ball in free flight certainly touches no wall [s].
+  virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
+  /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
+  virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
+  /// A vector in the axes that a face turns with; of balls (face < 0) those of the jar.
+  virtual Vec3 own(const Vec3& a, double t, int face) const = 0;
+  virtual bool meets(int face, double radius) const = 0;
+
+  const Vec3& gravity() const { return gravity_; }
+  int faces() const { return faces_; }
+  int turning_from() const { return turning_from_; }  ///< faces that turn by themselves, if any
+  double sweep() const { return sweep_; }  ///< [m/s] how fast its wall may come to a ball at rest
+  double reach() const { return reach_; }  ///< [m]
+  /// As fast as any point of the walls moves, or faster [m/s].
+  double fastest(double t) const {
+    const double turning = turning_from_ < faces_ ? sweep_ : 0;
+    return norm(ride(t).velocity) + norm(spin(t)) * reach_ + turning;
+  }
+  const Vec3& periods() const { return periods_; }  ///< [m] infinite where it does not repeat
+
+ protected:
+  Vec3 gravity_, periods_;
+  int faces_ = 0, turning_from_ = 0;
+  double sweep_ = 0, reach_ = 0;
+};
+
+/// The surroundings in one shape, on every motion; each shape is compiled in a file of its own.
+template <class S>
+std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber);
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <variant>
+
+#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/soft/walls/moving_wall.hpp"
+
+namespace mahlwerk::soft {
+
+template <class S>
+class Surrounded final : public Surroundings {
+  static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
+
+ public:
+  explicit Surrounded(const scene::Jar<S>& jar) : jar_(jar) {
+    gravity_ = jar.gravity();
+    periods_ = geometry::periods_of(jar.shape());
+    faces_ = turning_from_ = jar.shape().faces;
+    sweep_ = jar.sweep();
+    if constexpr (has_rotor) {
+      turning_from_ = S::turning_from;
+      sweep_ += geometry::speed_of_parts(jar.shape());
+    }
+    reach_ = jar.shape().reach();
+  }
+
+  void beats(double start, double step, std::int64_t first, std::span<Beat> out) const override {
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const double t = start + static_cast<double>(first + static_cast<std::int64_t>(k)) * step;
+      const kinematics::Ride ride = jar_.motion().ride(t);
+      const Vec3 spin = jar_.motion().spin(t);
+      out[k] = {jar_.gravity() - ride.acceleration, ride.velocity, spin, spin};
+      if constexpr (has_rotor) out[k].rotor += jar_.shape().rotor_speed * jar_.axes(t).ez;
+    }
+  }
+  kinematics::Ride ride(double t) const override { return jar_.motion().ride(t); }
+  Vec3 spin(double t) const override { return jar_.motion().spin(t); }
+
+  geometry::Gap gap(int face, const Vec3& position, double t, double within) const override {
+    const Rotation q = axes(face, t);
+    geometry::Gap found = geometry::gap_near(jar_.shape(), face, q.back(position), within);
+    found.inward = q * found.inward;
+    return found;
+  }
+  void distances(const Vec3& position, double t, double within,
+                 std::span<double> out) const override {
+    const Vec3 p = jar_.plain() ? position : jar_.axes(t).back(position);
+    geometry::distances(jar_.shape(), p, within, out);
+    if constexpr (has_rotor)
+      for (int face = S::turning_from; face < faces_; ++face)
+        out[static_cast<std::size_t>(face)] = gap(face, position, t, within).distance;
+  }
+  double distance(int face, const Vec3& position, double t, double within) const override {
+    const Rotation q = axes(face, t);
+    return geometry::distance(jar_.shape(), face, q.back(position), within);
+  }
+  void feet(std::span<const Near> near, double t, const Beat& beat,
+            const Places& p) const override {
+    const bool plain = jar_.plain() && !has_rotor;
+    const Rotation own = plain ? Rotation{} : jar_.axes(t);
+    const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const auto b = static_cast<std::size_t>(near[k].ball);
+      const double slack = near[k].slack;
+      if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
+      const Vec3 place{p.x[b], p.y[b], p.z[b]};
+      const bool turns = near[k].face >= turning_from_;
+      const Rotation& q = turns ? rotor : own;
+      const Vec3& spin = turns ? beat.rotor : beat.spin;
+      geometry::Gap gap = geometry::gap_near(jar_.shape(), near[k].face,
+                                             plain ? place : q.back(place), near[k].within);
+      if (!plain) gap.inward = q * gap.inward;
+      const Vec3 foot = place - gap.distance * gap.inward, velocity = cross(spin, foot);
+      p.fx[k] = foot.x, p.fy[k] = foot.y, p.fz[k] = foot.z;
+      p.fu[k] = velocity.x, p.fv[k] = velocity.y, p.fw[k] = velocity.z;
+      p.sx[k] = spin.x, p.sy[k] = spin.y, p.sz[k] = spin.z;
+    }
+  }
+  void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
+            double beyond, Eight (&feet)[3]) const override {
+    const bool plain = jar_.plain() && !has_rotor;
+    const Rotation own = plain ? Rotation{} : jar_.axes(t);
+    const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
+    for (int l = 0; l < lanes; ++l) {
+      const auto k = static_cast<std::size_t>(l);
+      const Row& ball = rows[balls[k]];
+      const Vec3 place = ball.place();
+      const Rotation& q = faces[k] >= turning_from_ ? rotor : own;
+      const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
+      geometry::Gap gap =
+          geometry::gap_near(jar_.shape(), faces[k], plain ? place : q.back(place), within);
+      if (!plain) gap.inward = q * gap.inward;
+      const Vec3 foot = place - gap.distance * gap.inward;
+      feet[0].is[l] = foot.x, feet[1].is[l] = foot.y, feet[2].is[l] = foot.z;
+    }
+  }
+  double clear(const scene::Passing& ball, double t, double radius) const override {
+    double least = geometry::never;
+    const int asked = requires {
+      S::one_outlook;
+    }
+    ? 1 : jar_.shape().faces;
+    for (int face = 0; face < std::min(asked, turning_from_); ++face)
+      if (jar_.shape().meets(face, radius))
+        least = std::min(least, jar_.outlook(face, ball, t, radius).time);
+    for (int face = turning_from_; face < faces_; ++face) {
+      const double room = gap(face, ball.position, t, geometry::never).distance - radius;
+      const double closing = norm(ball.velocity) + sweep_;
+      const double pull = norm(jar_.gravity()) + norm(jar_.limits().acceleration);
+      least = std::min(least, geometry::clear_of_plane(room, closing, pull));
+    }
+    return least;
+  }
+  /// From how the normal turns along the parallel surface through the ball's centre.
+  std::pair<double, double> curvatures(int face, const Vec3& position, double t) const override {
+    const Rotation q = axes(face, t);
+    const Vec3 p = q.back(position);
+    const geometry::Gap gap = jar_.shape().gap(face, p);
+    const Vec3 n = gap.inward;
+    const Vec3 side = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 a0 = cross(n, side), a = a0 / norm(a0), b = cross(n, a);
+    const Vec3 along = jar_.shape().normal_rate(face, p, a);
+    const Vec3 across = jar_.shape().normal_rate(face, p, b);
+    const double aa = -dot(a, along), bb = -dot(b, across), ab = -dot(a, across);
+    const double middle = 0.5 * (aa + bb), half = std::hypot(0.5 * (aa - bb), ab);
+    const auto at_wall = [&](double k) { return k / (1 + k * gap.distance); };
+    return {at_wall(middle + half), at_wall(middle - half)};
+  }
+  Vec3 own(const Vec3& a, double t, int face) const override {
+    return face >= turning_from_ ? axes(face, t).back(a) : jar_.own(a, t);
+  }
+  bool meets(int face, double radius) const override { return jar_.shape().meets(face, radius); }
+
+ private:
+  /// Axes in which a face can be asked, from them to the jar frame's.
+  Rotation axes(int face, double t) const {
+    if constexpr (has_rotor) {
+      const Rotation jar = jar_.axes(t);
+      return face < turning_from_ ? jar : jar * turning({0, 0, 1}, jar_.shape().rotor_speed * t);
+    } else {
+      return jar_.axes(t);
+    }
+  }
+
+  scene::Jar<S> jar_;
+};
+
+template <class S>
+std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber) {
+  const kinematics::ChosenMotion motion(chamber.motion);
+  return std::make_unique<Surrounded<S>>(scene::Jar<S>(shape, motion, chamber));
+}
+
+}  // namespace mahlwerk::soft
