@@ -20,8 +20,8 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
   auto jar =
       std::visit([&](const auto& shape) { return surroundings_of(shape, chamber); }, chamber.shape);
   if (balls.size() > rules.few)
-    return std::make_unique<Crowd>(std::move(jar), balls, rules, pairs, start);
-  return std::make_unique<SoftBalls>(std::move(jar), balls, rules, pairs, start);
+    return std::make_unique<ManyBodySolver>(std::move(jar), balls, rules, pairs, start);
+  return std::make_unique<FewBodySolver>(std::move(jar), balls, rules, pairs, start);
 }
 
 double TimeSteps::usual(double fraction) const {

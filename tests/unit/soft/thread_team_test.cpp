@@ -13,26 +13,26 @@
 namespace mahlwerk::soft {
 namespace {
 
-TEST(Crew, does_every_share_once_each_time) {
+TEST(ThreadTeam, runs_on_every_thread_once_each_time) {
   for (const int threads : {1, 2, 5}) {
-    Crew crew(threads);
-    ASSERT_EQ(crew.size(), threads);
+    ThreadTeam team(threads);
+    ASSERT_EQ(team.size(), threads);
     std::vector<int> done(static_cast<std::size_t>(threads));
     for (int turn = 1; turn <= 2000; ++turn) {
-      crew.all([&](int k) { ++done[static_cast<std::size_t>(k)]; });
+      team.run_on_all([&](int k) { ++done[static_cast<std::size_t>(k)]; });
       ASSERT_EQ(std::accumulate(done.begin(), done.end(), 0), turn * threads);
     }
     for (const int count : done) EXPECT_EQ(count, 2000);
   }
 }
 
-TEST(Crew, does_every_item_once_and_next_what_it_says) {
-  Crew crew(3);
+TEST(ThreadTeam, does_every_item_once_and_next_what_it_says) {
+  ThreadTeam team(3);
   const std::vector<std::int32_t> share{0, 40, 41, 100};
   for (int turn = 0; turn < 500; ++turn) {
     std::vector<std::int32_t> done(100);
     std::vector<std::int32_t> promised(3, -2);
-    crew.each(share, [&](int thread, std::int32_t item, std::int32_t next) {
+    team.run_items(share, [&](int thread, std::int32_t item, std::int32_t next) {
       std::int32_t& mine = promised[static_cast<std::size_t>(thread)];
       EXPECT_TRUE(mine == -2 || mine == item);
       mine = next;
@@ -43,11 +43,11 @@ TEST(Crew, does_every_item_once_and_next_what_it_says) {
   }
 }
 
-TEST(Crew, takes_from_a_thread_that_is_slow) {
-  Crew crew(2);
+TEST(ThreadTeam, takes_from_a_thread_that_is_slow) {
+  ThreadTeam team(2);
   const std::vector<std::int32_t> share{0, 10, 10};  // the second has none
   std::atomic<int> done = 0;
-  crew.each(share, [&](int thread, std::int32_t item, std::int32_t) {
+  team.run_items(share, [&](int thread, std::int32_t item, std::int32_t) {
     const auto began = std::chrono::steady_clock::now();
     while (thread == 0 && item == 0 && done < 8 &&  // all but this and the next
            std::chrono::steady_clock::now() - began < std::chrono::seconds(20))
@@ -60,9 +60,9 @@ TEST(Crew, takes_from_a_thread_that_is_slow) {
   EXPECT_EQ(done, 10);
 }
 
-TEST(Crew, that_never_worked_goes_home) {
-  const Crew crew(4);
-  EXPECT_EQ(crew.size(), 4);
+TEST(ThreadTeam, that_never_worked_ends) {
+  const ThreadTeam team(4);
+  EXPECT_EQ(team.size(), 4);
 }
 
 }  // namespace

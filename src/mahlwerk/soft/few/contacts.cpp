@@ -9,17 +9,17 @@
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
 
-void SoftBalls::begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) {
+void FewBodySolver::begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) {
   for (int l = 0; l < lanes; ++l)
     if (begun[l] != 0) begin(p, l, m, b);
   p.touching |= begun;
 }
-void SoftBalls::end(Packet& p, const LaneMask& ended) {
+void FewBodySolver::end(Packet& p, const LaneMask& ended) {
   for (int l = 0; l < lanes; ++l)
     if (ended[l] != 0) end(p, l);
 }
 
-void SoftBalls::touches(std::int64_t body, int more) {
+void FewBodySolver::touches(std::int64_t body, int more) {
   std::int32_t& count = contacts_of_[static_cast<std::size_t>(body)];
   const int was = count > 0;
   count += more;
@@ -29,7 +29,7 @@ void SoftBalls::touches(std::int64_t body, int more) {
   in_touch_ += count > 0 ? 1 : -1;
 }
 
-void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
+void FewBodySolver::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
@@ -50,7 +50,7 @@ void SoftBalls::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
   for (int i = 0; i < contact::law_memories; ++i) p.memory[i][lane] = memory[i];
 }
 
-void SoftBalls::bend(Packet& p, int lane) {
+void FewBodySolver::bend(Packet& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const Bent bent = bent_wall(*jar_, p.face[k], swarm_.place.one(ball), clock(swarm_.step),
@@ -60,7 +60,7 @@ void SoftBalls::bend(Packet& p, int lane) {
   p.roll_spring[lane] = bent.roll_spring;
 }
 
-void SoftBalls::end(Packet& p, int lane) {
+void FewBodySolver::end(Packet& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], -1);
   const bool wall = p.wall[lane] != 0;
@@ -96,7 +96,7 @@ void SoftBalls::end(Packet& p, int lane) {
   settle(p, lane);
 }
 
-void SoftBalls::settle(Packet& p, int lane) {
+void FewBodySolver::settle(Packet& p, int lane) {
   Deeds& d = p.deeds;
   account_.lost_normal += d.normal[lane];
   account_.lost_tangential += d.tangential[lane];

@@ -9,7 +9,7 @@
 namespace mahlwerk::soft {
 
 /// Begins a hop if one is due and worth it. It ends where it does, however a run is cut.
-bool SoftBalls::hop() {
+bool FewBodySolver::hop() {
   if (!hops_ || touched_ || swarm_.step < try_hop_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
   const std::int64_t steps = free_steps();
@@ -23,7 +23,7 @@ bool SoftBalls::hop() {
 
 /// Whole steps that end before the next touch. Between balls that is a quadratic: all fall alike,
 /// so they pass each other on straight lines.
-std::int64_t SoftBalls::free_steps() const {
+std::int64_t FewBodySolver::free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;
   const double now = clock(swarm_.step);
@@ -42,7 +42,7 @@ std::int64_t SoftBalls::free_steps() const {
   return static_cast<std::int64_t>(time / rules_.time_step) - 1;
 }
 
-SoftBalls::Flown SoftBalls::flown(std::int64_t steps) const {
+FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
   if (steps == 0) return {};
   const double time = time_of(steps);
   const kinematics::Ride from = jar_->ride(clock(swarm_.step));
@@ -53,7 +53,7 @@ SoftBalls::Flown SoftBalls::flown(std::int64_t steps) const {
           .time = time};
 }
 
-void SoftBalls::land() {
+void FewBodySolver::land() {
   const Flown way = flown(landing_ - swarm_.step);
   for (std::size_t b = 0; b < swarm_.balls; ++b) {
     const Vec3 v = swarm_.velocity.one(b);

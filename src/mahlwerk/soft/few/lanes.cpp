@@ -61,7 +61,7 @@ void move_lane(Packet& from, int lane, Packet& to, int place) {
 }  // namespace
 
 /// Pairs that touch sit in the first packets, so that the others are passed over.
-bool SoftBalls::touching_first() {
+bool FewBodySolver::touching_first() {
   std::vector<Packet>& packets = swarm_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
@@ -84,7 +84,7 @@ bool SoftBalls::touching_first() {
 
 /// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
 /// lanes, and the last packets give theirs to the first.
-void SoftBalls::fill_lanes(const std::vector<Candidate>& wanted) {
+void FewBodySolver::fill_lanes(const std::vector<Candidate>& wanted) {
   std::vector<Packet>& packets = swarm_.packets;
   std::vector<bool> seated(wanted.size());
   for (Packet& p : packets)
@@ -133,7 +133,7 @@ void SoftBalls::fill_lanes(const std::vector<Candidate>& wanted) {
     packets.pop_back();
 }
 
-void SoftBalls::give_lane(Packet& p, int lane, const Candidate& c) {
+void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
   clear_lane(p, lane);
   const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);
@@ -166,7 +166,7 @@ void SoftBalls::give_lane(Packet& p, int lane, const Candidate& c) {
 }
 
 /// A foot for each ball at a wall, in the order of the lanes.
-void SoftBalls::find_feet() {
+void FewBodySolver::find_feet() {
   Swarm& w = swarm_;
   w.near.clear();
   for (Packet& p : w.packets)
@@ -182,7 +182,7 @@ void SoftBalls::find_feet() {
   for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(std::max(blocks, c->x.size()));
 }
 
-void SoftBalls::find_owners() {
+void FewBodySolver::find_owners() {
   Swarm& w = swarm_;
   w.few = w.blocks == 1 && w.near.size() <= lanes;
   w.owners.assign(w.packets.size(), {});

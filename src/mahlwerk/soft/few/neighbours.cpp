@@ -15,7 +15,7 @@ constexpr std::size_t few = 8;  // balls whose pairs are all looked at
 
 }  // namespace
 
-void SoftBalls::look() {
+void FewBodySolver::look() {
   for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
   looked_step_ = swarm_.step;
   swarm_.feet_due = true;
@@ -45,7 +45,7 @@ void SoftBalls::look() {
 }
 
 /// Finds a ball that has gone wrong, too.
-void SoftBalls::near_walls(std::size_t b) {
+void FewBodySolver::near_walls(std::size_t b) {
   const Vec3 x = swarm_.place.one(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
     stop(b, "its place or speed is no number");
@@ -62,7 +62,7 @@ void SoftBalls::near_walls(std::size_t b) {
 }
 
 /// To the nearest image, where places repeat.
-Vec3 SoftBalls::nearest(const Vec3& apart) const {
+Vec3 FewBodySolver::nearest(const Vec3& apart) const {
   if (!folds_) return apart;
   const Vec3& period = jar_->periods();
   return {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
@@ -70,7 +70,7 @@ Vec3 SoftBalls::nearest(const Vec3& apart) const {
 }
 
 /// i < j.
-void SoftBalls::near_ball(std::size_t i, std::size_t j) {
+void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
   const Vec3 apart = nearest(swarm_.place.one(j) - swarm_.place.one(i));
   const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach_;
   if (squared(apart) < far * far)
@@ -79,7 +79,7 @@ void SoftBalls::near_ball(std::size_t i, std::size_t j) {
 
 /// All pairs along a line: sorted by x, only those whose shadows on x are near are looked at. Where
 /// the box repeats along x, every pair is.
-void SoftBalls::near_balls() {
+void FewBodySolver::near_balls() {
   const bool repeats = std::isfinite(jar_->periods().x);
   double largest = 0;
   for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);

@@ -22,8 +22,9 @@ Vec<Lanes> periods_of(const Vec3& p) {
 
 }  // namespace
 
-SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
-                     const Rules& rules, const contact::PairTable& pairs, double start)
+FewBodySolver::FewBodySolver(std::unique_ptr<const Surroundings> jar,
+                             const std::vector<scene::Ball>& balls, const Rules& rules,
+                             const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       made_of_(balls),
       rules_(rules),
@@ -65,7 +66,7 @@ SoftBalls::SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<
 }
 
 /// Bodies that overlap much at the start would fly apart.
-void SoftBalls::refuse_overlaps() const {
+void FewBodySolver::refuse_overlaps() const {
   const double t = clock(swarm_.step);
   for (const Candidate& c : seated_) {
     const auto i = static_cast<std::size_t>(c.i);
@@ -83,14 +84,14 @@ void SoftBalls::refuse_overlaps() const {
   }
 }
 
-double SoftBalls::time_of(std::int64_t step) const {
+double FewBodySolver::time_of(std::int64_t step) const {
   return static_cast<double>(step) * rules_.time_step;
 }
-double SoftBalls::clock(std::int64_t step) const {
+double FewBodySolver::clock(std::int64_t step) const {
   return start_ + time_of(step);
 }
 
-void SoftBalls::advance(double time, scene::Observer& observer) {
+void FewBodySolver::advance(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
   asked_ = time;
   const auto hand_over = [&] {
@@ -118,7 +119,7 @@ void SoftBalls::advance(double time, scene::Observer& observer) {
 }
 
 /// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
-void SoftBalls::stretch(std::int64_t until) {
+void FewBodySolver::stretch(std::int64_t until) {
   Swarm& w = swarm_;
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
   const bool waits = hops_ && !touched_ && w.step < try_hop_;
@@ -147,7 +148,7 @@ void SoftBalls::stretch(std::int64_t until) {
   if (w.step % energy_check == 0) check_energy();
 }
 
-SoftBalls::Stored SoftBalls::stored() const {
+FewBodySolver::Stored FewBodySolver::stored() const {
   Stored energy;
   for (const Packet& p : swarm_.packets)
     for (int l = 0; l < lanes; ++l) {
@@ -167,7 +168,7 @@ SoftBalls::Stored SoftBalls::stored() const {
   return energy;
 }
 
-scene::Account SoftBalls::reckoned() const {
+scene::Account FewBodySolver::reckoned() const {
   scene::Account a = account_;
   a.time = time_of(now_);
   if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
@@ -203,11 +204,11 @@ scene::Account SoftBalls::reckoned() const {
   return a;
 }
 
-scene::Account SoftBalls::account() const {
+scene::Account FewBodySolver::account() const {
   return reckoned();
 }
 
-void SoftBalls::check_energy() {
+void FewBodySolver::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(swarm_.step);
   const double wall = jar_->fastest(t);
@@ -220,12 +221,12 @@ void SoftBalls::check_energy() {
   stop(fastest, energy_jumped);
 }
 
-void SoftBalls::stop(std::size_t ball, const char* why) const {
+void FewBodySolver::stop(std::size_t ball, const char* why) const {
   throw went_wrong(time_of(swarm_.step), ball, why, swarm_.place.one(ball),
                    swarm_.velocity.one(ball));
 }
 
-std::vector<scene::Ball> SoftBalls::balls() const {
+std::vector<scene::Ball> FewBodySolver::balls() const {
   std::vector<scene::Ball> all = made_of_;
   const Flown way = flown(now_ - swarm_.step);
   for (std::size_t b = 0; b < all.size(); ++b) {
@@ -238,13 +239,13 @@ std::vector<scene::Ball> SoftBalls::balls() const {
 }
 
 /// Those of the last step; in a hop there are none.
-std::vector<Vec3> SoftBalls::forces() const {
+std::vector<Vec3> FewBodySolver::forces() const {
   std::vector<Vec3> all(made_of_.size());
   for (std::size_t b = 0; b < all.size(); ++b) all[b] = swarm_.force.one(b);
   return all;
 }
 
-void SoftBalls::carry(Archive& archive) {
+void FewBodySolver::carry(Archive& archive) {
   Swarm& w = swarm_;
   archive(w.step)(w.feet_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
   for (Columns* c :

@@ -14,10 +14,10 @@
 namespace mahlwerk::soft {
 
 /// The soft engine: balls and their contacts, followed in small steps (docs/theory/soft.md).
-class SoftBalls final : public scene::Engine, private Seldom {
+class FewBodySolver final : public scene::Engine, private Seldom {
  public:
-  SoftBalls(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
-            const Rules& rules, const contact::PairTable& pairs, double start);
+  FewBodySolver(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+                const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
   scene::Account account() const override;

@@ -16,7 +16,7 @@ bool is_wall(const Nigh& pair) {
 
 }  // namespace
 
-void Crowd::look_at_walls(Chunk& chunk) {
+void ManyBodySolver::look_at_walls(Chunk& chunk) {
   Waiting& w = chunk.near_wall;
   const auto touches = [&](const Nigh& pair) {
     const Row& ball = now_[static_cast<std::size_t>(pair.ball)];
@@ -37,7 +37,7 @@ void Crowd::look_at_walls(Chunk& chunk) {
   chunk.doings.tests += static_cast<std::int64_t>(due);
 }
 
-void Crowd::seize(Chunk& chunk, const Nigh& pair) {
+void ManyBodySolver::seize(Chunk& chunk, const Nigh& pair) {
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
   Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.cross;
@@ -54,7 +54,7 @@ void Crowd::seize(Chunk& chunk, const Nigh& pair) {
 }
 
 /// A lane for a contact of `ball` and of that breed, its history cleared.
-std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
+std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
   if (grips.free.empty()) {
     const auto g = static_cast<std::int32_t>(grips.grips.size());
     const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
@@ -95,14 +95,15 @@ std::int32_t Crowd::free_lane(Grips& grips, std::int32_t breed, std::int32_t bal
   return at;
 }
 
-void Crowd::touches(Chunk& chunk, std::int32_t ball, int more) {
+void ManyBodySolver::touches(Chunk& chunk, std::int32_t ball, int more) {
   std::int32_t& count = contacts_of_[static_cast<std::size_t>(ball)];
   const bool was = count > 0;
   count += more;
   if ((count > 0) != was) chunk.in_touch += count > 0 ? 1 : -1;
 }
 
-void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, const Bodies& b) {
+void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m,
+                           const Bodies& b) {
   Grip& g = grips.grips[n];
   for (int l = 0; l < lanes; ++l) {
     if ((g.fresh & bit(l)) == 0) continue;
@@ -129,7 +130,7 @@ void Crowd::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m, c
 }
 
 /// The ball at a curved wall: R* from both principal curvatures (dem.4).
-void Crowd::bend(Grips& grips, std::size_t n, int lane) {
+void ManyBodySolver::bend(Grips& grips, std::size_t n, int lane) {
   const Grip& g = grips.grips[n];
   const auto k = static_cast<std::size_t>(lane);
   const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
@@ -147,7 +148,7 @@ void Crowd::bend(Grips& grips, std::size_t n, int lane) {
   make.roll_spring[lane] = bent.roll_spring;
 }
 
-void Crowd::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {
+void ManyBodySolver::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {
   Grip& g = grips.grips[n];
   const bool wall = &grips == &chunk.wall;
   for (int l = 0; l < lanes; ++l) {
@@ -163,7 +164,7 @@ void Crowd::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touch
   }
 }
 
-void Crowd::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
+void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
   const Grip& g = grips.grips[n];
   const bool wall = &grips == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);

@@ -8,25 +8,25 @@
 // What a crowd tells of itself: energy, balls.
 namespace mahlwerk::soft {
 
-Vec3 Crowd::pulls() const {
+Vec3 ManyBodySolver::pulls() const {
   const std::vector<Beat> b = beats(step_, step_ + 1);
   return 0.5 * rules_.time_step * (b[1].pull - b[0].pull);
 }
 
 /// At the step reached; the rows know half a step more (dem.26).
-Vec3 Crowd::velocity(std::size_t row, const Vec3& pulls) const {
+Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& pulls) const {
   const Twin& half = half_[row];
   const Row& seen = next_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{seen.u, seen.v, seen.w} + pulls;
 }
-Vec3 Crowd::spin(std::size_t row) const {
+Vec3 ManyBodySolver::spin(std::size_t row) const {
   const Twin& half = half_[row];
   const Turn& seen = next_turns_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{seen.x, seen.y, seen.z};
 }
 
 /// Of contacts, each counted once, or two times half.
-Crowd::Stored Crowd::stored(const Chunk& chunk) const {
+ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
   Stored energy;
   const double t = clock(step_);
   const auto add = [&](const Grips& list, double weight) {
@@ -68,7 +68,7 @@ Crowd::Stored Crowd::stored(const Chunk& chunk) const {
   return energy;
 }
 
-scene::Account Crowd::reckoned() const {
+scene::Account ManyBodySolver::reckoned() const {
   scene::Account a = account_;
   for (const Chunk& chunk : chunks_) add_doings(a, chunk);
   a.time = time_of(step_);
@@ -81,7 +81,7 @@ scene::Account Crowd::reckoned() const {
     Stored stored;
   };
   std::vector<Sum> sums(chunks_.size());
-  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+  team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     Sum& sum = sums[static_cast<std::size_t>(c)];
     for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
@@ -105,11 +105,11 @@ scene::Account Crowd::reckoned() const {
   return a;
 }
 
-scene::Account Crowd::account() const {
+scene::Account ManyBodySolver::account() const {
   return reckoned();
 }
 
-std::vector<scene::Ball> Crowd::balls() const {
+std::vector<scene::Ball> ManyBodySolver::balls() const {
   std::vector<scene::Ball> all(id_.size());
   const Vec3 change = pulls();
   for (std::size_t k = 0; k < id_.size(); ++k) {
@@ -122,7 +122,7 @@ std::vector<scene::Ball> Crowd::balls() const {
 
 /// From what the rows know: the velocity seen a step later is that half a step later, half a kick
 /// of the contacts, and half a step of the body field then (dem.26).
-std::vector<Vec3> Crowd::forces() const {
+std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
   const double half_step = 0.5 * rules_.time_step;
   const Vec3 pull = half_step * beats(step_ + 1, step_ + 1).front().pull;
@@ -135,7 +135,7 @@ std::vector<Vec3> Crowd::forces() const {
   return all;
 }
 
-void Crowd::carry(Archive& archive) {
+void ManyBodySolver::carry(Archive& archive) {
   const std::size_t balls = now_.size();
   archive(step_)(looked_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
   archive(now_)(next_)(looked_)(turns_)(next_turns_)(half_);

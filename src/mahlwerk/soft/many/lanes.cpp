@@ -23,7 +23,7 @@ Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
 }  // namespace
 
 /// Every contact once, by the rows its balls will have: `to` of each old row is the new one.
-Crowd::Carried Crowd::take_contacts(const std::vector<std::int32_t>& to) {
+ManyBodySolver::Carried ManyBodySolver::take_contacts(const std::vector<std::int32_t>& to) {
   Carried all;
   const auto each = [&](const auto& f) {
     for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
@@ -59,7 +59,7 @@ Crowd::Carried Crowd::take_contacts(const std::vector<std::int32_t>& to) {
 }
 
 /// Into the chunks there are now, from those there were, each by its own thread.
-void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
+void ManyBodySolver::give_contacts(const Carried& all, std::vector<Chunk>& old) {
   // Contacts that a chunk has besides those of its balls: of others' with its balls.
   std::vector<std::vector<std::int32_t>> besides(chunks_.size());
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
@@ -72,7 +72,7 @@ void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
     ++from.leaving;
     besides[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
   }
-  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+  team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     const std::vector<std::int32_t>& beside = besides[static_cast<std::size_t>(c)];
     const std::int32_t begin = all.first[static_cast<std::size_t>(chunk.first)];
@@ -92,7 +92,7 @@ void Crowd::give_contacts(const Carried& all, std::vector<Chunk>& old) {
 }
 
 /// For contacts that its balls have, `beside` besides, and some that will begin.
-void Crowd::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const {
+void ManyBodySolver::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const {
   std::array<std::size_t, list_kinds> count{0, beside, 0};
   for (const Kept& k : kept)
     ++count[k.list % list_kinds == wall_list         ? wall_list
@@ -106,7 +106,7 @@ void Crowd::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t besi
 
 /// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
 /// second.
-void Crowd::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
+void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
   if (k.list % list_kinds == wall_list)
     return give(chunk.wall, k, from, k.i, k.j, breeds_.wall(species, k.j), 1);
@@ -118,8 +118,8 @@ void Crowd::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
 }
 
 /// A lane for the contact as ball `i` sees it, with all that it remembers.
-void Crowd::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i, std::int32_t j,
-                 std::int32_t breed, double sign) {
+void ManyBodySolver::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i,
+                          std::int32_t j, std::int32_t breed, double sign) {
   const std::int32_t at = free_lane(list, breed, i);
   const auto n = static_cast<std::size_t>(at / lanes),
              old = static_cast<std::size_t>(k.lane / lanes);

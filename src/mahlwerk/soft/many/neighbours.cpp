@@ -35,13 +35,13 @@ void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<dou
 
 }  // namespace
 
-void Crowd::rebuild() {
+void ManyBodySolver::rebuild() {
   settle();
   gather();
   tune_skin();
   put_in_order();
   std::vector<Wrong> wrong(chunks_.size());
-  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+  team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     find_near(chunk);
     wrong[static_cast<std::size_t>(c)] = near_walls(chunk);
@@ -54,7 +54,7 @@ void Crowd::rebuild() {
 }
 
 /// From here on motion is reckoned.
-void Crowd::mark_places() {
+void ManyBodySolver::mark_places() {
   widest_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const Row& row = now_[k];
@@ -68,7 +68,7 @@ void Crowd::mark_places() {
   for (Chunk& chunk : chunks_) chunk.bound = chunk.wall_bound = 0;
 }
 
-std::int64_t Crowd::tests() const {
+std::int64_t ManyBodySolver::tests() const {
   std::int64_t all = account_.search_steps;
   for (const Chunk& chunk : chunks_) all += chunk.doings.tests;
   return all;
@@ -76,7 +76,7 @@ std::int64_t Crowd::tests() const {
 
 /// Looking at pairs has cost what sorting them anew does, after which fewer need be looked at. (7
 /// was found by trial; 4 to 12 make no difference.)
-bool Crowd::worth_sorting() const {
+bool ManyBodySolver::worth_sorting() const {
   std::int64_t pairs = 0;
   for (const Chunk& c : chunks_)
     pairs += std::ssize(c.near.pairs) + std::ssize(c.near.parted) + std::ssize(c.near_wall.pairs);
@@ -84,11 +84,11 @@ bool Crowd::worth_sorting() const {
 }
 
 /// Near pairs by their gaps now.
-void Crowd::sort_pairs() {
+void ManyBodySolver::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
   spent_ += most;
-  crew_.each(share_, [&](int, std::int32_t c, std::int32_t) {
+  team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     std::vector<double> gaps;
     for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
@@ -107,14 +107,14 @@ void Crowd::sort_pairs() {
   mark_places();
 }
 
-double Crowd::wall_gap(const Nigh& pair) const {
+double ManyBodySolver::wall_gap(const Nigh& pair) const {
   const Row& a = now_[static_cast<std::size_t>(pair.ball)];
   return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
 }
 
 /// The skin for which looking for near pairs and looking at them cost least together, in counts, so
 /// that every machine takes the same.
-void Crowd::tune_skin() {
+void ManyBodySolver::tune_skin() {
   const auto steps = static_cast<double>(step_ - tuning_.step);
   tuning_.step = step_;
   if (steps < 2) return;
@@ -135,8 +135,8 @@ void Crowd::tune_skin() {
 
 /// Balls that may be near to those from `from` on that share a cell, less those of the chunk before
 /// them, whose pairs are found; returns where these end.
-std::int32_t Crowd::gather_near(const Chunk& chunk, std::int32_t from,
-                                Candidates& candidates) const {
+std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
+                                         Candidates& candidates) const {
   const Row& first = now_[static_cast<std::size_t>(from)];
   const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
   const std::size_t cell = own.cell(first.place());
@@ -160,7 +160,7 @@ std::int32_t Crowd::gather_near(const Chunk& chunk, std::int32_t from,
 }
 
 /// Near pairs that have no contact yet. A pair with a ball of another chunk is found by both.
-void Crowd::find_near(Chunk& chunk) {
+void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const Grips* list : {&chunk.own, &chunk.cross})
     for (const Grip& g : list->grips)
@@ -201,7 +201,7 @@ void Crowd::find_near(Chunk& chunk) {
 }
 
 /// Finds a ball that has gone wrong, too.
-Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
+ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const Grip& g : chunk.wall.grips)
     for (std::size_t l = 0; l < lanes; ++l)
@@ -227,7 +227,7 @@ Crowd::Wrong Crowd::near_walls(Chunk& chunk) {
 }
 
 /// Bodies that overlap much at the start would fly apart.
-void Crowd::refuse_overlaps() const {
+void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
     for (const Waiting* w : {&chunk.near, &chunk.near_wall})
       for (const Nigh& pair : w->pairs) {

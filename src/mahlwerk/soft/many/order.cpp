@@ -60,7 +60,7 @@ void sort_by_key(std::vector<Keyed>& all) {
 }  // namespace
 
 /// Balls along the curve, cut into chunks anew, and their contacts with them.
-void Crowd::put_in_order() {
+void ManyBodySolver::put_in_order() {
   const std::vector<std::int32_t> from = sort_balls();
   std::vector<std::int32_t> to(from.size());
   for (std::size_t k = 0; k < from.size(); ++k)
@@ -74,7 +74,7 @@ void Crowd::put_in_order() {
 }
 
 /// The old row of each new one: by class of sizes, then along the curve.
-std::vector<std::int32_t> Crowd::sort_balls() {
+std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<std::vector<Vec3>> places(class_radius_.size());
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const Vec3 x = now_[k].place();
@@ -102,7 +102,7 @@ std::vector<std::int32_t> Crowd::sort_balls() {
   return from;
 }
 
-void Crowd::reorder(const std::vector<std::int32_t>& from) {
+void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(now_, from);
   permute(turns_, from);
   permute(half_, from);
@@ -119,7 +119,7 @@ void Crowd::reorder(const std::vector<std::int32_t>& from) {
 }
 
 /// Chunks of about equal size; returns those there were.
-std::vector<Chunk> Crowd::divide() {
+std::vector<Chunk> ManyBodySolver::divide() {
   std::vector<Chunk> old = std::move(chunks_);
   chunks_.clear();
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
@@ -136,7 +136,7 @@ std::vector<Chunk> Crowd::divide() {
   return old;
 }
 
-std::int32_t Crowd::chunk_of(std::int32_t ball) const {
+std::int32_t ManyBodySolver::chunk_of(std::int32_t ball) const {
   std::int32_t chunk = 0;
   std::size_t c = 0;
   for (; ball >= class_first_[c + 1]; ++c) chunk += parts(class_first_[c + 1] - class_first_[c]);
@@ -146,7 +146,7 @@ std::int32_t Crowd::chunk_of(std::int32_t ball) const {
 }
 
 /// Which chunks each thread does: about the same of balls and contacts.
-void Crowd::share_work() {
+void ManyBodySolver::share_work() {
   const auto weight = [](const Chunk& c) {
     return c.last - c.first +
            2 * lanes *
@@ -157,8 +157,8 @@ void Crowd::share_work() {
   for (const Chunk& c : chunks_) all += weight(c);
   share_.assign(1, 0);
   std::int32_t c = 0;
-  for (int t = 1; t < crew_.size(); ++t) {
-    for (; static_cast<std::size_t>(c) < chunks_.size() && done * crew_.size() < all * t; ++c)
+  for (int t = 1; t < team_.size(); ++t) {
+    for (; static_cast<std::size_t>(c) < chunks_.size() && done * team_.size() < all * t; ++c)
       done += weight(chunks_[static_cast<std::size_t>(c)]);
     share_.push_back(c);
   }

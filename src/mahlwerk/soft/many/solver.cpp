@@ -46,8 +46,9 @@ Make make_of(const Breed& breed, const Species& a, const Species* b, double step
 
 }  // namespace
 
-Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
-             const Rules& rules, const contact::PairTable& pairs, double start)
+ManyBodySolver::ManyBodySolver(std::unique_ptr<const Surroundings> jar,
+                               const std::vector<scene::Ball>& balls, const Rules& rules,
+                               const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       rules_(rules),
       law_(rules.model.law),
@@ -59,7 +60,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
       large_(balls.size() > in_cache),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
                  contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
-      crew_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
+      team_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
   const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
   makes_.resize(breeds_.all().size());
   double smallest = geometry::never;
@@ -90,7 +91,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
   }
   for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
   skin_ = 0.5 * smallest;
-  loads_.resize(static_cast<std::size_t>(crew_.size()));
+  loads_.resize(static_cast<std::size_t>(team_.size()));
   start_moving(balls);
   account_.started_with = 0;
   const scene::Account now = reckoned();
@@ -99,7 +100,7 @@ Crowd::Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::B
 }
 
 /// Rows of step 0, and of step 1 before any contact is known (dem.26).
-void Crowd::start_moving(const std::vector<scene::Ball>& balls) {
+void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), looked_.resize(n), turns_.resize(n), next_turns_.resize(n);
   half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
@@ -127,17 +128,17 @@ void Crowd::start_moving(const std::vector<scene::Ball>& balls) {
   for (Drift& d : drifts_) d.spread = geometry::never;  // this motion nobody watched
 }
 
-double Crowd::time_of(std::int64_t step) const {
+double ManyBodySolver::time_of(std::int64_t step) const {
   return static_cast<double>(step) * rules_.time_step;
 }
 
-std::vector<Beat> Crowd::beats(std::int64_t first, std::int64_t last) const {
+std::vector<Beat> ManyBodySolver::beats(std::int64_t first, std::int64_t last) const {
   std::vector<Beat> all(static_cast<std::size_t>(last - first) + 1);
   jar_->beats(start_, rules_.time_step, first, all);
   return all;
 }
 
-void Crowd::advance(double time, scene::Observer& observer) {
+void ManyBodySolver::advance(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
   asked_ = time;
   const auto hand_over = [&] {
@@ -169,7 +170,7 @@ void Crowd::advance(double time, scene::Observer& observer) {
 }
 
 /// The main loop of a crowd: balls as they are, nearness where it is due, then every chunk.
-void Crowd::step(const Beat& before, const Beat& after) {
+void ManyBodySolver::step(const Beat& before, const Beat& after) {
   ++step_;
   now_.swap(next_);
   turns_.swap(next_turns_);
@@ -207,7 +208,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
                 .periodic = folds_,
                 .periods = {none + jar_->periods().x, none + jar_->periods().y,
                             none + jar_->periods().z}}};
-  crew_.each(share_, [&](int thread, std::int32_t c, std::int32_t next) {
+  team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =
         large_ && next >= 0 ? &chunks_[static_cast<std::size_t>(next)] : nullptr;
@@ -219,7 +220,7 @@ void Crowd::step(const Beat& before, const Beat& after) {
   });
 }
 
-void Crowd::look_anew() {
+void ManyBodySolver::look_anew() {
   try {
     rebuild();
   } catch (const RunError&) {
@@ -231,7 +232,7 @@ void Crowd::look_anew() {
 
 /// How much nearer pairs may have come since nearness was looked at (dem.34); false if too near to
 /// go on.
-bool Crowd::reach_bounds() {
+bool ManyBodySolver::reach_bounds() {
   const double swept = jar_->sweep() * time_of(step_ - looked_step_);
   const double rounding = 3e-7 * widest_;  // of places as floats, twice
   bool good = true;
@@ -253,14 +254,14 @@ bool Crowd::reach_bounds() {
 }
 
 /// Sums of the chunks so far. At fixed steps, for every sum is rounded.
-void Crowd::settle() {
+void ManyBodySolver::settle() {
   for (Chunk& chunk : chunks_) {
     add_doings(account_, chunk);
     chunk.doings = {};
   }
 }
 
-void Crowd::add_doings(scene::Account& a, const Chunk& chunk) const {
+void ManyBodySolver::add_doings(scene::Account& a, const Chunk& chunk) const {
   const Doings& d = chunk.doings;
   for (int l = 0; l < lanes; ++l) {
     a.lost_normal += d.deeds.normal[l];
@@ -276,14 +277,14 @@ void Crowd::add_doings(scene::Account& a, const Chunk& chunk) const {
   a.search_steps += d.tests;
 }
 
-std::size_t Crowd::records() const {
+std::size_t ManyBodySolver::records() const {
   std::size_t all = ended_.size();
   for (const Chunk& chunk : chunks_) all += chunk.ended.size();
   return all;
 }
 
 /// Records of the chunks so far, in the order of their steps.
-void Crowd::gather() {
+void ManyBodySolver::gather() {
   for (Chunk& chunk : chunks_) {
     ended_.insert(ended_.end(), chunk.ended.begin(), chunk.ended.end());
     chunk.ended.clear();
@@ -291,7 +292,7 @@ void Crowd::gather() {
   std::ranges::stable_sort(ended_, {}, &Ended::step);
 }
 
-void Crowd::check_energy() {
+void ManyBodySolver::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(step_);
   const double wall = jar_->fastest(t);
@@ -304,7 +305,7 @@ void Crowd::check_energy() {
   stop(fastest, energy_jumped);
 }
 
-void Crowd::stop(std::size_t row, const char* why) const {
+void ManyBodySolver::stop(std::size_t row, const char* why) const {
   throw went_wrong(time_of(step_), static_cast<std::size_t>(id_[row]), why, now_[row].place(),
                    velocity(row, pulls()));
 }

@@ -21,10 +21,10 @@ namespace mahlwerk::soft {
 /// The soft engine for many balls (docs/theory/soft.md): balls in chunks that lie together, each
 /// chunk with its contacts. A step of a chunk reads the balls as they are and writes its own as
 /// they will be, so chunks are done in any order, by any number of threads, with the same bits.
-class Crowd final : public scene::Engine, private Comings {
+class ManyBodySolver final : public scene::Engine, private Comings {
  public:
-  Crowd(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
-        const Rules& rules, const contact::PairTable& pairs, double start);
+  ManyBodySolver(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+                 const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
   scene::Account account() const override;
@@ -131,7 +131,7 @@ class Crowd final : public scene::Engine, private Comings {
   std::vector<Eight> kicks_;          // of each species
   std::vector<int> class_of_;         // each species' class of sizes
   std::vector<double> class_radius_;  // [m] of the largest ball of each class
-  mutable Crew crew_;
+  mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;

@@ -7,12 +7,12 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr int patience = 1000;  // looks before a thread goes to sleep: some ten microseconds
+constexpr int spins = 1000;  // polls before a thread sleeps: some ten microseconds
 
 /// Waits until `value` is another than `old`.
 template <class T>
-void await(const std::atomic<T>& value, T old) {
-  for (int i = 0; i < patience; ++i) {
+void wait_while(const std::atomic<T>& value, T old) {
+  for (int i = 0; i < spins; ++i) {
     if (value.load(std::memory_order_acquire) != old) return;
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -23,11 +23,12 @@ void await(const std::atomic<T>& value, T old) {
 
 }  // namespace
 
-Crew::Crew(int threads) : left_(new Left[static_cast<std::size_t>(std::max(threads, 1))]) {
-  for (int k = 1; k < threads; ++k) team_.emplace_back([this, k] { serve(k); });
+ThreadTeam::ThreadTeam(int threads)
+    : ranges_(new WorkRange[static_cast<std::size_t>(std::max(threads, 1))]) {
+  for (int k = 1; k < threads; ++k) threads_.emplace_back([this, k] { work_loop(k); });
 }
 
-std::int32_t Crew::Left::take(bool from_the_end) {
+std::int32_t ThreadTeam::WorkRange::take(bool from_the_end) {
   std::uint64_t old = range_.load(std::memory_order_relaxed);
   for (;;) {
     const auto first = static_cast<std::int32_t>(old >> 32);
@@ -39,42 +40,42 @@ std::int32_t Crew::Left::take(bool from_the_end) {
   }
 }
 
-std::int32_t Crew::take(int thread) {
+std::int32_t ThreadTeam::take(int thread) {
   const int all = size();
   for (int k = 0; k < all; ++k) {
-    const std::int32_t item = left_[static_cast<std::size_t>((thread + k) % all)].take(k > 0);
+    const std::int32_t item = ranges_[static_cast<std::size_t>((thread + k) % all)].take(k > 0);
     if (item >= 0) return item;
   }
   return -1;
 }
 
-Crew::~Crew() {
-  ends_ = true;
-  ++turn_;
-  turn_.notify_all();
+ThreadTeam::~ThreadTeam() {
+  stopping_ = true;
+  ++generation_;
+  generation_.notify_all();
 }
 
-void Crew::serve(int k) {
+void ThreadTeam::work_loop(int k) {
   std::uint32_t seen = 0;
   for (;;) {
-    await(turn_, seen);
+    wait_while(generation_, seen);
     ++seen;
-    if (ends_) return;
+    if (stopping_) return;
     call_(work_, k);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
   }
 }
 
-void Crew::do_all(Call call, const void* work) {
+void ThreadTeam::dispatch(Call call, const void* work) {
   call_ = call;
   work_ = work;
-  busy_.store(static_cast<int>(team_.size()), std::memory_order_release);
-  turn_.fetch_add(1, std::memory_order_acq_rel);
-  turn_.notify_all();
+  busy_.store(static_cast<int>(threads_.size()), std::memory_order_release);
+  generation_.fetch_add(1, std::memory_order_acq_rel);
+  generation_.notify_all();
   call(work, 0);
   for (int left = busy_.load(std::memory_order_acquire); left > 0;
        left = busy_.load(std::memory_order_acquire))
-    await(busy_, left);
+    wait_while(busy_, left);
 }
 
 }  // namespace mahlwerk::soft

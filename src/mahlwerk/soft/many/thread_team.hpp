@@ -12,29 +12,29 @@
 
 namespace mahlwerk::soft {
 
-/// Threads that do one thing at a time together. Who does what never changes what is done.
-class Crew {
+/// Fork-join thread team with work stealing. Results do not depend on the schedule.
+class ThreadTeam {
  public:
-  explicit Crew(int threads);
-  ~Crew();
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  explicit ThreadTeam(int threads);
+  ~ThreadTeam();
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
 
-  int size() const { return static_cast<int>(team_.size()) + 1; }
+  int size() const { return static_cast<int>(threads_.size()) + 1; }
   /// Calls `work(k)` for every k below size(), each on a thread of its own, and waits for all.
   /// `work` must not throw.
   template <class Work>
-  void all(const Work& work) {
-    if (team_.empty()) return work(0);
-    do_all([](const void* w, int k) { (*static_cast<const Work*>(w))(k); }, &work);
+  void run_on_all(const Work& work) {
+    if (threads_.empty()) return work(0);
+    dispatch([](const void* w, int k) { (*static_cast<const Work*>(w))(k); }, &work);
   }
   /// Calls `work(thread, item, next)` once for every item from share[0] to the last share. Thread k
   /// begins with those from share[k] to share[k + 1], in order; when it has done them it takes from
   /// the end of what others have not come to. It has taken `next`, too; none is -1.
   template <class Work>
-  void each(std::span<const std::int32_t> share, const Work& work) {
-    for (std::size_t k = 0; k + 1 < share.size(); ++k) left_[k].set(share[k], share[k + 1]);
-    all([&](int thread) {
+  void run_items(std::span<const std::int32_t> share, const Work& work) {
+    for (std::size_t k = 0; k + 1 < share.size(); ++k) ranges_[k].set(share[k], share[k + 1]);
+    run_on_all([&](int thread) {
       for (std::int32_t item = take(thread), next; item >= 0; item = next) {
         next = take(thread);
         work(thread, item, next);
@@ -44,8 +44,8 @@ class Crew {
 
  private:
   using Call = void (*)(const void* work, int k);
-  /// Items that nobody has taken: from a first on, before an end.
-  class alignas(64) Left {
+  /// Items that no thread has taken yet: from a first on, before an end.
+  class alignas(64) WorkRange {
    public:
     void set(std::int32_t first, std::int32_t end) {
       range_.store(range(first, end), std::memory_order_relaxed);
@@ -60,16 +60,16 @@ class Crew {
     std::atomic<std::uint64_t> range_ = 0;
   };
   std::int32_t take(int thread);
-  void do_all(Call call, const void* work);
-  void serve(int k);
+  void dispatch(Call call, const void* work);
+  void work_loop(int k);
 
   Call call_ = nullptr;
   const void* work_ = nullptr;
-  std::atomic<std::uint32_t> turn_ = 0;
+  std::atomic<std::uint32_t> generation_ = 0;
   std::atomic<int> busy_ = 0;
-  std::atomic<bool> ends_ = false;
-  std::unique_ptr<Left[]> left_;  // of each thread
-  std::vector<std::jthread> team_;
+  std::atomic<bool> stopping_ = false;
+  std::unique_ptr<WorkRange[]> ranges_;  // of each thread
+  std::vector<std::jthread> threads_;
 };
 
 }  // namespace mahlwerk::soft
