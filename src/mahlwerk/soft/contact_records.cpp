@@ -7,7 +7,7 @@
 
 namespace mahlwerk::soft {
 
-Bent bent_wall(const Surroundings& jar, int face, const Vec3& place, double t, double radius,
+Bent bent_wall(const MovingWall& jar, int face, const Vec3& place, double t, double radius,
                const Breed& breed, const contact::AnyLaw& law) {
   const auto [most, least] = jar.curvatures(face, place, t);
   const double own = 1 / radius;

@@ -15,7 +15,7 @@ struct Bent {
 };
 
 /// R* of a ball whose centre is at `place`, from both principal curvatures of the face.
-Bent bent_wall(const Surroundings& jar, int face, const Vec3& place, double t, double radius,
+Bent bent_wall(const MovingWall& jar, int face, const Vec3& place, double t, double radius,
                const Breed& breed, const contact::AnyLaw& law);
 
 /// A contact that outlives its collision five times has come to last.

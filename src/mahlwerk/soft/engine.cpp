@@ -18,7 +18,7 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls, const Rules& rules,
                                       const contact::PairTable& pairs, double start) {
   auto jar =
-      std::visit([&](const auto& shape) { return surroundings_of(shape, chamber); }, chamber.shape);
+      std::visit([&](const auto& shape) { return moving_wall(shape, chamber); }, chamber.shape);
   if (balls.size() > rules.few)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, rules, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, rules, pairs, start);

@@ -4,7 +4,7 @@
 
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Which lane of which packet a pair has, and what it finds there: its numbers, its foot.
+// Which lane of which packet a pair has, and what it finds there: its numbers, its wall point.
 namespace mahlwerk::soft {
 namespace {
 
@@ -44,17 +44,17 @@ void each_column_of_both(Packet& a, Packet& b, const F& f) {
   });
 }
 
-void swap_lanes(Packet& a, int lane, Packet& b, int place) {
+void swap_lanes(Packet& a, int lane, Packet& b, int other_lane) {
   each_column_of_both(a, b, [&](auto& one, auto& other) {
-    const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(place);
+    const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(other_lane);
     const auto kept = one[i];
     one[i] = other[j];
     other[j] = kept;
   });
 }
 
-void move_lane(Packet& from, int lane, Packet& to, int place) {
-  swap_lanes(from, lane, to, place);
+void move_lane(Packet& from, int lane, Packet& to, int other_lane) {
+  swap_lanes(from, lane, to, other_lane);
   clear_lane(from, lane);
 }
 
@@ -65,18 +65,18 @@ bool FewBodySolver::touching_first() {
   std::vector<Packet>& packets = swarm_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
-  int lane = 0, place = 0;
+  int lane = 0, other_lane = 0;
   const auto next_waiting = [&] {  // a lane that does not touch, from the front
-    for (; to < packets.size(); ++to, place = 0)
-      for (; place < lanes; ++place)
-        if (packets[to].touching[place] == 0) return;
+    for (; to < packets.size(); ++to, other_lane = 0)
+      for (; other_lane < lanes; ++other_lane)
+        if (packets[to].touching[other_lane] == 0) return;
   };
   while (from-- > to + 1)
     for (lane = 0; lane < lanes; ++lane) {
       if (packets[from].touching[lane] == 0) continue;
       next_waiting();
       if (to >= from) return moved;
-      swap_lanes(packets[from], lane, packets[to], place);
+      swap_lanes(packets[from], lane, packets[to], other_lane);
       moved = true;
     }
   return moved;
@@ -165,8 +165,8 @@ void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
   p.roll_spring[lane] = 2.25 * arm * arm * breed.secant;
 }
 
-/// A foot for each ball at a wall, in the order of the lanes.
-void FewBodySolver::find_feet() {
+/// A wall point for each ball near a wall, in the order of the lanes.
+void FewBodySolver::find_wall_points() {
   Swarm& w = swarm_;
   w.near.clear();
   for (Packet& p : w.packets)

@@ -18,7 +18,7 @@ constexpr std::size_t few = 8;  // balls whose pairs are all looked at
 void FewBodySolver::look() {
   for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
   looked_step_ = swarm_.step;
-  swarm_.feet_due = true;
+  swarm_.wall_points_due = true;
   wanted_.clear();
   if (swarm_.balls <= few) {
     for (std::size_t b = 0; b < swarm_.balls; ++b) {
@@ -36,11 +36,11 @@ void FewBodySolver::look() {
     fill_lanes(wanted_);
   }
   if (touching_first() || !same) {
-    find_feet();
+    find_wall_points();
     find_owners();
   }
   if (jar_->sweep() > 0) return;  // the wall comes by itself
-  for (Near& n : swarm_.near)
+  for (WallNeighbour& n : swarm_.near)
     n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - reach_;
 }
 

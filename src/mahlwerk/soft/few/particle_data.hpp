@@ -44,7 +44,7 @@ struct alignas(64) Owners {
 };
 
 /// All bodies and contacts, and how far they have come. Bodies: the balls, up to a whole number of
-/// blocks; then the feet of the walls that are near (Surroundings::feet).
+/// blocks; then the wall points (MovingWall::wall_points).
 struct Swarm {
   std::int64_t step = 0;
   std::size_t balls = 0, blocks = 0;  ///< blocks of balls
@@ -55,12 +55,12 @@ struct Swarm {
   std::vector<Eight> half_kick;       ///< [s/kg] half a step over mass
   std::vector<Eight> half_turn;       ///< [s/(kg m2)] half a step over inertia
   std::vector<Packet> packets;
-  std::vector<Owners> owners;  ///< of each packet, where `few`
-  std::vector<Near> near;      ///< foot k belongs to near[k]
-  Columns looked;              ///< places when nearness was last looked at
-  std::vector<Eight> moved;    ///< [m2] the square of how far balls have moved since
-  bool few = false;            ///< all bodies fit into two registers
-  bool feet_due = true;        ///< every foot must be found at the next step, near or far
+  std::vector<Owners> owners;       ///< of each packet, where `few`
+  std::vector<WallNeighbour> near;  ///< wall point k belongs to near[k]
+  Columns looked;                   ///< places when nearness was last looked at
+  std::vector<Eight> moved;         ///< [m2] the square of how far balls have moved since
+  bool few = false;                 ///< all bodies fit into two registers
+  bool wall_points_due = true;      ///< every wall point must be found at the next step
 };
 
 /// What happens seldom, outside the innermost loop.
@@ -79,14 +79,14 @@ class Seldom {
 /// Everything a stretch of steps needs.
 struct alignas(64) Stretch {
   Swarm& swarm;
-  const Surroundings& jar;
+  const MovingWall& jar;
   Seldom& seldom;
   Frame frame;
-  std::span<const Beat> beats;   ///< one more than steps
-  double start = 0;              ///< [s] the mill's clock at step 0
-  double moved = 0;              ///< [m] a ball may move before nearness is looked at anew
-  std::int64_t swept_since = 0;  ///< the step at which it was last looked at
-  bool idle_ends = false;        ///< stop after a step in which nothing touched
+  std::span<const DriveSample> drive;  ///< one more than steps
+  double start = 0;                    ///< [s] the mill's clock at step 0
+  double moved = 0;                    ///< [m] a ball may move before nearness is looked at anew
+  std::int64_t swept_since = 0;        ///< the step at which it was last looked at
+  bool idle_ends = false;              ///< stop after a step in which nothing touched
 };
 
 /// Takes steps; returns whether anything touched in the last one.

@@ -22,7 +22,7 @@ Vec<Lanes> periods_of(const Vec3& p) {
 
 }  // namespace
 
-FewBodySolver::FewBodySolver(std::unique_ptr<const Surroundings> jar,
+FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
                              const std::vector<scene::Ball>& balls, const Rules& rules,
                              const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
@@ -124,8 +124,8 @@ void FewBodySolver::stretch(std::int64_t until) {
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
   const bool waits = hops_ && !touched_ && w.step < try_hop_;
   if (waits) end = std::min(end, try_hop_);
-  beats_.resize(static_cast<std::size_t>(end - w.step) + 1);
-  jar_->beats(start_, rules_.time_step, w.step, beats_);
+  drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
+  jar_->sample_drive(start_, rules_.time_step, w.step, drive_);
   Stretch s{.swarm = w,
             .jar = *jar_,
             .seldom = *this,
@@ -137,7 +137,7 @@ void FewBodySolver::stretch(std::int64_t until) {
                       .rescaled = rules_.model.rescaled_unloading,
                       .periodic = folds_,
                       .periods = periods_of(jar_->periods())},
-            .beats = beats_,
+            .drive = drive_,
             .start = start_,
             .moved = 0.5 * skin_,
             .swept_since = looked_step_,
@@ -247,7 +247,7 @@ std::vector<Vec3> FewBodySolver::forces() const {
 
 void FewBodySolver::carry(Archive& archive) {
   Swarm& w = swarm_;
-  archive(w.step)(w.feet_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
+  archive(w.step)(w.wall_points_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
   for (Columns* c :
        {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
     archive(c->x)(c->y)(c->z);

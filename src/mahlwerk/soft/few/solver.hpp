@@ -16,7 +16,7 @@ namespace mahlwerk::soft {
 /// The soft engine: balls and their contacts, followed in small steps (docs/theory/soft.md).
 class FewBodySolver final : public scene::Engine, private Seldom {
  public:
-  FewBodySolver(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+  FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                 const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
@@ -54,7 +54,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   bool touching_first();
   void fill_lanes(const std::vector<Candidate>& wanted);
   void give_lane(Packet& p, int lane, const Candidate& c);
-  void find_feet();
+  void find_wall_points();
   void find_owners();
 
   // Contacts that begin and end (contacts.cpp).
@@ -76,7 +76,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   Flown flown(std::int64_t steps) const;
   void land();
 
-  std::unique_ptr<const Surroundings> jar_;
+  std::unique_ptr<const MovingWall> jar_;
   std::vector<scene::Ball> made_of_;  // radius, density, kind; places of the start
   Rules rules_;
   contact::AnyLaw law_;
@@ -103,7 +103,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   std::int64_t in_touch_since_ = 0;
   Watch watch_;
   std::vector<scene::Collision> ended_;
-  std::vector<Beat> beats_;
+  std::vector<DriveSample> drive_;
 };
 
 }  // namespace mahlwerk::soft

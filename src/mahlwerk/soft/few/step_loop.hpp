@@ -29,7 +29,8 @@ template <bool wide>
 
 /// Half a kick, a drift, and the speeds the contacts of this step will see (dem.26). Returns
 /// where a ball has moved farther than it may.
-[[gnu::always_inline]] inline bool drift(Stretch& s, const Beat& before, const Beat& after) {
+[[gnu::always_inline]] inline bool drift(Stretch& s, const DriveSample& before,
+                                         const DriveSample& after) {
   Swarm& w = s.swarm;
   const Lanes none{}, step = none + s.frame.step, half = 0.5 * step;
   const Vec<Lanes> pull0{none + before.pull.x, none + before.pull.y, none + before.pull.z};
@@ -135,9 +136,9 @@ template <class Law, bool wide>
 [[gnu::always_inline]] inline bool steps(Stretch& s) {
   Swarm& w = s.swarm;
   bool touched = false;
-  for (std::size_t k = 0; k + 1 < s.beats.size(); ++k) {
-    const Beat& beat = s.beats[k + 1];
-    const bool far = drift(s, s.beats[k], beat);
+  for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
+    const DriveSample& drive = s.drive[k + 1];
+    const bool far = drift(s, s.drive[k], drive);
     ++w.step;
     if (far) {
       s.seldom.look();
@@ -145,16 +146,16 @@ template <class Law, bool wide>
     }
     if (!w.near.empty()) {
       const std::size_t f = w.blocks * lanes;
-      s.jar.feet(w.near, s.start + static_cast<double>(w.step) * s.frame.step, beat,
-                 {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
-                  w.feet_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
-                  numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
-                  numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
-                  numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});
-      w.feet_due = false;
+      s.jar.wall_points(w.near, s.start + static_cast<double>(w.step) * s.frame.step, drive,
+                        {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
+                         w.wall_points_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
+                         numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
+                         numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
+                         numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});
+      w.wall_points_due = false;
     }
     const Lanes none{};
-    s.frame.jar_speed = {none + beat.speed.x, none + beat.speed.y, none + beat.speed.z};
+    s.frame.jar_speed = {none + drive.speed.x, none + drive.speed.y, none + drive.speed.z};
     touched = false;
     Push push;
     if (wide && w.few) {

@@ -27,11 +27,11 @@ struct Beginning {
   double approach = 0, slip = 0, glide = 0;  ///< [m/s]
 };
 
-/// What eight pairs of bodies are made of. A body is a ball, or the foot of a wall, a ball of no
+/// What eight pairs of bodies are made of. A body is a ball, or a wall point, a ball of no
 /// size.
 struct alignas(64) Make {
-  LaneMask wall{};               ///< where j is a foot
-  Lanes radius_i{}, radius_j{};  ///< [m] 0 of a foot
+  LaneMask wall{};               ///< where j is a wall point
+  Lanes radius_i{}, radius_j{};  ///< [m] 0 of a wall point
   Lanes per_radius{};            ///< [1/m] of radius_i
   Lanes share{};                 ///< of the overlap that lies in i: half, or all against a wall
   Lanes reach{};                 ///< [m] a contact holds beyond touch
@@ -49,12 +49,12 @@ inline Vec3 one(const Vec<Lanes>& a, int lane) {
 inline void put(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
-inline void copy_lane(const Make& a, int lane, Make& b, int place) {
+inline void copy_lane(const Make& a, int lane, Make& b, int other_lane) {
   constexpr std::size_t columns = sizeof(Make) / sizeof(Lanes);
   const auto* from = reinterpret_cast<const double*>(&a);
   auto* to = reinterpret_cast<double*>(&b);
   for (std::size_t c = 0; c < columns; ++c)
-    to[c * lanes + static_cast<std::size_t>(place)] =
+    to[c * lanes + static_cast<std::size_t>(other_lane)] =
         from[c * lanes + static_cast<std::size_t>(lane)];
 }
 

@@ -95,10 +95,10 @@ template <bool wide>
   Vec<Lanes> place, velocity;
   b.wi = spins<wide>(s.turns, g.i);
   if (whose == Whose::wall) {
-    Eight foot[3];
-    s.jar->feet(s.rows, g.i, g.j, touching, s.time, s.reach, foot);
+    Eight points[3];
+    s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.reach, points);
     motion<wide>(s.rows, g.i, place, velocity);
-    const Vec<Lanes> at{foot[0].is, foot[1].is, foot[2].is};
+    const Vec<Lanes> at{points[0].is, points[1].is, points[2].is};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
     for (int l = 0; s.turning && l < lanes; ++l) {

@@ -34,15 +34,15 @@ struct alignas(64) Pass {
       nullptr;  ///< [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
   const std::int32_t* species = nullptr;
   const Make* makes = nullptr;  ///< of each breed, eight alike
-  const Surroundings* jar = nullptr;
+  const MovingWall* jar = nullptr;
   Comings* comings = nullptr;
-  double time = 0;         ///< [s] the mill's clock
-  double bin = 0;          ///< [m] width of the bins of pairs that wait
-  double reach = 0;        ///< [m] farthest that a contact holds beyond touch
-  Beat before, after;      ///< now, and a step later
-  bool large = false;      ///< more than the processor's cache holds
-  bool turning = false;    ///< some faces turn by themselves
-  bool remembers = false;  ///< laws or rolling that need Memory
+  double time = 0;            ///< [s] the mill's clock
+  double bin = 0;             ///< [m] width of the bins of pairs that wait
+  double reach = 0;           ///< [m] farthest that a contact holds beyond touch
+  DriveSample before, after;  ///< now, and a step later
+  bool large = false;         ///< more than the processor's cache holds
+  bool turning = false;       ///< some faces turn by themselves
+  bool remembers = false;     ///< laws or rolling that need Memory
   Frame frame;
 };
 

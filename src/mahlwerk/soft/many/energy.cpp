@@ -9,7 +9,7 @@
 namespace mahlwerk::soft {
 
 Vec3 ManyBodySolver::pulls() const {
-  const std::vector<Beat> b = beats(step_, step_ + 1);
+  const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
   return 0.5 * rules_.time_step * (b[1].pull - b[0].pull);
 }
 
@@ -125,7 +125,7 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
   const double half_step = 0.5 * rules_.time_step;
-  const Vec3 pull = half_step * beats(step_ + 1, step_ + 1).front().pull;
+  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().pull;
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Twin& half = half_[k];
     const Row& seen = next_[k];

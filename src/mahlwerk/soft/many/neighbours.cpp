@@ -83,7 +83,7 @@ bool ManyBodySolver::worth_sorting() const {
   return tests() - sorted_at_ > 7 * pairs;
 }
 
-/// Near pairs by their gaps now.
+/// WallNeighbour pairs by their gaps now.
 void ManyBodySolver::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
@@ -159,7 +159,8 @@ std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
   return to;
 }
 
-/// Near pairs that have no contact yet. A pair with a ball of another chunk is found by both.
+/// WallNeighbour pairs that have no contact yet. A pair with a ball of another chunk is found by
+/// both.
 void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const Grips* list : {&chunk.own, &chunk.cross})

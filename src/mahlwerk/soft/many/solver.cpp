@@ -46,7 +46,7 @@ Make make_of(const Breed& breed, const Species& a, const Species* b, double step
 
 }  // namespace
 
-ManyBodySolver::ManyBodySolver(std::unique_ptr<const Surroundings> jar,
+ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
                                const std::vector<scene::Ball>& balls, const Rules& rules,
                                const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
@@ -104,7 +104,7 @@ void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), looked_.resize(n), turns_.resize(n), next_turns_.resize(n);
   half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
-  const std::vector<Beat> b = beats(0, 1);
+  const std::vector<DriveSample> b = drive_samples(0, 1);
   const double dt = rules_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[k];
@@ -132,9 +132,10 @@ double ManyBodySolver::time_of(std::int64_t step) const {
   return static_cast<double>(step) * rules_.time_step;
 }
 
-std::vector<Beat> ManyBodySolver::beats(std::int64_t first, std::int64_t last) const {
-  std::vector<Beat> all(static_cast<std::size_t>(last - first) + 1);
-  jar_->beats(start_, rules_.time_step, first, all);
+std::vector<DriveSample> ManyBodySolver::drive_samples(std::int64_t first,
+                                                       std::int64_t last) const {
+  std::vector<DriveSample> all(static_cast<std::size_t>(last - first) + 1);
+  jar_->sample_drive(start_, rules_.time_step, first, all);
   return all;
 }
 
@@ -152,7 +153,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   try {
     while (step_ < until) {
       const std::int64_t end = std::min(until, (step_ / block + 1) * block);
-      const std::vector<Beat> all = beats(step_ + 1, end + 1);
+      const std::vector<DriveSample> all = drive_samples(step_ + 1, end + 1);
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
         if (stopped()) return hand_over();
         step(all[k], all[k + 1]);
@@ -170,7 +171,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
 }
 
 /// The main loop of a crowd: balls as they are, nearness where it is due, then every chunk.
-void ManyBodySolver::step(const Beat& before, const Beat& after) {
+void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   ++step_;
   now_.swap(next_);
   turns_.swap(next_turns_);

@@ -23,7 +23,7 @@ namespace mahlwerk::soft {
 /// they will be, so chunks are done in any order, by any number of threads, with the same bits.
 class ManyBodySolver final : public scene::Engine, private Comings {
  public:
-  ManyBodySolver(std::unique_ptr<const Surroundings> jar, const std::vector<scene::Ball>& balls,
+  ManyBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                  const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
@@ -35,10 +35,10 @@ class ManyBodySolver final : public scene::Engine, private Comings {
  private:
   // The main loop (crowd.cpp).
   void start_moving(const std::vector<scene::Ball>& balls);
-  void step(const Beat& before, const Beat& after);
+  void step(const DriveSample& before, const DriveSample& after);
   double clock(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
-  std::vector<Beat> beats(std::int64_t first, std::int64_t last) const;
+  std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
   bool reach_bounds();
   void look_anew();
   void check_energy();
@@ -120,7 +120,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   void bend(Grips& grips, std::size_t g, int lane);
   void touches(Chunk& chunk, std::int32_t ball, int more);
 
-  std::unique_ptr<const Surroundings> jar_;
+  std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
   contact::AnyLaw law_;
   Breeds breeds_;

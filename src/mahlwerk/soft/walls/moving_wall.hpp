@@ -12,43 +12,44 @@
 
 namespace mahlwerk::soft {
 
-/// What moves the balls at one step, in the jar frame.
-struct Beat {
+/// The jar's motion sampled at one step, in the jar frame.
+struct DriveSample {
   Vec3 pull;   ///< [m/s2] gravity less the acceleration of the jar's centre
   Vec3 speed;  ///< [m/s] of the jar's centre
   Vec3 spin;   ///< [rad/s] of the jar
   Vec3 rotor;  ///< [rad/s] of faces that turn by themselves
 };
 
-/// Of a radius: so far beyond touch a wall is looked for under balls that have just left it
+/// Of a radius: how far beyond touch a wall point is still found for balls that have just left it
 /// (dem.36).
 constexpr double past_touch = 0.01;
 
-/// A ball that is near a face. Its foot may stay where it is while the ball has not moved by
-/// `slack` since nearness was looked at: from a point of the wall it is even farther.
-struct Near {
+/// A ball near a face. Its wall point need not be found anew while the ball has moved by less than
+/// `slack` since the neighbour list was built: the ball is then even farther from any point.
+struct WallNeighbour {
   std::int32_t ball = 0, face = 0;
   double within = 0;  ///< [m] farther away it does not matter how far the face is
   double slack = 0;   ///< [m]
 };
 
-/// The balls' places and the walls' feet, component by component. A foot is the point of a face
-/// under a ball's centre; it moves as the wall there does.
-struct Places {
+/// Columns of the balls' positions and of their wall points. A wall point is the point of a face
+/// nearest to a ball's centre; it moves as the wall there does.
+struct WallPointColumns {
   const double *x, *y, *z;  // [m] of the balls
-  const double* moved;      // [m2] squared, since nearness was looked at; null: every foot is due
-  double *fx, *fy, *fz;     // [m] of the feet
-  double *fu, *fv, *fw;     // [m/s]
+  const double* moved;      // [m2] squared, since the list was built; null: every point is due
+  double *px, *py, *pz;     // [m] of the wall points
+  double *pu, *pv, *pw;     // [m/s]
   double *sx, *sy, *sz;     // [rad/s] spin of the wall
 };
 
 /// A jar on its mill with its types hidden. Times are the mill's own; places and velocities those
 /// of the jar frame.
-class Surroundings {
+class MovingWall {
  public:
-  virtual ~Surroundings() = default;
+  virtual ~MovingWall() = default;
 
-  virtual void beats(double start, double step, std::int64_t first, std::span<Beat> out) const = 0;
+  virtual void sample_drive(double start, double step, std::int64_t first,
+                            std::span<DriveSample> out) const = 0;
   virtual kinematics::Ride ride(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
   /// Where a ball at `position` meets a face; any larger distance where it is not `within` [m].
@@ -58,14 +59,14 @@ class Surroundings {
   virtual void distances(const Vec3& position, double t, double within,
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
-  /// Where the balls meet the faces they are near to.
-  virtual void feet(std::span<const Near> near, double t, const Beat& beat,
-                    const Places& places) const = 0;
-  /// The same of the balls that touch, of eight at a face each; faces matter up to `beyond` [m]
-  /// from a ball's surface.
-  virtual void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
-                    const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
-                    double t, double beyond, Eight (&feet)[3]) const = 0;
+  /// The wall points of the balls near a face.
+  virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
+                           const WallPointColumns& places) const = 0;
+  /// The wall points of eight balls that touch a face each; faces matter up to `beyond` [m] from a
+  /// ball's surface.
+  virtual void wall_points(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+                           const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
+                           double t, double beyond, Eight (&points)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].
   virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
@@ -94,6 +95,6 @@ class Surroundings {
 
 /// The surroundings in one shape, on every motion; each shape is compiled in a file of its own.
 template <class S>
-std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber);
+std::unique_ptr<const MovingWall> moving_wall(const S& shape, const scene::Chamber& chamber);
 
 }  // namespace mahlwerk::soft

@@ -4,7 +4,6 @@
 
 namespace mahlwerk::soft {
 
-template std::unique_ptr<const Surroundings> surroundings_of(const geometry::Box&,
-                                                             const scene::Chamber&);
+template std::unique_ptr<const MovingWall> moving_wall(const geometry::Box&, const scene::Chamber&);
 
 }  // namespace mahlwerk::soft

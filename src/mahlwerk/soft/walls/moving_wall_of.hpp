@@ -11,11 +11,11 @@
 namespace mahlwerk::soft {
 
 template <class S>
-class Surrounded final : public Surroundings {
+class MovingWallOf final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
 
  public:
-  explicit Surrounded(const scene::Jar<S>& jar) : jar_(jar) {
+  explicit MovingWallOf(const scene::Jar<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
     faces_ = turning_from_ = jar.shape().faces;
@@ -27,7 +27,8 @@ class Surrounded final : public Surroundings {
     reach_ = jar.shape().reach();
   }
 
-  void beats(double start, double step, std::int64_t first, std::span<Beat> out) const override {
+  void sample_drive(double start, double step, std::int64_t first,
+                    std::span<DriveSample> out) const override {
     for (std::size_t k = 0; k < out.size(); ++k) {
       const double t = start + static_cast<double>(first + static_cast<std::int64_t>(k)) * step;
       const kinematics::Ride ride = jar_.motion().ride(t);
@@ -57,8 +58,8 @@ class Surrounded final : public Surroundings {
     const Rotation q = axes(face, t);
     return geometry::distance(jar_.shape(), face, q.back(position), within);
   }
-  void feet(std::span<const Near> near, double t, const Beat& beat,
-            const Places& p) const override {
+  void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
+                   const WallPointColumns& p) const override {
     const bool plain = jar_.plain() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
@@ -69,19 +70,19 @@ class Surrounded final : public Surroundings {
       const Vec3 place{p.x[b], p.y[b], p.z[b]};
       const bool turns = near[k].face >= turning_from_;
       const Rotation& q = turns ? rotor : own;
-      const Vec3& spin = turns ? beat.rotor : beat.spin;
+      const Vec3& spin = turns ? drive.rotor : drive.spin;
       geometry::Gap gap = geometry::gap_near(jar_.shape(), near[k].face,
                                              plain ? place : q.back(place), near[k].within);
       if (!plain) gap.inward = q * gap.inward;
-      const Vec3 foot = place - gap.distance * gap.inward, velocity = cross(spin, foot);
-      p.fx[k] = foot.x, p.fy[k] = foot.y, p.fz[k] = foot.z;
-      p.fu[k] = velocity.x, p.fv[k] = velocity.y, p.fw[k] = velocity.z;
+      const Vec3 point = place - gap.distance * gap.inward, velocity = cross(spin, point);
+      p.px[k] = point.x, p.py[k] = point.y, p.pz[k] = point.z;
+      p.pu[k] = velocity.x, p.pv[k] = velocity.y, p.pw[k] = velocity.z;
       p.sx[k] = spin.x, p.sy[k] = spin.y, p.sz[k] = spin.z;
     }
   }
-  void feet(const Row* rows, const std::array<std::int32_t, lanes>& balls,
-            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
-            double beyond, Eight (&feet)[3]) const override {
+  void wall_points(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+                   const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
+                   double beyond, Eight (&points)[3]) const override {
     const bool plain = jar_.plain() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
@@ -94,8 +95,8 @@ class Surrounded final : public Surroundings {
       geometry::Gap gap =
           geometry::gap_near(jar_.shape(), faces[k], plain ? place : q.back(place), within);
       if (!plain) gap.inward = q * gap.inward;
-      const Vec3 foot = place - gap.distance * gap.inward;
-      feet[0].is[l] = foot.x, feet[1].is[l] = foot.y, feet[2].is[l] = foot.z;
+      const Vec3 point = place - gap.distance * gap.inward;
+      points[0].is[l] = point.x, points[1].is[l] = point.y, points[2].is[l] = point.z;
     }
   }
   double clear(const scene::Passing& ball, double t, double radius) const override {
@@ -150,9 +151,9 @@ class Surrounded final : public Surroundings {
 };
 
 template <class S>
-std::unique_ptr<const Surroundings> surroundings_of(const S& shape, const scene::Chamber& chamber) {
+std::unique_ptr<const MovingWall> moving_wall(const S& shape, const scene::Chamber& chamber) {
   const kinematics::ChosenMotion motion(chamber.motion);
-  return std::make_unique<Surrounded<S>>(scene::Jar<S>(shape, motion, chamber));
+  return std::make_unique<MovingWallOf<S>>(scene::Jar<S>(shape, motion, chamber));
 }
 
 }  // namespace mahlwerk::soft

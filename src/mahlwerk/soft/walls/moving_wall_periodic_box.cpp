@@ -4,7 +4,7 @@
 
 namespace mahlwerk::soft {
 
-template std::unique_ptr<const Surroundings> surroundings_of(const geometry::PeriodicBox&,
-                                                             const scene::Chamber&);
+template std::unique_ptr<const MovingWall> moving_wall(const geometry::PeriodicBox&,
+                                                       const scene::Chamber&);
 
 }  // namespace mahlwerk::soft
