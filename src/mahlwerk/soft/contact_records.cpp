@@ -7,9 +7,9 @@
 
 namespace mahlwerk::soft {
 
-Bent bent_wall(const MovingWall& jar, int face, const Vec3& place, double t, double radius,
+Bent bent_wall(const MovingWall& jar, int face, const Vec3& position, double t, double radius,
                const Breed& breed, const contact::AnyLaw& law) {
-  const auto [most, least] = jar.curvatures(face, place, t);
+  const auto [most, least] = jar.curvatures(face, position, t);
   const double own = 1 / radius;
   const auto flatter = [&](double curvature) { return 1 / std::max(own - curvature, 0.01 * own); };
   contact::Touching touching = breed.touching;

@@ -14,8 +14,8 @@ struct Bent {
   double rolling = 0, roll_spring = 0;
 };
 
-/// R* of a ball whose centre is at `place`, from both principal curvatures of the face.
-Bent bent_wall(const MovingWall& jar, int face, const Vec3& place, double t, double radius,
+/// R* of a ball whose centre is at `position`, from both principal curvatures of the face.
+Bent bent_wall(const MovingWall& jar, int face, const Vec3& position, double t, double radius,
                const Breed& breed, const contact::AnyLaw& law);
 
 /// A contact that outlives its collision five times has come to last.

@@ -6,13 +6,13 @@
 
 namespace mahlwerk::soft {
 
-RunError went_wrong(double time, std::size_t ball, const char* why, const Vec3& place,
-                    const Vec3& velocity) {
+RunError unstable_run(double time, std::size_t ball, const char* why, const Vec3& position,
+                      const Vec3& velocity) {
   return RunError(fmt::format(
       "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
       "centre, with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer "
       "contact",
-      time, ball + 1, why, place.x, place.y, place.z, velocity.x, velocity.y, velocity.z));
+      time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z));
 }
 
 InputError overlapping(std::size_t ball, const std::string& with, double overlap) {

@@ -12,10 +12,10 @@ namespace mahlwerk::soft {
 constexpr const char* energy_jumped =
     "the energy of the balls jumped: a force was too strong for the step";
 
-/// What is said of a run that physics stopped at `time` [s], by `ball`, counted from 0.
-RunError went_wrong(double time, std::size_t ball, const char* why, const Vec3& place,
-                    const Vec3& velocity);
-/// A start in which `ball` overlaps `with` by `overlap` of its radius.
+/// The error of a run that cannot go on at `time` [s] because of `ball`, counted from 0.
+RunError unstable_run(double time, std::size_t ball, const char* why, const Vec3& position,
+                      const Vec3& velocity);
+/// The error of a start in which `ball` overlaps `with` by `overlap` of its radius.
 InputError overlapping(std::size_t ball, const std::string& with, double overlap);
 
 }  // namespace mahlwerk::soft

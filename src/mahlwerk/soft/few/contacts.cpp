@@ -24,8 +24,9 @@ void FewBodySolver::touches(std::int64_t body, int more) {
   const int was = count > 0;
   count += more;
   if ((count > 0) == was) return;
-  account_.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
-  in_touch_since_ = swarm_.step;
+  account_.contact_time +=
+      static_cast<double>(in_touch_) * time_of(particles_.step - in_touch_since_);
+  in_touch_since_ = particles_.step;
   in_touch_ += count > 0 ? 1 : -1;
 }
 
@@ -35,7 +36,7 @@ void FewBodySolver::begin(Packet& p, int lane, const Meeting& m, const Bodies& b
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
   if (p.wall[lane] != 0 && rules_.model.curved_walls) bend(p, lane);
   const Vec3 n = one(m.n, lane), glide = one(b.relative, lane);
-  p.began[k] = {.step = swarm_.step,
+  p.began[k] = {.step = particles_.step,
                 .approach = std::max(m.rate[lane], 0.0),
                 .slip = norm(one(m.slip, lane)),
                 .glide = norm(glide - dot(glide, n) * n)};
@@ -53,8 +54,9 @@ void FewBodySolver::begin(Packet& p, int lane, const Meeting& m, const Bodies& b
 void FewBodySolver::bend(Packet& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   const auto ball = static_cast<std::size_t>(p.i[lane]);
-  const Bent bent = bent_wall(*jar_, p.face[k], swarm_.place.one(ball), clock(swarm_.step),
-                              made_of_[ball].radius, breeds_[p.breed[k]], law_);
+  const Bent bent =
+      bent_wall(*jar_, p.face[k], particles_.position.one(ball), clock(particles_.step),
+                made_of_[ball].radius, breeds_[p.breed[k]], law_);
   for (std::size_t i = 0; i < bent.numbers.size(); ++i) p.numbers[i][lane] = bent.numbers[i];
   p.rolling[lane] = bent.rolling;
   p.roll_spring[lane] = bent.roll_spring;
@@ -68,15 +70,16 @@ void FewBodySolver::end(Packet& p, int lane) {
   const Beginning& began = p.began[k];
   const Breed& breed = breeds_[p.breed[k]];
   const auto ball = static_cast<std::size_t>(p.i[lane]);
-  const double t = clock(swarm_.step);
+  const double t = clock(particles_.step);
   const int face = wall ? p.face[k] : -1;
-  const Vec3 x = swarm_.place.one(ball);
-  const Vec3 apart = wall ? one(p.normal, lane)
-                          : nearest(swarm_.place.one(static_cast<std::size_t>(p.j[lane])) - x);
+  const Vec3 x = particles_.position.one(ball);
+  const Vec3 apart =
+      wall ? one(p.normal, lane)
+           : nearest(particles_.position.one(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(apart)) * apart;
   const Vec3 where = x + p.radius_i[lane] * n;
   const Deeds& d = p.deeds;
-  const double duration = time_of(swarm_.step - began.step);
+  const double duration = time_of(particles_.step - began.step);
   ended_.push_back({.time = time_of(began.step),
                     .duration = duration,
                     .ball = static_cast<std::int32_t>(p.i[lane]),

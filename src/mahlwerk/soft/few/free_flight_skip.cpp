@@ -10,14 +10,14 @@ namespace mahlwerk::soft {
 
 /// Begins a hop if one is due and worth it. It ends where it does, however a run is cut.
 bool FewBodySolver::hop() {
-  if (!hops_ || touched_ || swarm_.step < try_hop_) return false;
+  if (!hops_ || touched_ || particles_.step < try_hop_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
   const std::int64_t steps = free_steps();
   if (steps < worth) {
-    try_hop_ = swarm_.step + pause;
+    try_hop_ = particles_.step + pause;
     return false;
   }
-  landing_ = swarm_.step + steps;
+  landing_ = particles_.step + steps;
   return true;
 }
 
@@ -26,13 +26,13 @@ bool FewBodySolver::hop() {
 std::int64_t FewBodySolver::free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;
-  const double now = clock(swarm_.step);
+  const double now = clock(particles_.step);
   if (folds_) return 0;
-  for (std::size_t i = 0; i < swarm_.balls; ++i) {
-    const Vec3 x = swarm_.place.one(i), v = swarm_.velocity.one(i);
+  for (std::size_t i = 0; i < particles_.balls; ++i) {
+    const Vec3 x = particles_.position.one(i), v = particles_.velocity.one(i);
     time = std::min(time, jar_->clear({x, v}, now, made_of_[i].radius));
-    for (std::size_t j = i + 1; j < swarm_.balls; ++j) {
-      const Vec3 r = swarm_.place.one(j) - x, u = swarm_.velocity.one(j) - v;
+    for (std::size_t j = i + 1; j < particles_.balls; ++j) {
+      const Vec3 r = particles_.position.one(j) - x, u = particles_.velocity.one(j) - v;
       const double touch = made_of_[i].radius + made_of_[j].radius;
       const double b = dot(r, u), gap = squared(r) - touch * touch;
       const double d = b * b - squared(u) * gap;
@@ -45,8 +45,8 @@ std::int64_t FewBodySolver::free_steps() const {
 FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
   if (steps == 0) return {};
   const double time = time_of(steps);
-  const kinematics::Ride from = jar_->ride(clock(swarm_.step));
-  const kinematics::Ride to = jar_->ride(clock(swarm_.step + steps));
+  const kinematics::Ride from = jar_->ride(clock(particles_.step));
+  const kinematics::Ride to = jar_->ride(clock(particles_.step + steps));
   const Vec3& g = jar_->gravity();
   return {.shift = time * from.velocity + 0.5 * time * time * g - (to.centre - from.centre),
           .gain = time * g - (to.velocity - from.velocity),
@@ -54,13 +54,13 @@ FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
 }
 
 void FewBodySolver::land() {
-  const Flown way = flown(landing_ - swarm_.step);
-  for (std::size_t b = 0; b < swarm_.balls; ++b) {
-    const Vec3 v = swarm_.velocity.one(b);
-    swarm_.place.put_one(b, swarm_.place.one(b) + way.time * v + way.shift);
-    swarm_.velocity.put_one(b, v + way.gain);
+  const Flown way = flown(landing_ - particles_.step);
+  for (std::size_t b = 0; b < particles_.balls; ++b) {
+    const Vec3 v = particles_.velocity.one(b);
+    particles_.position.put_one(b, particles_.position.one(b) + way.time * v + way.shift);
+    particles_.velocity.put_one(b, v + way.gain);
   }
-  swarm_.step = landing_;
+  particles_.step = landing_;
   try_hop_ = landing_ + 1;
   landing_ = -1;
   look();

@@ -25,7 +25,7 @@ void each_column(Packet& p, const F& f) {
   f(p.face), f(p.breed), f(p.used), f(p.began);
 }
 
-/// Empties a lane; its bodies are the first ball and itself's place, far from touching: radii 0.
+/// Empties a lane; its bodies are the first ball twice, far from touching: radii 0.
 void clear_lane(Packet& p, int lane) {
   each_column(p, [&](auto& column) {
     using One = std::remove_reference_t<decltype(column[0])>;
@@ -62,7 +62,7 @@ void move_lane(Packet& from, int lane, Packet& to, int other_lane) {
 
 /// Pairs that touch sit in the first packets, so that the others are passed over.
 bool FewBodySolver::touching_first() {
-  std::vector<Packet>& packets = swarm_.packets;
+  std::vector<Packet>& packets = particles_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
   int lane = 0, other_lane = 0;
@@ -85,7 +85,7 @@ bool FewBodySolver::touching_first() {
 /// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
 /// lanes, and the last packets give theirs to the first.
 void FewBodySolver::fill_lanes(const std::vector<Candidate>& wanted) {
-  std::vector<Packet>& packets = swarm_.packets;
+  std::vector<Packet>& packets = particles_.packets;
   std::vector<bool> seated(wanted.size());
   for (Packet& p : packets)
     for (int l = 0; l < lanes; ++l) {
@@ -167,7 +167,7 @@ void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
 
 /// A wall point for each ball near a wall, in the order of the lanes.
 void FewBodySolver::find_wall_points() {
-  Swarm& w = swarm_;
+  ParticleData& w = particles_;
   w.near.clear();
   for (Packet& p : w.packets)
     for (int l = 0; l < lanes; ++l) {
@@ -179,11 +179,12 @@ void FewBodySolver::find_wall_points() {
     }
   const std::size_t blocks =
       w.blocks + std::max<std::size_t>(1, (w.near.size() + lanes - 1) / lanes);
-  for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(std::max(blocks, c->x.size()));
+  for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
+    c->resize(std::max(blocks, c->x.size()));
 }
 
 void FewBodySolver::find_owners() {
-  Swarm& w = swarm_;
+  ParticleData& w = particles_;
   w.few = w.blocks == 1 && w.near.size() <= lanes;
   w.owners.assign(w.packets.size(), {});
   if (!w.few) return;

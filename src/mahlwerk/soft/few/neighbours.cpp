@@ -16,18 +16,19 @@ constexpr std::size_t few = 8;  // balls whose pairs are all looked at
 }  // namespace
 
 void FewBodySolver::look() {
-  for (std::size_t b = 0; b < swarm_.blocks; ++b) swarm_.looked.put(b, swarm_.place.at(b));
-  looked_step_ = swarm_.step;
-  swarm_.wall_points_due = true;
+  for (std::size_t b = 0; b < particles_.blocks; ++b)
+    particles_.list_positions.put(b, particles_.position.at(b));
+  list_step_ = particles_.step;
+  particles_.wall_points_due = true;
   wanted_.clear();
-  if (swarm_.balls <= few) {
-    for (std::size_t b = 0; b < swarm_.balls; ++b) {
+  if (particles_.balls <= few) {
+    for (std::size_t b = 0; b < particles_.balls; ++b) {
       near_walls(b);
-      for (std::size_t other = b + 1; other < swarm_.balls; ++other) near_ball(b, other);
+      for (std::size_t other = b + 1; other < particles_.balls; ++other) near_ball(b, other);
     }
   } else {
     near_balls();
-    for (std::size_t b = 0; b < swarm_.balls; ++b) near_walls(b);
+    for (std::size_t b = 0; b < particles_.balls; ++b) near_walls(b);
     std::ranges::sort(wanted_);
   }
   const bool same = wanted_ == seated_;
@@ -40,19 +41,19 @@ void FewBodySolver::look() {
     find_owners();
   }
   if (jar_->sweep() > 0) return;  // the wall comes by itself
-  for (WallNeighbour& n : swarm_.near)
+  for (WallNeighbour& n : particles_.near)
     n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - reach_;
 }
 
 /// Finds a ball that has gone wrong, too.
 void FewBodySolver::near_walls(std::size_t b) {
-  const Vec3 x = swarm_.place.one(b);
-  if (!std::isfinite(squared(x)) || !std::isfinite(squared(swarm_.velocity.one(b))))
+  const Vec3 x = particles_.position.one(b);
+  if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.one(b))))
     stop(b, "its place or speed is no number");
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
   const double radius = made_of_[b].radius;
-  jar_->distances(x, clock(swarm_.step), radius + skin_ + reach_, gaps);
+  jar_->distances(x, clock(particles_.step), radius + skin_ + reach_, gaps);
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
     if (gap > skin_ + reach_ || !jar_->meets(face, radius)) continue;
@@ -61,7 +62,7 @@ void FewBodySolver::near_walls(std::size_t b) {
   }
 }
 
-/// To the nearest image, where places repeat.
+/// To the nearest image, in a periodic box.
 Vec3 FewBodySolver::nearest(const Vec3& apart) const {
   if (!folds_) return apart;
   const Vec3& period = jar_->periods();
@@ -71,7 +72,7 @@ Vec3 FewBodySolver::nearest(const Vec3& apart) const {
 
 /// i < j.
 void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
-  const Vec3 apart = nearest(swarm_.place.one(j) - swarm_.place.one(i));
+  const Vec3 apart = nearest(particles_.position.one(j) - particles_.position.one(i));
   const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach_;
   if (squared(apart) < far * far)
     wanted_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
@@ -83,9 +84,9 @@ void FewBodySolver::near_balls() {
   const bool repeats = std::isfinite(jar_->periods().x);
   double largest = 0;
   for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);
-  std::vector<std::int32_t> order(swarm_.balls);
+  std::vector<std::int32_t> order(particles_.balls);
   std::iota(order.begin(), order.end(), 0);
-  const double* x = numbers(swarm_.place.x);
+  const double* x = numbers(particles_.position.x);
   std::ranges::sort(
       order, [&](std::int32_t a, std::int32_t b) { return x[a] != x[b] ? x[a] < x[b] : a < b; });
   for (std::size_t a = 0; a < order.size(); ++a)

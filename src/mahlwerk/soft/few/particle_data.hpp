@@ -45,19 +45,19 @@ struct alignas(64) Owners {
 
 /// All bodies and contacts, and how far they have come. Bodies: the balls, up to a whole number of
 /// blocks; then the wall points (MovingWall::wall_points).
-struct Swarm {
+struct ParticleData {
   std::int64_t step = 0;
-  std::size_t balls = 0, blocks = 0;  ///< blocks of balls
-  Columns place;                      ///< [m] of all bodies, in the jar frame
-  Columns seen, seen_spin;            ///< [m/s], [rad/s] of all bodies, as the contacts see them
-  Columns velocity, spin;             ///< of the balls, at the end of the step
-  Columns force, torque;              ///< [N], [N m] of the contacts on the balls
-  std::vector<Eight> half_kick;       ///< [s/kg] half a step over mass
-  std::vector<Eight> half_turn;       ///< [s/(kg m2)] half a step over inertia
+  std::size_t balls = 0, blocks = 0;           ///< blocks of balls
+  Columns position;                            ///< [m] of all bodies, in the jar frame
+  Columns velocity_predicted, spin_predicted;  ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
+  Columns velocity, spin;                      ///< of the balls, at the end of the step
+  Columns force, torque;                       ///< [N], [N m] of the contacts on the balls
+  std::vector<Eight> half_kick;                ///< [s/kg] half a step over mass
+  std::vector<Eight> half_spin_kick;           ///< [s/(kg m2)] half a step over inertia
   std::vector<Packet> packets;
   std::vector<Owners> owners;       ///< of each packet, where `few`
   std::vector<WallNeighbour> near;  ///< wall point k belongs to near[k]
-  Columns looked;                   ///< places when nearness was last looked at
+  Columns list_positions;           ///< at which the neighbour list was built
   std::vector<Eight> moved;         ///< [m2] the square of how far balls have moved since
   bool few = false;                 ///< all bodies fit into two registers
   bool wall_points_due = true;      ///< every wall point must be found at the next step
@@ -67,7 +67,7 @@ struct Swarm {
 class Seldom {
  public:
   virtual ~Seldom() = default;
-  /// Which pairs are near each other must be looked at anew: a body has moved far.
+  /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void look() = 0;
   /// Contacts of a packet begin.
   virtual void begin(Packet& packet, const LaneMask& begun, const Meeting& meeting,
@@ -78,14 +78,14 @@ class Seldom {
 
 /// Everything a stretch of steps needs.
 struct alignas(64) Stretch {
-  Swarm& swarm;
+  ParticleData& particles;
   const MovingWall& jar;
   Seldom& seldom;
   Frame frame;
   std::span<const DriveSample> drive;  ///< one more than steps
   double start = 0;                    ///< [s] the mill's clock at step 0
-  double moved = 0;                    ///< [m] a ball may move before nearness is looked at anew
-  std::int64_t swept_since = 0;        ///< the step at which it was last looked at
+  double moved = 0;                    ///< [m] a ball may move before the neighbour list is rebuilt
+  std::int64_t swept_since = 0;        ///< the step at which it was last built
   bool idle_ends = false;              ///< stop after a step in which nothing touched
 };
 

@@ -38,21 +38,23 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
   for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
-  Swarm& w = swarm_;
+  ParticleData& w = particles_;
   w.balls = balls.size();
   w.blocks = (balls.size() + lanes - 1) / lanes;
-  for (Columns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.looked}) c->resize(w.blocks);
-  for (Columns* c : {&w.place, &w.seen, &w.seen_spin}) c->resize(w.blocks + 1);
+  for (Columns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.list_positions})
+    c->resize(w.blocks);
+  for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
+    c->resize(w.blocks + 1);
   w.half_kick.resize(w.blocks);
-  w.half_turn.resize(w.blocks);
+  w.half_spin_kick.resize(w.blocks);
   w.moved.resize(w.blocks);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    w.place.put_one(b, balls[b].position);
+    w.position.put_one(b, balls[b].position);
     w.velocity.put_one(b, balls[b].velocity);
     w.spin.put_one(b, balls[b].spin);
     w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).mass;
-    w.half_turn[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
+    w.half_spin_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += breeds_.of(b).mass;
   }
@@ -67,11 +69,11 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
 
 /// Bodies that overlap much at the start would fly apart.
 void FewBodySolver::refuse_overlaps() const {
-  const double t = clock(swarm_.step);
+  const double t = clock(particles_.step);
   for (const Candidate& c : seated_) {
     const auto i = static_cast<std::size_t>(c.i);
     const double radius = made_of_[i].radius;
-    const Vec3 x = swarm_.place.one(i);
+    const Vec3 x = particles_.position.one(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
       if (overlap > rules_.most_overlap) throw overlapping(i, "the jar", overlap);
@@ -79,7 +81,7 @@ void FewBodySolver::refuse_overlaps() const {
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double touch = radius + made_of_[j].radius;
-    const double overlap = (touch - norm(nearest(swarm_.place.one(j) - x))) / radius;
+    const double overlap = (touch - norm(nearest(particles_.position.one(j) - x))) / radius;
     if (overlap > rules_.most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
@@ -106,12 +108,12 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
         if (now_ == landing_) land();
       } else if (!hop()) {
         stretch(until);
-        now_ = swarm_.step;
+        now_ = particles_.step;
       }
       if (ended_.size() > 1000) hand_over();
     }
   } catch (...) {
-    now_ = swarm_.step;
+    now_ = particles_.step;
     hand_over();
     throw;
   }
@@ -120,13 +122,13 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
 
 /// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
 void FewBodySolver::stretch(std::int64_t until) {
-  Swarm& w = swarm_;
+  ParticleData& w = particles_;
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
   const bool waits = hops_ && !touched_ && w.step < try_hop_;
   if (waits) end = std::min(end, try_hop_);
   drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->sample_drive(start_, rules_.time_step, w.step, drive_);
-  Stretch s{.swarm = w,
+  Stretch s{.particles = w,
             .jar = *jar_,
             .seldom = *this,
             .frame = {.step = rules_.time_step,
@@ -140,7 +142,7 @@ void FewBodySolver::stretch(std::int64_t until) {
             .drive = drive_,
             .start = start_,
             .moved = 0.5 * skin_,
-            .swept_since = looked_step_,
+            .swept_since = list_step_,
             .idle_ends = hops_ && !waits};
   const std::int64_t before = w.step;
   touched_ = steps_(s);
@@ -150,14 +152,14 @@ void FewBodySolver::stretch(std::int64_t until) {
 
 FewBodySolver::Stored FewBodySolver::stored() const {
   Stored energy;
-  for (const Packet& p : swarm_.packets)
+  for (const Packet& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
       contact::LawNumbers k;
       for (std::size_t n = 0; n < k.size(); ++n) k[n] = p.numbers[n][l];
       const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
-      const Vec3 apart = nearest(swarm_.place.one(static_cast<std::size_t>(p.j[l])) -
-                                 swarm_.place.one(static_cast<std::size_t>(p.i[l])));
+      const Vec3 apart = nearest(particles_.position.one(static_cast<std::size_t>(p.j[l])) -
+                                 particles_.position.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
       energy.normal +=
@@ -172,21 +174,21 @@ scene::Account FewBodySolver::reckoned() const {
   scene::Account a = account_;
   a.time = time_of(now_);
   if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
-  const kinematics::Ride ride = jar_->ride(clock(swarm_.step));
-  const Flown way = flown(now_ - swarm_.step);
+  const kinematics::Ride ride = jar_->ride(clock(particles_.step));
+  const Flown way = flown(now_ - particles_.step);
   const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;
   a.kinetic = a.potential = 0;
-  for (std::size_t b = 0; b < swarm_.balls; ++b) {
+  for (std::size_t b = 0; b < particles_.balls; ++b) {
     const Species& of = breeds_.of(b);
-    const Vec3 v0 = swarm_.velocity.one(b);
+    const Vec3 v0 = particles_.velocity.one(b);
     const Vec3 v = v0 + way.gain + there.velocity;
-    const Vec3 x = swarm_.place.one(b) + way.time * v0 + way.shift + there.centre;
-    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(swarm_.spin.one(b)));
+    const Vec3 x = particles_.position.one(b) + way.time * v0 + way.shift + there.centre;
+    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin.one(b)));
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
   const Stored kept = stored();
   a.elastic = kept.normal + kept.tangential;
-  for (const Packet& p : swarm_.packets)
+  for (const Packet& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
       a.lost_normal += p.deeds.normal[l];
@@ -200,7 +202,7 @@ scene::Account FewBodySolver::reckoned() const {
   a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
   a.lost_tangential -= kept.tangential;
   a.lost_open -= a.elastic;
-  a.contact_time += static_cast<double>(in_touch_) * time_of(swarm_.step - in_touch_since_);
+  a.contact_time += static_cast<double>(in_touch_) * time_of(particles_.step - in_touch_since_);
   return a;
 }
 
@@ -210,30 +212,31 @@ scene::Account FewBodySolver::account() const {
 
 void FewBodySolver::check_energy() {
   const scene::Account a = reckoned();
-  const double t = clock(swarm_.step);
+  const double t = clock(particles_.step);
   const double wall = jar_->fastest(t);
   const Species& first = breeds_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
-  for (std::size_t b = 1; b < swarm_.balls; ++b)
-    if (!(squared(swarm_.velocity.one(b)) <= squared(swarm_.velocity.one(fastest)))) fastest = b;
+  for (std::size_t b = 1; b < particles_.balls; ++b)
+    if (!(squared(particles_.velocity.one(b)) <= squared(particles_.velocity.one(fastest))))
+      fastest = b;
   stop(fastest, energy_jumped);
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {
-  throw went_wrong(time_of(swarm_.step), ball, why, swarm_.place.one(ball),
-                   swarm_.velocity.one(ball));
+  throw unstable_run(time_of(particles_.step), ball, why, particles_.position.one(ball),
+                     particles_.velocity.one(ball));
 }
 
 std::vector<scene::Ball> FewBodySolver::balls() const {
   std::vector<scene::Ball> all = made_of_;
-  const Flown way = flown(now_ - swarm_.step);
+  const Flown way = flown(now_ - particles_.step);
   for (std::size_t b = 0; b < all.size(); ++b) {
-    const Vec3 v = swarm_.velocity.one(b);
-    all[b].position = swarm_.place.one(b) + way.time * v + way.shift;
+    const Vec3 v = particles_.velocity.one(b);
+    all[b].position = particles_.position.one(b) + way.time * v + way.shift;
     all[b].velocity = v + way.gain;
-    all[b].spin = swarm_.spin.one(b);
+    all[b].spin = particles_.spin.one(b);
   }
   return all;
 }
@@ -241,19 +244,19 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
 /// Those of the last step; in a hop there are none.
 std::vector<Vec3> FewBodySolver::forces() const {
   std::vector<Vec3> all(made_of_.size());
-  for (std::size_t b = 0; b < all.size(); ++b) all[b] = swarm_.force.one(b);
+  for (std::size_t b = 0; b < all.size(); ++b) all[b] = particles_.force.one(b);
   return all;
 }
 
 void FewBodySolver::carry(Archive& archive) {
-  Swarm& w = swarm_;
-  archive(w.step)(w.wall_points_due)(now_)(landing_)(try_hop_)(looked_step_)(touched_);
-  for (Columns* c :
-       {&w.place, &w.seen, &w.seen_spin, &w.velocity, &w.spin, &w.force, &w.torque, &w.looked})
+  ParticleData& w = particles_;
+  archive(w.step)(w.wall_points_due)(now_)(landing_)(try_hop_)(list_step_)(touched_);
+  for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted, &w.velocity, &w.spin,
+                     &w.force, &w.torque, &w.list_positions})
     archive(c->x)(c->y)(c->z);
   archive(w.packets)(w.near)(contacts_of_)(seated_);
   archive(account_)(in_touch_)(in_touch_since_)(watch_)(asked_);
-  if (w.place.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
+  if (w.position.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();
 }
 

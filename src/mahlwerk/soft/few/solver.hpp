@@ -70,14 +70,14 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   bool hop();
   std::int64_t free_steps() const;
   struct Flown {
-    Vec3 shift, gain;  // of every place and velocity, besides those of straight flight
+    Vec3 shift, gain;  // of every position and velocity, besides those of straight flight
     double time = 0;
   };
   Flown flown(std::int64_t steps) const;
   void land();
 
   std::unique_ptr<const MovingWall> jar_;
-  std::vector<scene::Ball> made_of_;  // radius, density, kind; places of the start
+  std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
   Rules rules_;
   contact::AnyLaw law_;
   Breeds breeds_;
@@ -85,12 +85,12 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   double start_, skin_;
   double mass_ = 0;           // [kg] of all balls
   double reach_ = 0;          // [m] farthest that a contact holds beyond touch
-  bool hops_, folds_;         // over free flight; places repeat
-  std::vector<double> gaps_;  // [m] of each ball to each face, when last looked at
+  bool hops_, folds_;         // over free flight; the box repeats
+  std::vector<double> gaps_;  // [m] of each ball to each face, when the list was built
 
-  Swarm swarm_;
+  ParticleData particles_;
   std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane
-  std::int64_t looked_step_ = 0;
+  std::int64_t list_step_ = 0;
   std::int64_t try_hop_ = 0;   // not before this step
   std::int64_t landing_ = -1;  // of a hop under way; < 0: none
   std::int64_t now_ = 0;       // the step reached; ahead of the swarm's in a hop

@@ -27,11 +27,11 @@ template <bool wide>
   return {pick<wide>(c.x, at, few), pick<wide>(c.y, at, few), pick<wide>(c.z, at, few)};
 }
 
-/// Half a kick, a drift, and the speeds the contacts of this step will see (dem.26). Returns
-/// where a ball has moved farther than it may.
+/// Half a kick, a drift, and the velocities predicted for the contacts of this step (dem.26).
+/// Returns where a ball has moved farther than it may.
 [[gnu::always_inline]] inline bool drift(Stretch& s, const DriveSample& before,
                                          const DriveSample& after) {
-  Swarm& w = s.swarm;
+  ParticleData& w = s.particles;
   const Lanes none{}, step = none + s.frame.step, half = 0.5 * step;
   const Vec<Lanes> pull0{none + before.pull.x, none + before.pull.y, none + before.pull.z};
   const Vec<Lanes> pull1{none + after.pull.x, none + after.pull.y, none + after.pull.z};
@@ -42,14 +42,14 @@ template <bool wide>
   for (std::size_t b = 0; b < w.blocks; ++b) {
     const Vec<Lanes> kick = w.half_kick[b].is * w.force.at(b);
     const Vec<Lanes> v = w.velocity.at(b) + kick + half * pull0;
-    const Vec<Lanes> x = w.place.at(b) + step * v;
-    w.place.put(b, x);
-    w.seen.put(b, v + kick + half * pull1);
+    const Vec<Lanes> x = w.position.at(b) + step * v;
+    w.position.put(b, x);
+    w.velocity_predicted.put(b, v + kick + half * pull1);
     w.velocity.put(b, v + half * pull1);  // lacks the second kick of the contacts
-    const Vec<Lanes> turn = w.half_turn[b].is * w.torque.at(b), spin = w.spin.at(b) + turn;
+    const Vec<Lanes> turn = w.half_spin_kick[b].is * w.torque.at(b), spin = w.spin.at(b) + turn;
     w.spin.put(b, spin);
-    w.seen_spin.put(b, spin + turn);
-    const Vec<Lanes> way = x - w.looked.at(b);
+    w.spin_predicted.put(b, spin + turn);
+    const Vec<Lanes> way = x - w.list_positions.at(b);
     const Lanes moved = dot(way, way);
     w.moved[b].is = moved;
     far |= ~less(moved, none + limit);
@@ -58,12 +58,12 @@ template <bool wide>
 }
 
 /// The second half of the kick.
-[[gnu::always_inline]] inline void kick(Swarm& w, std::size_t b, const Vec<Lanes>& force,
+[[gnu::always_inline]] inline void kick(ParticleData& w, std::size_t b, const Vec<Lanes>& force,
                                         const Vec<Lanes>& torque) {
   w.force.put(b, force);
   w.torque.put(b, torque);
   w.velocity.put(b, w.velocity.at(b) + w.half_kick[b].is * force);
-  w.spin.put(b, w.spin.at(b) + w.half_turn[b].is * torque);
+  w.spin.put(b, w.spin.at(b) + w.half_spin_kick[b].is * torque);
 }
 
 /// Adds what a packet does to each of eight balls, in the order of its lanes.
@@ -88,7 +88,7 @@ template <bool wide>
 }
 
 /// The same through memory, for any number of balls.
-[[gnu::always_inline]] inline void scatter(Swarm& w, const Packet& p, const Push& push) {
+[[gnu::always_inline]] inline void scatter(ParticleData& w, const Packet& p, const Push& push) {
   const auto give = [&](std::vector<Eight>& column, const Lanes& i, const Lanes& j) {
     double* all = numbers(column);
     for (int l = 0; l < lanes; ++l) {
@@ -108,9 +108,9 @@ template <bool wide>
 /// One packet in a step. Returns false where nothing touches.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline bool act(Stretch& s, Packet& p, Push& out) {
-  const Swarm& w = s.swarm;
+  const ParticleData& w = s.particles;
   Bodies b;
-  b.apart = pick<wide>(w.place, p.j, w.few) - pick<wide>(w.place, p.i, w.few);
+  b.apart = pick<wide>(w.position, p.j, w.few) - pick<wide>(w.position, p.i, w.few);
   if (s.frame.periodic)
     b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
                folded(b.apart.z, s.frame.periods.z)};
@@ -119,10 +119,10 @@ template <class Law, bool wide>
   const Edges edges{touching & ~p.touching, p.touching & ~touching};
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
-  b.vj = pick<wide>(w.seen, p.j, w.few);
-  b.relative = pick<wide>(w.seen, p.i, w.few) - b.vj;
-  b.wi = pick<wide>(w.seen_spin, p.i, w.few);
-  b.wj = pick<wide>(w.seen_spin, p.j, w.few);
+  b.vj = pick<wide>(w.velocity_predicted, p.j, w.few);
+  b.relative = pick<wide>(w.velocity_predicted, p.i, w.few) - b.vj;
+  b.wi = pick<wide>(w.spin_predicted, p.i, w.few);
+  b.wj = pick<wide>(w.spin_predicted, p.j, w.few);
   const Meeting m = meet(p, b, squared);
   if (changes) s.seldom.begin(p, edges.begun, m, b);
   out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, changes ? &edges : nullptr, true);
@@ -134,7 +134,7 @@ template <class Law, bool wide>
 /// The main loop of the soft engine.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline bool steps(Stretch& s) {
-  Swarm& w = s.swarm;
+  ParticleData& w = s.particles;
   bool touched = false;
   for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
     const DriveSample& drive = s.drive[k + 1];
@@ -147,11 +147,12 @@ template <class Law, bool wide>
     if (!w.near.empty()) {
       const std::size_t f = w.blocks * lanes;
       s.jar.wall_points(w.near, s.start + static_cast<double>(w.step) * s.frame.step, drive,
-                        {numbers(w.place.x), numbers(w.place.y), numbers(w.place.z),
-                         w.wall_points_due ? nullptr : numbers(w.moved), numbers(w.place.x) + f,
-                         numbers(w.place.y) + f, numbers(w.place.z) + f, numbers(w.seen.x) + f,
-                         numbers(w.seen.y) + f, numbers(w.seen.z) + f, numbers(w.seen_spin.x) + f,
-                         numbers(w.seen_spin.y) + f, numbers(w.seen_spin.z) + f});
+                        {numbers(w.position.x), numbers(w.position.y), numbers(w.position.z),
+                         w.wall_points_due ? nullptr : numbers(w.moved), numbers(w.position.x) + f,
+                         numbers(w.position.y) + f, numbers(w.position.z) + f,
+                         numbers(w.velocity_predicted.x) + f, numbers(w.velocity_predicted.y) + f,
+                         numbers(w.velocity_predicted.z) + f, numbers(w.spin_predicted.x) + f,
+                         numbers(w.spin_predicted.y) + f, numbers(w.spin_predicted.z) + f});
       w.wall_points_due = false;
     }
     const Lanes none{};

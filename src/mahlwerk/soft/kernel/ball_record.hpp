@@ -13,26 +13,26 @@
 namespace mahlwerk::soft {
 
 /// A ball as contacts see it, in the jar frame.
-struct alignas(64) Row {
+struct alignas(64) BallRecord {
   double x = 0, y = 0, z = 0;  ///< [m]
   double radius = 0;           ///< [m]
   double u = 0, v = 0, w = 0;  ///< [m/s] predicted (dem.26)
   double none = 0;
 
-  Vec3 place() const { return {x, y, z}; }
+  Vec3 position() const { return {x, y, z}; }
 };
-struct alignas(32) Turn {
+struct alignas(32) SpinRecord {
   double x = 0, y = 0, z = 0;  ///< [rad/s] predicted
   double none = 0;
 };
 /// Two vectors side by side: velocity and spin, or force and torque.
-struct alignas(64) Twin {
+struct alignas(64) VectorPair {
   double x = 0, y = 0, z = 0, none = 0;
   double a = 0, b = 0, c = 0, empty = 0;
 };
 
 /// Where a ball was, to a few nanometres.
-struct alignas(16) Spot {
+struct alignas(16) FloatPosition {
   float x = 0, y = 0, z = 0, none = 0;
 };
 
@@ -93,7 +93,7 @@ template <class R, class A>
   asm volatile("sfence" ::: "memory");
 #endif
 }
-[[gnu::always_inline]] inline Four four(const Spot& spot) {
+[[gnu::always_inline]] inline Four four(const FloatPosition& spot) {
   return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);
 }
 

@@ -42,7 +42,7 @@ struct alignas(64) Meeting {
   Vec<Lanes> slip;         ///< [m/s] u across n
 };
 
-/// To the nearest image, where places repeat.
+/// To the nearest image, in a periodic box.
 [[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
   Lanes x = a;
   x -= choose(x > 0.5 * period, period, Lanes{});

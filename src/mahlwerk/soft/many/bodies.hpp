@@ -15,52 +15,52 @@ using Bodied = std::array<std::int32_t, lanes>;  // a body for each lane
 
 /// Places and velocities. Without wide registers, number by number.
 template <bool wide>
-[[gnu::always_inline]] inline void motion(const Row* rows, const Bodied& at, Vec<Lanes>& place,
-                                          Vec<Lanes>& velocity) {
+[[gnu::always_inline]] inline void motion(const BallRecord* rows, const Bodied& at,
+                                          Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
-    const Row& a = rows[at[k]];
+    const BallRecord& a = rows[at[k]];
     const auto l = static_cast<int>(k);
     if constexpr (!wide) {
       x[0][l] = a.x, x[1][l] = a.y, x[2][l] = a.z;
       v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
     } else if (k < 4) {
-      const Row& b = rows[at[k + 4]];
+      const BallRecord& b = rows[at[k + 4]];
       x[k] = fours(a, b), v[k] = last_fours(a, b);
     }
   }
   if constexpr (wide) transpose(x), transpose(v);
-  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
+  position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 /// The same, of j less i.
 template <bool wide>
-[[gnu::always_inline]] inline void differences(const Row* rows, const Grip& g, Vec<Lanes>& place,
-                                               Vec<Lanes>& velocity) {
+[[gnu::always_inline]] inline void differences(const BallRecord* rows, const Grip& g,
+                                               Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
-    const Row &i = rows[g.i[k]], &j = rows[g.j[k]];
+    const BallRecord &i = rows[g.i[k]], &j = rows[g.j[k]];
     const auto l = static_cast<int>(k);
     if constexpr (!wide) {
       x[0][l] = j.x - i.x, x[1][l] = j.y - i.y, x[2][l] = j.z - i.z;
       v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
     } else if (k < 4) {
-      const Row &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
+      const BallRecord &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
       x[k] = fours(j, j4) - fours(i, i4), v[k] = last_fours(j, j4) - last_fours(i, i4);
     }
   }
   if constexpr (wide) transpose(x), transpose(v);
-  place = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
+  position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 template <bool wide>
-[[gnu::always_inline]] inline Vec<Lanes> spins(const Turn* turns, const Bodied& at) {
+[[gnu::always_inline]] inline Vec<Lanes> spins(const SpinRecord* spins, const Bodied& at) {
   Lanes w[4];
   for (std::size_t k = 0; k < lanes; ++k) {
-    const Turn& a = turns[at[k]];
+    const SpinRecord& a = spins[at[k]];
     const auto l = static_cast<int>(k);
     if constexpr (!wide)
       w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
     else if (k < 4)
-      w[k] = fours(a, turns[at[k + 4]]);
+      w[k] = fours(a, spins[at[k + 4]]);
   }
   if constexpr (wide) transpose(w);
   return {w[0], w[1], w[2]};
@@ -68,18 +68,18 @@ template <bool wide>
 
 /// Adds forces and torques to the rows of the balls, in the order of the lanes.
 template <bool wide>
-[[gnu::always_inline]] inline void add(Twin* loads, std::int32_t first, const Bodied& at,
+[[gnu::always_inline]] inline void add(VectorPair* loads, std::int32_t first, const Bodied& at,
                                        const Vec<Lanes>& force, const Vec<Lanes>& torque) {
   Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
   if constexpr (wide) {
     transpose(r);
     for (int l = 0; l < lanes; ++l) {
-      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
+      VectorPair& sum = loads[at[static_cast<std::size_t>(l)] - first];
       put_eight(sum, eight(sum) + r[l]);
     }
   } else {
     for (int l = 0; l < lanes; ++l) {
-      Twin& sum = loads[at[static_cast<std::size_t>(l)] - first];
+      VectorPair& sum = loads[at[static_cast<std::size_t>(l)] - first];
       sum.x += r[0][l], sum.y += r[1][l], sum.z += r[2][l];
       sum.a += r[4][l], sum.b += r[5][l], sum.c += r[6][l];
     }
@@ -92,12 +92,12 @@ template <bool wide>
                                             Whose whose) {
   Bodies b;
   const Lanes none{};
-  Vec<Lanes> place, velocity;
-  b.wi = spins<wide>(s.turns, g.i);
+  Vec<Lanes> position, velocity;
+  b.wi = spins<wide>(s.spins, g.i);
   if (whose == Whose::wall) {
     Eight points[3];
     s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.reach, points);
-    motion<wide>(s.rows, g.i, place, velocity);
+    motion<wide>(s.rows, g.i, position, velocity);
     const Vec<Lanes> at{points[0].is, points[1].is, points[2].is};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
@@ -107,27 +107,27 @@ template <bool wide>
       b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
     }
     b.vj = cross(b.wj, at);
-    b.apart = at - place;
+    b.apart = at - position;
     b.relative = velocity - b.vj;
   } else {
-    differences<wide>(s.rows, g, place, velocity);
-    b.apart = place;
+    differences<wide>(s.rows, g, position, velocity);
+    b.apart = position;
     if (s.frame.periodic)
-      b.apart = {folded(place.x, s.frame.periods.x), folded(place.y, s.frame.periods.y),
-                 folded(place.z, s.frame.periods.z)};
+      b.apart = {folded(position.x, s.frame.periods.x), folded(position.y, s.frame.periods.y),
+                 folded(position.z, s.frame.periods.z)};
     b.relative = -velocity;
     b.vj = {none, none, none};
-    b.wj = spins<wide>(s.turns, g.j);
+    b.wj = spins<wide>(s.spins, g.j);
   }
   return b;
 }
 
 [[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g, Whose whose) {
   for (std::size_t l = 0; l < lanes; ++l) {
-    __builtin_prefetch(&s.turns[g.i[l]]);
+    __builtin_prefetch(&s.spins[g.i[l]]);
     if (whose == Whose::wall) continue;
     __builtin_prefetch(&s.rows[g.j[l]]);
-    __builtin_prefetch(&s.turns[g.j[l]]);
+    __builtin_prefetch(&s.spins[g.j[l]]);
   }
 }
 

@@ -84,8 +84,8 @@ struct Waiting {
   }
 };
 
-/// How far the balls of a chunk have moved since nearness was looked at: all by `guess`, give or
-/// take `spread`.
+/// How far the balls of a chunk have moved since the neighbour list was built: all by `guess`, give
+/// or take `spread`.
 struct Drift {
   Vec3 guess, mean;   ///< [m]
   double spread = 0;  ///< [m]

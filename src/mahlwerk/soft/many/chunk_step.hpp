@@ -24,12 +24,12 @@ class Comings {
 
 /// Everything a step of one chunk needs. Rows are those of all balls.
 struct alignas(64) Pass {
-  const Row* rows = nullptr;
-  const Turn* turns = nullptr;
-  Row* next = nullptr;  ///< a step later
-  Turn* next_turns = nullptr;
-  Twin* half = nullptr;          ///< velocity and spin half a step back
-  const Spot* looked = nullptr;  ///< places when nearness was last looked at
+  const BallRecord* rows = nullptr;
+  const SpinRecord* spins = nullptr;
+  BallRecord* next = nullptr;  ///< a step later
+  SpinRecord* next_spins = nullptr;
+  VectorPair* half = nullptr;                     ///< velocity and spin half a step back
+  const FloatPosition* list_positions = nullptr;  ///< at which the neighbour list was built
   const Eight* kicks =
       nullptr;  ///< [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
   const std::int32_t* species = nullptr;
@@ -47,7 +47,7 @@ struct alignas(64) Pass {
 };
 
 /// Force and torque on each ball of a chunk.
-using Loads = std::vector<Twin>;
+using Loads = std::vector<VectorPair>;
 
 /// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean. The
 /// memory of the one `following`, if any, is fetched meanwhile.

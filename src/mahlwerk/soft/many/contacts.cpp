@@ -19,8 +19,9 @@ bool is_wall(const Nigh& pair) {
 void ManyBodySolver::look_at_walls(Chunk& chunk) {
   Waiting& w = chunk.near_wall;
   const auto touches = [&](const Nigh& pair) {
-    const Row& ball = now_[static_cast<std::size_t>(pair.ball)];
-    return jar_->gap(~pair.other, ball.place(), clock(step_), ball.radius).distance < ball.radius;
+    const BallRecord& ball = now_[static_cast<std::size_t>(pair.ball)];
+    return jar_->gap(~pair.other, ball.position(), clock(step_), ball.radius).distance <
+           ball.radius;
   };
   const std::size_t due = w.due(chunk.wall_bound, skin_ * Waiting::width);
   for (std::size_t k = due; k-- > 0;) {
@@ -133,9 +134,9 @@ void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meet
 void ManyBodySolver::bend(Grips& grips, std::size_t n, int lane) {
   const Grip& g = grips.grips[n];
   const auto k = static_cast<std::size_t>(lane);
-  const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const Bent bent =
-      bent_wall(*jar_, g.j[k], ball.place(), clock(step_), ball.radius, breeds_[g.breed[k]], law_);
+  const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
+  const Bent bent = bent_wall(*jar_, g.j[k], ball.position(), clock(step_), ball.radius,
+                              breeds_[g.breed[k]], law_);
   Make& make = grips.makes[n];
   for (std::size_t i = 0; i < bent.numbers.size(); ++i) make.numbers[i][lane] = bent.numbers[i];
   make.radius_i[lane] = ball.radius;
@@ -168,20 +169,21 @@ void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int
   const Grip& g = grips.grips[n];
   const bool wall = &grips == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
-  const Row& ball = now_[static_cast<std::size_t>(g.i[k])];
+  const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
   const Beginning& began = grips.began[n][k];
   const Breed& breed = breeds_[g.breed[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
   const int face = wall ? g.j[k] : -1;
-  const Vec3 apart = wall ? one(grips.facings[n].normal, l)
-                          : nearest(now_[static_cast<std::size_t>(g.j[k])].place() - ball.place());
+  const Vec3 apart =
+      wall ? one(grips.facings[n].normal, l)
+           : nearest(now_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
   const Vec3 normal = (1 / norm(apart)) * apart;
   chunk.ended.push_back({step_,
                          {.time = time_of(began.step),
                           .duration = duration,
                           .ball = id_[static_cast<std::size_t>(g.i[k])],
                           .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
-                          .where = jar_->own(ball.place() + ball.radius * normal, t, face),
+                          .where = jar_->own(ball.position() + ball.radius * normal, t, face),
                           .normal = jar_->own(normal, t, face),
                           .mass = breed.touching.mass,
                           .approach = began.approach,

@@ -15,13 +15,13 @@ Vec3 ManyBodySolver::pulls() const {
 
 /// At the step reached; the rows know half a step more (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& pulls) const {
-  const Twin& half = half_[row];
-  const Row& seen = next_[row];
+  const VectorPair& half = half_[row];
+  const BallRecord& seen = next_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{seen.u, seen.v, seen.w} + pulls;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
-  const Twin& half = half_[row];
-  const Turn& seen = next_turns_[row];
+  const VectorPair& half = half_[row];
+  const SpinRecord& seen = next_spins_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{seen.x, seen.y, seen.z};
 }
 
@@ -44,10 +44,11 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
         double memory[contact::law_memories] = {};
         if (remembers_)
           for (int a = 0; a < contact::law_memories; ++a) memory[a] = list.memories[n].memory[a][l];
-        const Vec3 x = now_[i].place();
+        const Vec3 x = now_[i].position();
         const double distance =
-            make.wall[l] != 0 ? jar_->gap(g.j[k], x, t, now_[i].radius + reach_).distance
-                              : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].place() - x));
+            make.wall[l] != 0
+                ? jar_->gap(g.j[k], x, t, now_[i].radius + reach_).distance
+                : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].position() - x));
         const double overlap = make.radius_i[l] + make.radius_j[l] - distance;
         if (overlap < -now_[i].radius) continue;  // it has left this face over an edge
         std::visit(
@@ -89,7 +90,7 @@ scene::Account ManyBodySolver::reckoned() const {
       const Species& of = breeds_.species(species_[k]);
       const Vec3 v = velocity(k, change) + ride.velocity;
       sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
-      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].place() + ride.centre);
+      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].position() + ride.centre);
     }
     sum.stored = stored(chunk);
   });
@@ -115,7 +116,7 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = breeds_.species(species_[k]);
     all[static_cast<std::size_t>(id_[k])] = {
-        s.radius, s.density, now_[k].place(), velocity(k, change), spin(k), s.kind};
+        s.radius, s.density, now_[k].position(), velocity(k, change), spin(k), s.kind};
   }
   return all;
 }
@@ -127,8 +128,8 @@ std::vector<Vec3> ManyBodySolver::forces() const {
   const double half_step = 0.5 * rules_.time_step;
   const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().pull;
   for (std::size_t k = 0; k < id_.size(); ++k) {
-    const Twin& half = half_[k];
-    const Row& seen = next_[k];
+    const VectorPair& half = half_[k];
+    const BallRecord& seen = next_[k];
     const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
     all[static_cast<std::size_t>(id_[k])] = breeds_.species(species_[k]).mass / half_step * gained;
   }
@@ -137,8 +138,8 @@ std::vector<Vec3> ManyBodySolver::forces() const {
 
 void ManyBodySolver::carry(Archive& archive) {
   const std::size_t balls = now_.size();
-  archive(step_)(looked_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
-  archive(now_)(next_)(looked_)(turns_)(next_turns_)(half_);
+  archive(step_)(list_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
+  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_);
   if (now_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());

@@ -57,11 +57,12 @@ void ManyBodySolver::rebuild() {
 void ManyBodySolver::mark_places() {
   widest_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
-    const Row& row = now_[k];
+    const BallRecord& row = now_[k];
     widest_ = std::max({widest_, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
-    looked_[k] = {static_cast<float>(row.x), static_cast<float>(row.y), static_cast<float>(row.z)};
+    list_positions_[k] = {static_cast<float>(row.x), static_cast<float>(row.y),
+                          static_cast<float>(row.z)};
   }
-  looked_step_ = step_;
+  list_step_ = step_;
   sorted_at_ = tests();
   drifts_.assign(chunks_.size(), {});
   guesses_.assign(chunks_.size(), {});
@@ -108,8 +109,8 @@ void ManyBodySolver::sort_pairs() {
 }
 
 double ManyBodySolver::wall_gap(const Nigh& pair) const {
-  const Row& a = now_[static_cast<std::size_t>(pair.ball)];
-  return jar_->distance(~pair.other, a.place(), clock(step_), a.radius + 2 * skin_) - a.radius;
+  const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
+  return jar_->distance(~pair.other, a.position(), clock(step_), a.radius + 2 * skin_) - a.radius;
 }
 
 /// The skin for which looking for near pairs and looking at them cost least together, in counts, so
@@ -137,13 +138,13 @@ void ManyBodySolver::tune_skin() {
 /// them, whose pairs are found; returns where these end.
 std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
                                          Candidates& candidates) const {
-  const Row& first = now_[static_cast<std::size_t>(from)];
+  const BallRecord& first = now_[static_cast<std::size_t>(from)];
   const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
-  const std::size_t cell = own.cell(first.place());
-  Vec3 low = first.place(), high = low;
+  const std::size_t cell = own.cell(first.position());
+  Vec3 low = first.position(), high = low;
   std::int32_t to = from + 1;
   for (; to < chunk.last; ++to) {
-    const Vec3 x = now_[static_cast<std::size_t>(to)].place();
+    const Vec3 x = now_[static_cast<std::size_t>(to)].position();
     if (own.cell(x) != cell) break;
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
@@ -181,10 +182,11 @@ void ManyBodySolver::find_near(Chunk& chunk) {
   for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
     to = gather_near(chunk, from, candidates);
     for (std::int32_t i = from; i < to; ++i) {
-      const Row& ball = now_[static_cast<std::size_t>(i)];
+      const BallRecord& ball = now_[static_cast<std::size_t>(i)];
       const auto begin = at;
       while (at != touching.end() && at->first == i) ++at;
-      const Candidates::Sought sought{ball.place(), ball.radius + skin_ + reach_, i, chunk.first};
+      const Candidates::Sought sought{ball.position(), ball.radius + skin_ + reach_, i,
+                                      chunk.first};
       for (const auto& [j, gap] : candidates.near(sought)) {
         if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
         if (std::find(begin, at, std::pair(i, j)) != at) continue;
@@ -212,8 +214,8 @@ ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
   const double t = clock(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const Row& ball = now_[static_cast<std::size_t>(i)];
-    jar_->distances(ball.place(), t, ball.radius + skin_ + reach_, all);
+    const BallRecord& ball = now_[static_cast<std::size_t>(i)];
+    jar_->distances(ball.position(), t, ball.radius + skin_ + reach_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
       if (gap > skin_ + reach_ || !jar_->meets(face, ball.radius)) continue;
@@ -232,16 +234,16 @@ void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
     for (const Waiting* w : {&chunk.near, &chunk.near_wall})
       for (const Nigh& pair : w->pairs) {
-        const Row& a = now_[static_cast<std::size_t>(pair.ball)];
+        const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
-          const double gap = jar_->gap(~pair.other, a.place(), clock(0), a.radius).distance;
+          const double gap = jar_->gap(~pair.other, a.position(), clock(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
           if (overlap > rules_.most_overlap) throw overlapping(ball, "the jar", overlap);
           continue;
         }
-        const Row& b = now_[static_cast<std::size_t>(pair.other)];
-        const double distance = norm(nearest(b.place() - a.place()));
+        const BallRecord& b = now_[static_cast<std::size_t>(pair.other)];
+        const double distance = norm(nearest(b.position() - a.position()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
         if (overlap > rules_.most_overlap)
           throw overlapping(

@@ -75,19 +75,19 @@ void ManyBodySolver::put_in_order() {
 
 /// The old row of each new one: by class of sizes, then along the curve.
 std::vector<std::int32_t> ManyBodySolver::sort_balls() {
-  std::vector<std::vector<Vec3>> places(class_radius_.size());
+  std::vector<std::vector<Vec3>> positions(class_radius_.size());
   for (std::size_t k = 0; k < now_.size(); ++k) {
-    const Vec3 x = now_[k].place();
+    const Vec3 x = now_[k].position();
     if (!std::isfinite(squared(x))) stop(k, "its place or speed is no number");
-    places[class_of(k)].push_back(x);
+    positions[class_of(k)].push_back(x);
   }
   grids_.clear();
   class_first_.assign(1, 0);
-  for (std::size_t c = 0; c < places.size(); ++c) {
-    grids_.emplace_back(places[c], class_radius_[c], skin_ + reach_, jar_->periods());
-    class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(places[c].size()));
+  for (std::size_t c = 0; c < positions.size(); ++c) {
+    grids_.emplace_back(positions[c], class_radius_[c], skin_ + reach_, jar_->periods());
+    class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(positions[c].size()));
   }
-  places = {};
+  positions = {};
   std::vector<std::int32_t> from;
   from.reserve(now_.size());
   std::vector<Keyed> order;
@@ -95,7 +95,7 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
     order.clear();
     for (std::size_t k = 0; k < now_.size(); ++k)
       if (class_of(k) == c)
-        order.push_back({grids_[c].key(now_[k].place()), static_cast<std::int32_t>(k)});
+        order.push_back({grids_[c].key(now_[k].position()), static_cast<std::int32_t>(k)});
     sort_by_key(order);
     for (const Keyed& k : order) from.push_back(k.row);
   }
@@ -104,17 +104,17 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
 
 void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(now_, from);
-  permute(turns_, from);
+  permute(spins_, from);
   permute(half_, from);
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
-    places.clear();
+    positions.clear();
     for (std::int32_t row = class_first_[c]; row < class_first_[c + 1]; ++row)
-      places.push_back(now_[static_cast<std::size_t>(row)].place());
-    grids_[c].fill(places, class_first_[c]);
+      positions.push_back(now_[static_cast<std::size_t>(row)].position());
+    grids_[c].fill(positions, class_first_[c]);
   }
 }
 

@@ -102,7 +102,8 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Rows of step 0, and of step 1 before any contact is known (dem.26).
 void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
-  now_.resize(n), next_.resize(n), looked_.resize(n), turns_.resize(n), next_turns_.resize(n);
+  now_.resize(n), next_.resize(n), list_positions_.resize(n), spins_.resize(n),
+      next_spins_.resize(n);
   half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<DriveSample> b = drive_samples(0, 1);
   const double dt = rules_.time_step;
@@ -123,7 +124,7 @@ void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
     const Vec3& w = ball.spin;
     half_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
     next_[k] = {x.x, x.y, x.z, ball.radius, seen.x, seen.y, seen.z, 0};
-    next_turns_[k] = {w.x, w.y, w.z, 0};
+    next_spins_[k] = {w.x, w.y, w.z, 0};
   }
   for (Drift& d : drifts_) d.spread = geometry::never;  // this motion nobody watched
 }
@@ -174,7 +175,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
 void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   ++step_;
   now_.swap(next_);
-  turns_.swap(next_turns_);
+  spins_.swap(next_spins_);
   if (!reach_bounds())
     look_anew();
   else if (worth_sorting())
@@ -182,11 +183,11 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   const Lanes none{};
   Pass pass{
       .rows = now_.data(),
-      .turns = turns_.data(),
+      .spins = spins_.data(),
       .next = next_.data(),
-      .next_turns = next_turns_.data(),
+      .next_spins = next_spins_.data(),
       .half = half_.data(),
-      .looked = looked_.data(),
+      .list_positions = list_positions_.data(),
       .kicks = kicks_.data(),
       .species = species_.data(),
       .makes = makes_.data(),
@@ -226,16 +227,16 @@ void ManyBodySolver::look_anew() {
     rebuild();
   } catch (const RunError&) {
     next_ = now_;  // the last that is known of the balls
-    next_turns_ = turns_;
+    next_spins_ = spins_;
     throw;
   }
 }
 
-/// How much nearer pairs may have come since nearness was looked at (dem.34); false if too near to
-/// go on.
+/// How much nearer pairs may have come since the neighbour list was built (dem.34); false if too
+/// near to go on.
 bool ManyBodySolver::reach_bounds() {
-  const double swept = jar_->sweep() * time_of(step_ - looked_step_);
-  const double rounding = 3e-7 * widest_;  // of places as floats, twice
+  const double swept = jar_->sweep() * time_of(step_ - list_step_);
+  const double rounding = 3e-7 * widest_;  // of positions as floats, twice
   bool good = true;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     Chunk& chunk = chunks_[c];
@@ -307,8 +308,8 @@ void ManyBodySolver::check_energy() {
 }
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
-  throw went_wrong(time_of(step_), static_cast<std::size_t>(id_[row]), why, now_[row].place(),
-                   velocity(row, pulls()));
+  throw unstable_run(time_of(step_), static_cast<std::size_t>(id_[row]), why, now_[row].position(),
+                     velocity(row, pulls()));
 }
 
 }  // namespace mahlwerk::soft

@@ -102,7 +102,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
     const char* why = nullptr;
   };
   Wrong near_walls(Chunk& chunk);
-  Vec3 nearest(const Vec3& apart) const {  // to the nearest image, where places repeat
+  Vec3 nearest(const Vec3& apart) const {  // to the nearest image, in a periodic box
     if (!folds_) return apart;
     const Vec3& period = jar_->periods();
     return {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
@@ -135,10 +135,10 @@ class ManyBodySolver final : public scene::Engine, private Comings {
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;
-  RoomyVector<Row> now_, next_;  // at the step; one later
-  RoomyVector<Spot> looked_;     // when nearness was last looked at
-  RoomyVector<Turn> turns_, next_turns_;
-  RoomyVector<Twin> half_;
+  RoomyVector<BallRecord> now_, next_;         // at the step; one later
+  RoomyVector<FloatPosition> list_positions_;  // at which the neighbour lists were built
+  RoomyVector<SpinRecord> spins_, next_spins_;
+  RoomyVector<VectorPair> half_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;
@@ -147,12 +147,12 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   std::vector<std::int32_t> class_first_;  // row with which each class begins, and the end
   std::vector<Loads> loads_;               // of each thread
   std::vector<std::int32_t> share_;        // first chunk of each thread, and the end
-  std::vector<Grid> grids_;                // of each class, while nearness is looked at
+  std::vector<Grid> grids_;                // of each class, while the lists are built
 
   double skin_ = 0;    // [m]
-  double widest_ = 0;  // [m] the largest coordinate when places were marked
+  double widest_ = 0;  // [m] the largest coordinate when positions were marked
   double spent_ = 0;   // [m] of the skin, when pairs were last sorted
-  std::int64_t looked_step_ = 0, sorted_at_ = 0, pairs_sorted_ = 0;
+  std::int64_t list_step_ = 0, sorted_at_ = 0, pairs_sorted_ = 0;
   struct Tuning {
     std::int64_t step = 0;
     double last_cost = 0, looked = 0, growing = 1.15;

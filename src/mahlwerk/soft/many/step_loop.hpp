@@ -22,7 +22,7 @@ namespace mahlwerk::soft {
 
 /// Contacts of one kind: what they do to the balls of the chunk.
 template <class Law, bool wide>
-[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, Twin* loads,
+[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, VectorPair* loads,
                                         Ahead& ahead, Deeds& sums) {
   Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
   Make made;
@@ -127,7 +127,7 @@ template <bool wide>
 
 /// The balls of a chunk, a step on (dem.26).
 template <bool wide, bool past_cache>
-[[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const Twin* loads,
+[[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const VectorPair* loads,
                                         Drift& drift) {
   const double dt = s.frame.step;
   const Vec3 &b0 = s.before.pull, &b1 = s.after.pull;
@@ -140,17 +140,19 @@ template <bool wide, bool past_cache>
     const Lanes seen = half + kick + pull1;
     put_eight(s.half[i], half);
     const Lanes row = eight(s.rows[i]);
-    const Lanes place = row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
-    const Lanes next = __builtin_shufflevector(place, seen, 0, 1, 2, 3, 8, 9, 10, 15);
+    const Lanes position =
+        row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
+    const Lanes next = __builtin_shufflevector(position, seen, 0, 1, 2, 3, 8, 9, 10, 15);
     const Four turn = __builtin_shufflevector(seen, seen, 4, 5, 6, 15);
     if constexpr (past_cache) {
       put_past_cache(s.next[i], next);
-      put_past_cache(s.next_turns[i], turn);
+      put_past_cache(s.next_spins[i], turn);
     } else {
       put_eight(s.next[i], next);
-      put_four(s.next_turns[i], turn);
+      put_four(s.next_spins[i], turn);
     }
-    const Four way = __builtin_shufflevector(place, place, 0, 1, 2, 2) - four(s.looked[i]);
+    const Four way =
+        __builtin_shufflevector(position, position, 0, 1, 2, 2) - four(s.list_positions[i]);
     const Four off = way - guess;
     sum += way;
     most = most > off ? most : off;
@@ -170,12 +172,12 @@ template <bool wide, bool past_cache>
   const Chunk& c = *following;
   const auto balls = static_cast<std::size_t>(c.last - c.first);
   ahead.add(&s.rows[c.first], balls);
-  ahead.add(&s.turns[c.first], balls);
+  ahead.add(&s.spins[c.first], balls);
   ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
   ahead.add(c.own.grips.data(), c.own.grips.size());
   ahead.add(c.cross.grips.data(), c.cross.grips.size());
   ahead.add(&s.half[c.first], balls);
-  ahead.add(&s.looked[c.first], balls);
+  ahead.add(&s.list_positions[c.first], balls);
   ahead.divide(chunk.own.grips.size() + chunk.cross.grips.size());
   return ahead;
 }
@@ -187,7 +189,7 @@ template <class Law, bool wide>
   Ahead ahead = fetching(s, chunk, following);
   look<wide>(s, chunk);
   s.comings->look_at_walls(chunk);
-  std::fill_n(loads.begin(), chunk.last - chunk.first, Twin{});
+  std::fill_n(loads.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
   for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
     Deeds d;

@@ -15,12 +15,12 @@ Candidates::Candidates(const Vec3& periods)
       folds_(std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z)),
       wide_(machine() == Machine::wide) {}
 
-void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
+void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t last) {
   for (std::int32_t j = first; j < last; ++j, ++count_) {
     if (count_ == lanes * blocks_.size()) blocks_.emplace_back();
     Block& block = blocks_[count_ / lanes];
     const auto l = static_cast<int>(count_ % lanes);
-    const Row& ball = rows[j];
+    const BallRecord& ball = rows[j];
     block.x[l] = ball.x, block.y[l] = ball.y, block.z[l] = ball.z;
     block.radius[l] = ball.radius, block.row[l] = j;
   }
@@ -28,7 +28,7 @@ void Candidates::add(const Row* rows, std::int32_t first, std::int32_t last) {
 
 [[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
                                                         Lanes& squared) const {
-  Vec<Lanes> apart{b.x - sought.place.x, b.y - sought.place.y, b.z - sought.place.z};
+  Vec<Lanes> apart{b.x - sought.position.x, b.y - sought.position.y, b.z - sought.position.z};
   if (folds_) to_nearest(apart, periods_);
   squared = dot(apart, apart);
   const Lanes far = b.radius + sought.beyond, none{};

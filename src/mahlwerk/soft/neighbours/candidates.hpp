@@ -17,23 +17,23 @@ namespace mahlwerk::soft {
 /// time.
 class Candidates {
  public:
-  /// `periods` [m] are infinite where places do not repeat.
+  /// `periods` [m] are infinite where the box does not repeat.
   explicit Candidates(const Vec3& periods);
 
   void clear() { count_ = 0; }
   /// Balls first to last of the rows.
-  void add(const Row* rows, std::int32_t first, std::int32_t last);
+  void add(const BallRecord* rows, std::int32_t first, std::int32_t last);
 
   struct Found {
     std::int32_t row = 0;
     double gap = 0;  ///< [m] to the surface
   };
   struct Sought {
-    Vec3 place;
+    Vec3 position;
     double beyond = 0;                   ///< [m] from the surfaces of those that are found, or less
     std::int32_t after = 0, before = 0;  ///< rows after the one, or before the other
   };
-  /// Those that are near, until the next are sought. Their gaps are to the point `place`.
+  /// Those that are near, until the next are sought. Their gaps are to the point `position`.
   std::span<const Found> near(const Sought& sought);
 
  private:

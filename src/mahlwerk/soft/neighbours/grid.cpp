@@ -20,7 +20,7 @@ std::uint64_t spread(std::uint64_t a) {
 
 }  // namespace
 
-Grid::Grid(std::span<const Vec3> places, double radius, double margin, const Vec3& periods)
+Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods)
     : radius_(radius) {
   constexpr double most_each = 1 << 20;
   const double cell = 2 * radius + margin;
@@ -31,14 +31,14 @@ Grid::Grid(std::span<const Vec3> places, double radius, double margin, const Vec
     double least = -0.5 * period_[a], most = 0.5 * period_[a];
     if (!repeats_[a]) {
       least = INFINITY, most = -INFINITY;
-      for (const Vec3& p : places)
+      for (const Vec3& p : positions)
         least = std::min(least, at(p, a)), most = std::max(most, at(p, a));
     }
     origin_[a] = least;
     extent[a] = most - least;
   }
   // Where few balls lie in a wide room, cells are wider.
-  const double enough = 4096 + 8.0 * static_cast<double>(places.size());
+  const double enough = 4096 + 8.0 * static_cast<double>(positions.size());
   double wide = cell;
   const auto cells_of = [&](double size) {
     double all = 1;

@@ -15,23 +15,23 @@ namespace mahlwerk::soft {
 /// space, so that balls near each other stand near each other in memory.
 class Grid {
  public:
-  /// Of balls with radii up to `radius` [m] at `places`; pairs are sought up to `margin` [m] beyond
-  /// touch. `periods` [m] are infinite where places do not repeat.
-  Grid(std::span<const Vec3> places, double radius, double margin, const Vec3& periods);
+  /// Of balls with radii up to `radius` [m] at `positions`; pairs are sought up to `margin` [m]
+  /// beyond touch. `periods` [m] are infinite where the box does not repeat.
+  Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods);
 
   double radius() const { return radius_; }  ///< [m] of the largest ball
-  /// Where along the curve a place lies.
-  std::uint64_t key(const Vec3& place) const;
+  /// Where along the curve a position lies.
+  std::uint64_t key(const Vec3& position) const;
   /// Balls `first` on stand in the order of their keys.
   void fill(std::span<const Vec3> sorted, std::int32_t first);
 
-  std::size_t cell(const Vec3& place) const;
+  std::size_t cell(const Vec3& position) const;
   /// Calls `f(first, last)` with ranges of balls, among which are all whose centres are within
-  /// `reach` [m] of `place` along each axis.
+  /// `reach` [m] of `position` along each axis.
   template <class F>
-  void near(const Vec3& place, const Vec3& reach, const F& f) const {
+  void near(const Vec3& position, const Vec3& reach, const F& f) const {
     std::array<std::array<std::int32_t, 2>, 3> range{};
-    for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(place, a), at(reach, a), a);
+    for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(position, a), at(reach, a), a);
     for (std::int32_t z = range[2][0]; z <= range[2][1]; ++z)
       for (std::int32_t y = range[1][0]; y <= range[1][1]; ++y)
         for (std::int32_t x = range[0][0]; x <= range[0][1]; ++x) {

@@ -11,7 +11,7 @@ namespace mahlwerk::soft {
 namespace {
 
 struct Sought {
-  const Row* rows;
+  const BallRecord* rows;
   std::span<const Nigh> pairs;
   const Vec3& periods;
   std::span<double> gaps;
@@ -38,7 +38,7 @@ template <bool wide>
 
 }  // namespace
 
-void find_gaps(const Row* rows, std::span<const Nigh> pairs, const Vec3& periods,
+void find_gaps(const BallRecord* rows, std::span<const Nigh> pairs, const Vec3& periods,
                std::span<double> gaps) {
   const Sought sought{rows, pairs, periods, gaps};
 #ifdef MAHLWERK_WIDE

@@ -40,12 +40,13 @@ struct Apart {
 
 /// Up to eight pairs; lanes from `count` on are those of the first.
 template <bool wide>
-[[gnu::always_inline]] inline Apart apart(const Row* rows, const Nigh* pairs, std::size_t count) {
+[[gnu::always_inline]] inline Apart apart(const BallRecord* rows, const Nigh* pairs,
+                                          std::size_t count) {
   Lanes c[4];
   const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
   const auto pair = [&](std::size_t k) -> const Nigh& { return pairs[k < count ? k : 0]; };
   for (std::size_t k = 0; k < lanes; ++k) {
-    const Row &a = rows[pair(k).ball], &b = rows[pair(k).other];
+    const BallRecord &a = rows[pair(k).ball], &b = rows[pair(k).other];
     const auto l = static_cast<int>(k);
     if constexpr (!wide)
       c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = b.radius + a.radius;
@@ -56,7 +57,8 @@ template <bool wide>
   return {{c[0], c[1], c[2]}, c[3]};
 }
 
-/// To the nearest image, however far apart; `periods` [m] are infinite where places do not repeat.
+/// To the nearest image, however far apart; `periods` [m] are infinite where the box does not
+/// repeat.
 inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
   for (int l = 0; l < lanes; ++l) {
     apart.x[l] = std::remainder(apart.x[l], periods.x);
@@ -66,7 +68,7 @@ inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
 }
 
 /// How far the surfaces of pairs of balls are from each other [m].
-void find_gaps(const Row* rows, std::span<const Nigh> pairs, const Vec3& periods,
+void find_gaps(const BallRecord* rows, std::span<const Nigh> pairs, const Vec3& periods,
                std::span<double> gaps);
 
 }  // namespace mahlwerk::soft

@@ -42,8 +42,8 @@ struct WallPointColumns {
   double *sx, *sy, *sz;     // [rad/s] spin of the wall
 };
 
-/// A jar on its mill with its types hidden. Times are the mill's own; places and velocities those
-/// of the jar frame.
+/// A jar on its mill with its types hidden. Times are the mill's own; positions and velocities
+/// those of the jar frame.
 class MovingWall {
  public:
   virtual ~MovingWall() = default;
@@ -61,10 +61,10 @@ class MovingWall {
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
   /// The wall points of the balls near a face.
   virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
-                           const WallPointColumns& places) const = 0;
+                           const WallPointColumns& positions) const = 0;
   /// The wall points of eight balls that touch a face each; faces matter up to `beyond` [m] from a
   /// ball's surface.
-  virtual void wall_points(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+  virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
                            double t, double beyond, Eight (&points)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].

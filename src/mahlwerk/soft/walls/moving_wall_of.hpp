@@ -67,20 +67,20 @@ class MovingWallOf final : public MovingWall {
       const auto b = static_cast<std::size_t>(near[k].ball);
       const double slack = near[k].slack;
       if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
-      const Vec3 place{p.x[b], p.y[b], p.z[b]};
+      const Vec3 position{p.x[b], p.y[b], p.z[b]};
       const bool turns = near[k].face >= turning_from_;
       const Rotation& q = turns ? rotor : own;
       const Vec3& spin = turns ? drive.rotor : drive.spin;
       geometry::Gap gap = geometry::gap_near(jar_.shape(), near[k].face,
-                                             plain ? place : q.back(place), near[k].within);
+                                             plain ? position : q.back(position), near[k].within);
       if (!plain) gap.inward = q * gap.inward;
-      const Vec3 point = place - gap.distance * gap.inward, velocity = cross(spin, point);
+      const Vec3 point = position - gap.distance * gap.inward, velocity = cross(spin, point);
       p.px[k] = point.x, p.py[k] = point.y, p.pz[k] = point.z;
       p.pu[k] = velocity.x, p.pv[k] = velocity.y, p.pw[k] = velocity.z;
       p.sx[k] = spin.x, p.sy[k] = spin.y, p.sz[k] = spin.z;
     }
   }
-  void wall_points(const Row* rows, const std::array<std::int32_t, lanes>& balls,
+  void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                    const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
                    double beyond, Eight (&points)[3]) const override {
     const bool plain = jar_.plain() && !has_rotor;
@@ -88,14 +88,14 @@ class MovingWallOf final : public MovingWall {
     const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
-      const Row& ball = rows[balls[k]];
-      const Vec3 place = ball.place();
+      const BallRecord& ball = rows[balls[k]];
+      const Vec3 position = ball.position();
       const Rotation& q = faces[k] >= turning_from_ ? rotor : own;
       const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap =
-          geometry::gap_near(jar_.shape(), faces[k], plain ? place : q.back(place), within);
+          geometry::gap_near(jar_.shape(), faces[k], plain ? position : q.back(position), within);
       if (!plain) gap.inward = q * gap.inward;
-      const Vec3 point = place - gap.distance * gap.inward;
+      const Vec3 point = position - gap.distance * gap.inward;
       points[0].is[l] = point.x, points[1].is[l] = point.y, points[2].is[l] = point.z;
     }
   }
