@@ -8,24 +8,22 @@
 namespace mahlwerk::soft {
 
 Bent bent_wall(const MovingWall& jar, int face, const Vec3& position, double t, double radius,
-               const Breed& breed, const contact::AnyLaw& law) {
+               const SpeciesPair& pair, const contact::AnyLaw& law) {
   const auto [most, least] = jar.curvatures(face, position, t);
   const double own = 1 / radius;
   const auto flatter = [&](double curvature) { return 1 / std::max(own - curvature, 0.01 * own); };
-  contact::Touching touching = breed.touching;
+  contact::Touching touching = pair.touching;
   touching.radius = std::sqrt(flatter(most) * flatter(least));
   const double arm = touching.pair.rolling_friction * touching.radius;
-  return {std::visit([&](const auto& l) { return l.numbers(touching, breed.damping); }, law), arm,
-          2.25 * arm * arm * breed.secant};
+  return {std::visit([&](const auto& l) { return l.numbers(touching, pair.damping); }, law), arm,
+          2.25 * arm * arm * pair.secant};
 }
 
-bool outlasts(double duration, const Beginning& began, const Breed& breed,
+bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,
               const contact::AnyLaw& law) {
   constexpr double lasting = 5;
   const double free = std::visit(
-      [&](const auto& l) {
-        return l.shortest_time(breed.touching, std::max(began.approach, 1e-3));
-      },
+      [&](const auto& l) { return l.shortest_time(pair.touching, std::max(began.approach, 1e-3)); },
       law);
   return duration > lasting * free;
 }

@@ -16,10 +16,10 @@ struct Bent {
 
 /// R* of a ball whose centre is at `position`, from both principal curvatures of the face.
 Bent bent_wall(const MovingWall& jar, int face, const Vec3& position, double t, double radius,
-               const Breed& breed, const contact::AnyLaw& law);
+               const SpeciesPair& pair, const contact::AnyLaw& law);
 
 /// A contact that outlives its collision five times has come to last.
-bool outlasts(double duration, const Beginning& began, const Breed& breed,
+bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,
               const contact::AnyLaw& law);
 
 }  // namespace mahlwerk::soft

@@ -30,24 +30,26 @@ double TimeSteps::usual(double fraction) const {
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed) {
-  const Breeds breeds(balls, pairs, law);
+  const SpeciesPairs species_pairs(balls, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
-  const auto look = [&](std::int32_t breed, double radius) {
-    const contact::Touching& t = breeds[breed].touching;
+  const auto look = [&](std::int32_t pair, double radius) {
+    const contact::Touching& t = species_pairs[pair].touching;
     std::visit(
         [&](const auto& l) {
           found.contact = std::min(found.contact, l.shortest_time(t, speed));
-          found.damper = std::min(found.damper, l.damper_time(t, breeds[breed].damping, speed));
+          found.damper =
+              std::min(found.damper, l.damper_time(t, species_pairs[pair].damping, speed));
           found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
   };
-  const auto species = static_cast<std::int32_t>(breeds.all_species().size());
+  const auto species = static_cast<std::int32_t>(species_pairs.all_species().size());
   for (std::int32_t a = 0; a < species; ++a) {
     for (std::int32_t b = 0; b < species; ++b)
-      look(breeds.balls(a, b), std::min(breeds.species(a).radius, breeds.species(b).radius));
+      look(species_pairs.balls(a, b),
+           std::min(species_pairs.species(a).radius, species_pairs.species(b).radius));
     for (int face = 0; face < pairs.faces(); ++face)
-      look(breeds.wall(a, face), breeds.species(a).radius);
+      look(species_pairs.wall(a, face), species_pairs.species(a).radius);
   }
   for (const scene::Ball& ball : balls) {
     // Of the softest it meets: G* and E* give the wave speed of the pair (dem.28).

@@ -7,8 +7,8 @@
 
 namespace mahlwerk::soft {
 
-Breeds::Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
-               const contact::AnyLaw& law) {
+SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
+                           const contact::AnyLaw& law) {
   std::map<std::tuple<std::int32_t, double, double>, std::int32_t> known;
   for (const scene::Ball& b : balls) {
     const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
@@ -18,10 +18,10 @@ Breeds::Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& 
   }
   row_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
   std::map<double, double> dampings;  // the same for all pairs of one restitution
-  const auto breed = [&](const contact::Pair& pair, double radius, double mass) {
+  const auto make_pair = [&](const contact::Pair& pair, double radius, double mass) {
     return std::visit(
         [&](const auto& l) {
-          Breed made{{pair, radius, mass}, 0, {}, 0, 0};
+          SpeciesPair made{{pair, radius, mass}, 0, {}, 0, 0};
           const auto [at, fresh] = dampings.try_emplace(pair.restitution);
           if (fresh) at->second = l.damping(pair.restitution);
           made.damping = at->second;
@@ -34,11 +34,11 @@ Breeds::Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& 
   };
   for (const Species& a : species_) {
     for (const Species& b : species_)
-      breeds_.push_back(breed(pairs.balls(a.kind, b.kind),
-                              a.radius * b.radius / (a.radius + b.radius),
-                              a.mass * b.mass / (a.mass + b.mass)));
+      pairs_.push_back(make_pair(pairs.balls(a.kind, b.kind),
+                                 a.radius * b.radius / (a.radius + b.radius),
+                                 a.mass * b.mass / (a.mass + b.mass)));
     for (int face = 0; face < pairs.faces(); ++face)
-      breeds_.push_back(breed(pairs.wall(a.kind, face), a.radius, a.mass));
+      pairs_.push_back(make_pair(pairs.wall(a.kind, face), a.radius, a.mass));
   }
 }
 

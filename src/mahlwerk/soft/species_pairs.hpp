@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 
 /// Two species of balls that may touch, or one and a face of the jar.
-struct Breed {
+struct SpeciesPair {
   contact::Touching touching;
   double damping = 0;  ///< of the law (contact::Law)
   contact::LawNumbers numbers{};
@@ -29,10 +29,10 @@ struct Species {
 };
 
 /// All species, and what the law makes of each two of them.
-class Breeds {
+class SpeciesPairs {
  public:
-  Breeds(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
-         const contact::AnyLaw& law);
+  SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
+               const contact::AnyLaw& law);
 
   std::int32_t species_of(std::size_t ball) const { return of_[ball]; }
   const Species& species(std::int32_t s) const { return species_[static_cast<std::size_t>(s)]; }
@@ -41,16 +41,16 @@ class Breeds {
   std::int32_t wall(std::int32_t s, int face) const {
     return s * row_ + static_cast<std::int32_t>(species_.size()) + face;
   }
-  const Breed& operator[](std::int32_t breed) const {
-    return breeds_[static_cast<std::size_t>(breed)];
+  const SpeciesPair& operator[](std::int32_t pair) const {
+    return pairs_[static_cast<std::size_t>(pair)];
   }
-  std::span<const Breed> all() const { return breeds_; }
+  std::span<const SpeciesPair> all() const { return pairs_; }
   std::span<const Species> all_species() const { return species_; }
 
  private:
   std::vector<Species> species_;
   std::vector<std::int32_t> of_;  // each ball's species
-  std::vector<Breed> breeds_;
+  std::vector<SpeciesPair> pairs_;
   std::int32_t row_ = 0;
 };
 

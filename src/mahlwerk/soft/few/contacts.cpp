@@ -56,7 +56,7 @@ void FewBodySolver::bend(Packet& p, int lane) {
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const Bent bent =
       bent_wall(*jar_, p.face[k], particles_.position.one(ball), clock(particles_.step),
-                made_of_[ball].radius, breeds_[p.breed[k]], law_);
+                made_of_[ball].radius, pairs_[p.species_pair[k]], law_);
   for (std::size_t i = 0; i < bent.numbers.size(); ++i) p.numbers[i][lane] = bent.numbers[i];
   p.rolling[lane] = bent.rolling;
   p.roll_spring[lane] = bent.roll_spring;
@@ -68,7 +68,7 @@ void FewBodySolver::end(Packet& p, int lane) {
   const bool wall = p.wall[lane] != 0;
   if (!wall) touches(p.j[lane], -1);
   const Beginning& began = p.began[k];
-  const Breed& breed = breeds_[p.breed[k]];
+  const SpeciesPair& pair = pairs_[p.species_pair[k]];
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const double t = clock(particles_.step);
   const int face = wall ? p.face[k] : -1;
@@ -86,7 +86,7 @@ void FewBodySolver::end(Packet& p, int lane) {
                     .other = wall ? ~p.face[k] : static_cast<std::int32_t>(p.j[lane]),
                     .where = jar_->own(where, t, face),
                     .normal = jar_->own(n, t, face),
-                    .mass = breed.touching.mass,
+                    .mass = pair.touching.mass,
                     .approach = began.approach,
                     .slip = began.slip,
                     .glide = began.glide,
@@ -94,7 +94,7 @@ void FewBodySolver::end(Packet& p, int lane) {
                     .lost_normal = d.normal[lane],
                     .lost_tangential = d.tangential[lane] + d.rolling[lane]});
   ++account_.collisions;
-  if (outlasts(duration, began, breed, law_)) ++account_.lasting_contacts;
+  if (outlasts(duration, began, pair, law_)) ++account_.lasting_contacts;
   p.touching[lane] = 0;
   settle(p, lane);
 }

@@ -22,7 +22,7 @@ void each_column(Packet& p, const F& f) {
   for (Lanes* c :
        {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
     f(*c);
-  f(p.face), f(p.breed), f(p.used), f(p.began);
+  f(p.face), f(p.species_pair), f(p.used), f(p.began);
 }
 
 /// Empties a lane; its bodies are the first ball twice, far from touching: radii 0.
@@ -138,11 +138,11 @@ void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
   const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);
   const bool wall = c.face >= 0;
-  const std::int32_t mine = breeds_.species_of(i);
-  p.breed[k] = wall ? breeds_.wall(mine, c.face)
-                    : breeds_.balls(mine, breeds_.species_of(static_cast<std::size_t>(c.j)));
-  const Breed& breed = breeds_[p.breed[k]];
-  const Species& a = breeds_.species(mine);
+  const std::int32_t mine = pairs_.species_of(i);
+  p.species_pair[k] = wall ? pairs_.wall(mine, c.face)
+                           : pairs_.balls(mine, pairs_.species_of(static_cast<std::size_t>(c.j)));
+  const SpeciesPair& pair = pairs_[p.species_pair[k]];
+  const Species& a = pairs_.species(mine);
   p.used[k] = true;
   p.face[k] = c.face;
   p.i[lane] = c.i;
@@ -152,17 +152,17 @@ void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
   p.share[lane] = wall ? 1 : 0.5;
   p.inertia[lane] = a.inertia;
   if (!wall) {
-    const Species& b = breeds_.of(static_cast<std::size_t>(c.j));
+    const Species& b = pairs_.of(static_cast<std::size_t>(c.j));
     p.radius_j[lane] = b.radius;
     p.inertia[lane] = a.inertia * b.inertia / (a.inertia + b.inertia);
   }
-  p.lag[lane] = breed.lag(rules_.time_step);
-  p.reach[lane] = breed.reach;
-  for (std::size_t n = 0; n < breed.numbers.size(); ++n) p.numbers[n][lane] = breed.numbers[n];
-  p.friction[lane] = breed.touching.pair.friction;
-  const double arm = breed.touching.pair.rolling_friction * breed.touching.radius;
+  p.lag[lane] = pair.lag(rules_.time_step);
+  p.reach[lane] = pair.reach;
+  for (std::size_t n = 0; n < pair.numbers.size(); ++n) p.numbers[n][lane] = pair.numbers[n];
+  p.friction[lane] = pair.touching.pair.friction;
+  const double arm = pair.touching.pair.rolling_friction * pair.touching.radius;
   p.rolling[lane] = arm;
-  p.roll_spring[lane] = 2.25 * arm * arm * breed.secant;
+  p.roll_spring[lane] = 2.25 * arm * arm * pair.secant;
 }
 
 /// A wall point for each ball near a wall, in the order of the lanes.

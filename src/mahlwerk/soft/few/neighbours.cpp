@@ -83,7 +83,7 @@ void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
 void FewBodySolver::near_balls() {
   const bool repeats = std::isfinite(jar_->periods().x);
   double largest = 0;
-  for (const Species& s : breeds_.all_species()) largest = std::max(largest, s.radius);
+  for (const Species& s : pairs_.all_species()) largest = std::max(largest, s.radius);
   std::vector<std::int32_t> order(particles_.balls);
   std::iota(order.begin(), order.end(), 0);
   const double* x = numbers(particles_.position.x);

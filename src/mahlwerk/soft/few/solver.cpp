@@ -29,7 +29,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       made_of_(balls),
       rules_(rules),
       law_(rules.model.law),
-      breeds_(balls, pairs, law_),
+      pairs_(balls, pairs, law_),
       steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
       start_(start),
       hops_(rules.hop && balls.size() <= hopping),
@@ -37,7 +37,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
              std::isfinite(jar_->periods().z)),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
-  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
+  for (const SpeciesPair& b : pairs_.all()) reach_ = std::max(reach_, b.reach);
   ParticleData& w = particles_;
   w.balls = balls.size();
   w.blocks = (balls.size() + lanes - 1) / lanes;
@@ -53,10 +53,10 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     w.position.put_one(b, balls[b].position);
     w.velocity.put_one(b, balls[b].velocity);
     w.spin.put_one(b, balls[b].spin);
-    w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).mass;
-    w.half_spin_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / breeds_.of(b).inertia;
+    w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).mass;
+    w.half_spin_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
-    mass_ += breeds_.of(b).mass;
+    mass_ += pairs_.of(b).mass;
   }
   skin_ = 0.03 * smallest;
   look();
@@ -179,7 +179,7 @@ scene::Account FewBodySolver::reckoned() const {
   const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;
   a.kinetic = a.potential = 0;
   for (std::size_t b = 0; b < particles_.balls; ++b) {
-    const Species& of = breeds_.of(b);
+    const Species& of = pairs_.of(b);
     const Vec3 v0 = particles_.velocity.one(b);
     const Vec3 v = v0 + way.gain + there.velocity;
     const Vec3 x = particles_.position.one(b) + way.time * v0 + way.shift + there.centre;
@@ -214,7 +214,7 @@ void FewBodySolver::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(particles_.step);
   const double wall = jar_->fastest(t);
-  const Species& first = breeds_.species(0);
+  const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;

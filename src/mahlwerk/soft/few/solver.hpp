@@ -80,7 +80,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
   Rules rules_;
   contact::AnyLaw law_;
-  Breeds breeds_;
+  SpeciesPairs pairs_;
   Steps steps_;
   double start_, skin_;
   double mass_ = 0;           // [kg] of all balls

@@ -51,11 +51,12 @@ struct alignas(64) Meeting {
 }
 
 /// Shorter or equal to which the distance of two centres is a touch.
-[[gnu::always_inline]] inline Lanes touch_distance(const Make& p, LaneMask touching) {
+[[gnu::always_inline]] inline Lanes touch_distance(const PairParameters& p, LaneMask touching) {
   return p.radius_i + p.radius_j + choose(touching, p.reach, Lanes{});
 }
 
-[[gnu::always_inline]] inline Meeting meet(const Make& p, const Bodies& b, Lanes squared) {
+[[gnu::always_inline]] inline Meeting meet(const PairParameters& p, const Bodies& b,
+                                           Lanes squared) {
   Meeting m;
   const Lanes distance = root(squared);
   m.n = (1.0 / larger(distance, Lanes{} + 1e-300)) * b.apart;  // 0 in free lanes
@@ -80,8 +81,8 @@ struct alignas(64) Meeting {
 /// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
 /// dem.21, dem.37). The spring is kept half a step ahead, so that it grows by the mean of the slip
 /// of two steps; where the load changes its sign it was at the limit of 0. Returns the force on i.
-[[gnu::always_inline]] inline Vec<Lanes> rub(const Make& make, History& p, Deeds& deeds,
-                                             const Frame& frame, const Meeting& m,
+[[gnu::always_inline]] inline Vec<Lanes> rub(const PairParameters& parameters, History& p,
+                                             Deeds& deeds, const Frame& frame, const Meeting& m,
                                              const contact::Push<Lanes>& push, LaneMask touching,
                                              LaneMask turned) {
   if (frame.rescaled) {
@@ -89,7 +90,7 @@ struct alignas(64) Meeting {
     p.spring = choose(less(push.stiffness, p.stiffness), kept, Lanes{} + 1.0) * p.spring;
   }
   const Lanes none{}, one = none + 1.0;
-  const Lanes stiffness = push.stiffness * (1.0 - make.lag * push.stiffness);
+  const Lanes stiffness = push.stiffness * (1.0 - parameters.lag * push.stiffness);
   const Vec<Lanes> half = (0.5 * frame.step) * m.slip;
   Vec<Lanes> spring = laid_across(p.spring, m.n);
   const auto against = [&] { return larger(-(push.damping * dot(m.slip, spring)), none); };
@@ -99,7 +100,7 @@ struct alignas(64) Meeting {
   }
   spring = spring + half;
   Vec<Lanes> force = -(stiffness * spring) - push.damping * m.slip;
-  const Lanes most = make.friction * push.load, squared = dot(force, force);
+  const Lanes most = parameters.friction * push.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
     // The spring keeps what it can hold by itself, and what a dashpot against it holds besides.
@@ -117,8 +118,8 @@ struct alignas(64) Meeting {
 }
 
 /// Rolling resistance: the torque on i, its opposite on j (dem.22 to dem.25).
-[[gnu::always_inline]] inline Vec<Lanes> resist(const Make& p, History& past, Deeds& deeds,
-                                                const Frame& frame, const Meeting& m,
+[[gnu::always_inline]] inline Vec<Lanes> resist(const PairParameters& p, History& past,
+                                                Deeds& deeds, const Frame& frame, const Meeting& m,
                                                 const Bodies& b, const contact::Push<Lanes>& push,
                                                 LaneMask touching) {
   Vec<Lanes> turning = b.wi - b.wj;
@@ -159,9 +160,9 @@ struct alignas(64) Meeting {
 /// All that the pairs of a packet do to each other in a step; `edges` where contacts begin or end;
 /// `walls`: some may be at a wall.
 template <class Law>
-[[gnu::always_inline]] inline Push push(const Make& p, History& past, Deeds& d, const Frame& frame,
-                                        const Bodies& b, const Meeting& m, LaneMask touching,
-                                        const Edges* edges, bool walls) {
+[[gnu::always_inline]] inline Push push(const PairParameters& p, History& past, Deeds& d,
+                                        const Frame& frame, const Bodies& b, const Meeting& m,
+                                        LaneMask touching, const Edges* edges, bool walls) {
   const Lanes none{};
   contact::Push<Lanes> f = Law::template push<Lanes>(
       p.numbers, past.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));

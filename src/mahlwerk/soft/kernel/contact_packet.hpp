@@ -29,7 +29,7 @@ struct Beginning {
 
 /// What eight pairs of bodies are made of. A body is a ball, or a wall point, a ball of no
 /// size.
-struct alignas(64) Make {
+struct alignas(64) PairParameters {
   LaneMask wall{};               ///< where j is a wall point
   Lanes radius_i{}, radius_j{};  ///< [m] 0 of a wall point
   Lanes per_radius{};            ///< [1/m] of radius_i
@@ -49,8 +49,8 @@ inline Vec3 one(const Vec<Lanes>& a, int lane) {
 inline void put(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
-inline void copy_lane(const Make& a, int lane, Make& b, int other_lane) {
-  constexpr std::size_t columns = sizeof(Make) / sizeof(Lanes);
+inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
+  constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
   const auto* from = reinterpret_cast<const double*>(&a);
   auto* to = reinterpret_cast<double*>(&b);
   for (std::size_t c = 0; c < columns; ++c)
@@ -69,14 +69,14 @@ struct alignas(64) History {
 
 /// Eight pairs of bodies that are near each other, side by side, with the history of those that
 /// touch. Free lanes touch nothing.
-struct alignas(64) Packet : Make, History {
+struct alignas(64) Packet : PairParameters, History {
   LaneMask i{}, j{};    ///< bodies; i is always a ball
   LaneMask touching{};  ///< since the last step
   Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
   Deeds deeds;
 
-  std::array<std::int32_t, lanes> face{};   ///< of a wall; < 0: balls
-  std::array<std::int32_t, lanes> breed{};  ///< which pair of species (Breeds)
+  std::array<std::int32_t, lanes> face{};          ///< of a wall; < 0: balls
+  std::array<std::int32_t, lanes> species_pair{};  ///< which pair of species (SpeciesPairs)
   std::array<bool, lanes> used{};
   std::array<Beginning, lanes> began{};
 };

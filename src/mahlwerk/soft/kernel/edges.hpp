@@ -38,7 +38,7 @@ struct alignas(64) AtEdges {
 
 /// The push of contacts that begin or end becomes what it counts for instead of a step.
 template <class Law>
-[[gnu::always_inline]] inline AtEdges at_the_edges(const Make& p, const History& past,
+[[gnu::always_inline]] inline AtEdges at_the_edges(const PairParameters& p, const History& past,
                                                    const Edges& edges, const Lanes& overlap,
                                                    const Lanes& rate, double step,
                                                    contact::Push<Lanes>& f) {

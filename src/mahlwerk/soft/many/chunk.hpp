@@ -18,10 +18,10 @@ namespace mahlwerk::soft {
 /// name bodies that there are.
 struct alignas(64) Grip {
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
-  std::array<std::int32_t, lanes> breed{};
+  std::array<std::int32_t, lanes> species_pair{};
   std::uint32_t touching = 0, fresh = 0;  ///< bits of lanes; of those that first do in this step
   std::uint32_t pulling = 0;              ///< where the bodies pulled each other at the last step
-  bool alike = true;                      ///< all lanes are of one breed
+  bool alike = true;                      ///< all lanes are of one species pair
   Vec<Lanes> spring{};
   Lanes impulse{}, lost_normal{}, lost_across{};  ///< since they began
 
@@ -43,18 +43,18 @@ struct alignas(64) Facing {
 struct Grips {
   std::vector<Grip> grips;
   std::vector<std::array<Beginning, lanes>> began;
-  std::vector<Memory> memories;    ///< of each grip, where the law or the rolling needs them
-  std::vector<Make> makes;         ///< of each grip, where curved walls change them
-  std::vector<Facing> facings;     ///< of each grip with walls
-  std::vector<std::int32_t> free;  ///< lane l of grip g: 8 g + l
-  std::int32_t leaving = 0;        ///< contacts that move to a new order of the balls
+  std::vector<Memory> memories;  ///< of each grip, where the law or the rolling needs them
+  std::vector<PairParameters> parameters;  ///< of each grip, where curved walls change them
+  std::vector<Facing> facings;             ///< of each grip with walls
+  std::vector<std::int32_t> free;          ///< lane l of grip g: 8 g + l
+  std::int32_t leaving = 0;                ///< contacts that move to a new order of the balls
 
   /// Where contacts remember, or are bent, for that, too.
   void make_room(std::size_t count, bool remember, bool bend) {
     grips.reserve(count);
     began.reserve(count);
     if (remember) memories.reserve(count);
-    if (bend) makes.reserve(count);
+    if (bend) parameters.reserve(count);
   }
 };
 

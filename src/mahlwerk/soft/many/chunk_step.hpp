@@ -33,7 +33,7 @@ struct alignas(64) Pass {
   const Eight* kicks =
       nullptr;  ///< [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
   const std::int32_t* species = nullptr;
-  const Make* makes = nullptr;  ///< of each breed, eight alike
+  const PairParameters* parameters = nullptr;  ///< of each species pair, eight alike
   const MovingWall* jar = nullptr;
   Comings* comings = nullptr;
   double time = 0;            ///< [s] the mill's clock

@@ -42,10 +42,10 @@ void ManyBodySolver::seize(Chunk& chunk, const Nigh& pair) {
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
   Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.cross;
-  const std::int32_t breed =
-      is_wall(pair) ? breeds_.wall(mine, ~pair.other)
-                    : breeds_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
-  const std::int32_t at = free_lane(grips, breed, pair.ball);
+  const std::int32_t species_pair =
+      is_wall(pair) ? pairs_.wall(mine, ~pair.other)
+                    : pairs_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
+  const std::int32_t at = free_lane(grips, species_pair, pair.ball);
   Grip& g = grips.grips[static_cast<std::size_t>(at / lanes)];
   const auto l = static_cast<std::size_t>(at % lanes);
   g.i[l] = pair.ball;
@@ -54,24 +54,24 @@ void ManyBodySolver::seize(Chunk& chunk, const Nigh& pair) {
   g.fresh |= bit(static_cast<int>(l));
 }
 
-/// A lane for a contact of `ball` and of that breed, its history cleared.
-std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t breed, std::int32_t ball) {
+/// A lane for a contact of `ball` and of that species pair, its history cleared.
+std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball) {
   if (grips.free.empty()) {
     const auto g = static_cast<std::int32_t>(grips.grips.size());
-    const bool wall = makes_[static_cast<std::size_t>(breed)].wall[0] != 0;
+    const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
     // An eighth more, not twice as many: it is most of the memory.
     if (const std::size_t n = grips.grips.size(); n == grips.grips.capacity())
       grips.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
     grips.grips.emplace_back();
     Grip& fresh = grips.grips.back();
-    fresh.breed.fill(breed);
+    fresh.species_pair.fill(species_pair);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
     grips.began.emplace_back();
     if (remembers_) grips.memories.emplace_back();
     if (wall) grips.facings.emplace_back();
     if (rules_.model.curved_walls && wall)
-      grips.makes.push_back(makes_[static_cast<std::size_t>(breed)]);
+      grips.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
     for (int l = lanes - 1; l >= 0; --l) grips.free.push_back(g * lanes + l);
   }
   const std::int32_t at = grips.free.back();
@@ -79,11 +79,12 @@ std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t breed, std::in
   const auto n = static_cast<std::size_t>(at / lanes);
   const int l = at % lanes;
   Grip& g = grips.grips[n];
-  g.breed[static_cast<std::size_t>(l)] = breed;
+  g.species_pair[static_cast<std::size_t>(l)] = species_pair;
   g.alike = true;
   for (int k = 0; k < lanes; ++k)
-    g.alike = g.alike && (!g.touches(k) || g.breed[static_cast<std::size_t>(k)] == breed);
-  if (g.alike) g.breed.fill(breed);
+    g.alike =
+        g.alike && (!g.touches(k) || g.species_pair[static_cast<std::size_t>(k)] == species_pair);
+  if (g.alike) g.species_pair.fill(species_pair);
   g.pulling &= ~bit(l);
   put(g.spring, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
@@ -111,7 +112,7 @@ void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meet
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], 1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
-    if (!grips.makes.empty()) bend(grips, n, l);
+    if (!grips.parameters.empty()) bend(grips, n, l);
     const Vec3 normal = one(m.n, l), glide = one(b.relative, l);
     Beginning& began = grips.began[n][k];
     began = {.step = step_,
@@ -119,10 +120,11 @@ void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meet
              .slip = norm(one(m.slip, l)),
              .glide = norm(glide - dot(glide, normal) * normal)};
     if (!remembers_) continue;
-    const Make& make =
-        grips.makes.empty() ? makes_[static_cast<std::size_t>(g.breed[k])] : grips.makes[n];
+    const PairParameters& parameters =
+        grips.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
+                                 : grips.parameters[n];
     contact::LawNumbers numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = make.numbers[i][l];
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = parameters.numbers[i][l];
     double memory[contact::law_memories] = {};
     std::visit([&](const auto& law) { law.begin(numbers, memory, began.approach); }, law_);
     for (int i = 0; i < contact::law_memories; ++i) grips.memories[n].memory[i][l] = memory[i];
@@ -136,17 +138,18 @@ void ManyBodySolver::bend(Grips& grips, std::size_t n, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
   const Bent bent = bent_wall(*jar_, g.j[k], ball.position(), clock(step_), ball.radius,
-                              breeds_[g.breed[k]], law_);
-  Make& make = grips.makes[n];
-  for (std::size_t i = 0; i < bent.numbers.size(); ++i) make.numbers[i][lane] = bent.numbers[i];
-  make.radius_i[lane] = ball.radius;
-  make.per_radius[lane] = 1 / ball.radius;
-  make.friction[lane] = breeds_[g.breed[k]].touching.pair.friction;
-  make.reach[lane] = breeds_[g.breed[k]].reach;
-  make.lag[lane] = breeds_[g.breed[k]].lag(rules_.time_step);
-  make.inertia[lane] = breeds_.species(species_[static_cast<std::size_t>(g.i[k])]).inertia;
-  make.rolling[lane] = bent.rolling;
-  make.roll_spring[lane] = bent.roll_spring;
+                              pairs_[g.species_pair[k]], law_);
+  PairParameters& parameters = grips.parameters[n];
+  for (std::size_t i = 0; i < bent.numbers.size(); ++i)
+    parameters.numbers[i][lane] = bent.numbers[i];
+  parameters.radius_i[lane] = ball.radius;
+  parameters.per_radius[lane] = 1 / ball.radius;
+  parameters.friction[lane] = pairs_[g.species_pair[k]].touching.pair.friction;
+  parameters.reach[lane] = pairs_[g.species_pair[k]].reach;
+  parameters.lag[lane] = pairs_[g.species_pair[k]].lag(rules_.time_step);
+  parameters.inertia[lane] = pairs_.species(species_[static_cast<std::size_t>(g.i[k])]).inertia;
+  parameters.rolling[lane] = bent.rolling;
+  parameters.roll_spring[lane] = bent.roll_spring;
 }
 
 void ManyBodySolver::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {
@@ -171,7 +174,7 @@ void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int
   const auto k = static_cast<std::size_t>(l);
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
   const Beginning& began = grips.began[n][k];
-  const Breed& breed = breeds_[g.breed[k]];
+  const SpeciesPair& pair = pairs_[g.species_pair[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
   const int face = wall ? g.j[k] : -1;
   const Vec3 apart =
@@ -185,7 +188,7 @@ void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int
                           .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
                           .where = jar_->own(ball.position() + ball.radius * normal, t, face),
                           .normal = jar_->own(normal, t, face),
-                          .mass = breed.touching.mass,
+                          .mass = pair.touching.mass,
                           .approach = began.approach,
                           .slip = began.slip,
                           .glide = began.glide,
@@ -193,7 +196,7 @@ void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int
                           .lost_normal = g.lost_normal[l],
                           .lost_tangential = g.lost_across[l]}});
   ++chunk.doings.collisions;
-  if (outlasts(duration, began, breed, law_)) ++chunk.doings.lasting;
+  if (outlasts(duration, began, pair, law_)) ++chunk.doings.lasting;
 }
 
 }  // namespace mahlwerk::soft

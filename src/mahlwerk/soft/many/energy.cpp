@@ -37,19 +37,20 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
         energy.taken += weight * (g.lost_normal[l] + g.lost_across[l]);
         const auto k = static_cast<std::size_t>(l);
         const auto i = static_cast<std::size_t>(g.i[k]);
-        const Make& make =
-            list.makes.empty() ? makes_[static_cast<std::size_t>(g.breed[k])] : list.makes[n];
+        const PairParameters& parameters =
+            list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
+                                    : list.parameters[n];
         contact::LawNumbers numbers;
-        for (std::size_t a = 0; a < numbers.size(); ++a) numbers[a] = make.numbers[a][l];
+        for (std::size_t a = 0; a < numbers.size(); ++a) numbers[a] = parameters.numbers[a][l];
         double memory[contact::law_memories] = {};
         if (remembers_)
           for (int a = 0; a < contact::law_memories; ++a) memory[a] = list.memories[n].memory[a][l];
         const Vec3 x = now_[i].position();
         const double distance =
-            make.wall[l] != 0
+            parameters.wall[l] != 0
                 ? jar_->gap(g.j[k], x, t, now_[i].radius + reach_).distance
                 : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].position() - x));
-        const double overlap = make.radius_i[l] + make.radius_j[l] - distance;
+        const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
         if (overlap < -now_[i].radius) continue;  // it has left this face over an edge
         std::visit(
             [&]<class L>(const L& law) {
@@ -87,7 +88,7 @@ scene::Account ManyBodySolver::reckoned() const {
     Sum& sum = sums[static_cast<std::size_t>(c)];
     for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
       const auto k = static_cast<std::size_t>(row);
-      const Species& of = breeds_.species(species_[k]);
+      const Species& of = pairs_.species(species_[k]);
       const Vec3 v = velocity(k, change) + ride.velocity;
       sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
       sum.potential -= of.mass * dot(jar_->gravity(), now_[k].position() + ride.centre);
@@ -114,7 +115,7 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   std::vector<scene::Ball> all(id_.size());
   const Vec3 change = pulls();
   for (std::size_t k = 0; k < id_.size(); ++k) {
-    const Species& s = breeds_.species(species_[k]);
+    const Species& s = pairs_.species(species_[k]);
     all[static_cast<std::size_t>(id_[k])] = {
         s.radius, s.density, now_[k].position(), velocity(k, change), spin(k), s.kind};
   }
@@ -131,7 +132,7 @@ std::vector<Vec3> ManyBodySolver::forces() const {
     const VectorPair& half = half_[k];
     const BallRecord& seen = next_[k];
     const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
-    all[static_cast<std::size_t>(id_[k])] = breeds_.species(species_[k]).mass / half_step * gained;
+    all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_step * gained;
   }
   return all;
 }
@@ -151,7 +152,8 @@ void ManyBodySolver::carry(Archive& archive) {
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.doings)(c.beside);
     for (Grips* list : {&c.own, &c.cross, &c.wall})
-      archive(list->grips)(list->began)(list->memories)(list->makes)(list->facings)(list->free);
+      archive(list->grips)(list->began)(list->memories)(list->parameters)(list->facings)(
+          list->free);
     for (Waiting* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->parted);
   }
   archive(account_)(watch_)(asked_);

@@ -109,18 +109,18 @@ void ManyBodySolver::make_room(Chunk& chunk, std::span<const Kept> kept, std::si
 void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
   if (k.list % list_kinds == wall_list)
-    return give(chunk.wall, k, from, k.i, k.j, breeds_.wall(species, k.j), 1);
+    return give(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
-  if (!has(k.i)) return give(chunk.cross, k, from, k.j, k.i, breeds_.balls(other, species), -1);
+  if (!has(k.i)) return give(chunk.cross, k, from, k.j, k.i, pairs_.balls(other, species), -1);
   Grips& list = has(k.j) ? chunk.own : chunk.cross;
-  give(list, k, from, k.i, k.j, breeds_.balls(species, other), 1);
+  give(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
 }
 
 /// A lane for the contact as ball `i` sees it, with all that it remembers.
 void ManyBodySolver::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i,
-                          std::int32_t j, std::int32_t breed, double sign) {
-  const std::int32_t at = free_lane(list, breed, i);
+                          std::int32_t j, std::int32_t species_pair, double sign) {
+  const std::int32_t at = free_lane(list, species_pair, i);
   const auto n = static_cast<std::size_t>(at / lanes),
              old = static_cast<std::size_t>(k.lane / lanes);
   const int l = at % lanes, m = k.lane % lanes;
@@ -141,7 +141,7 @@ void ManyBodySolver::give(Grips& list, const Kept& k, const Grips& from, std::in
     memory.stiffness[l] = past.stiffness[m];
   }
   if (!list.facings.empty()) put(list.facings[n].normal, l, one(from.facings[old].normal, m));
-  if (!list.makes.empty()) copy_lane(from.makes[old], m, list.makes[n], l);
+  if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);
 }
 
 }  // namespace mahlwerk::soft

@@ -130,7 +130,7 @@ void ManyBodySolver::tune_skin() {
   tuning_.last_cost = cost;
   tuning_.looked = all;
   double smallest = geometry::never;
-  for (const Species& s : breeds_.all_species()) smallest = std::min(smallest, s.radius);
+  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
   skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
 }
 

@@ -25,21 +25,22 @@ int most_helpful(std::size_t balls) {
 }
 
 /// Eight alike.
-Make make_of(const Breed& breed, const Species& a, const Species* b, double step) {
-  Make m;
+PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
+                               double step) {
+  PairParameters m;
   const Lanes none{};
   m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
   m.radius_i = none + a.radius;
   m.radius_j = none + (b != nullptr ? b->radius : 0.0);
   m.per_radius = none + 1 / a.radius;
   m.share = none + (b != nullptr ? 0.5 : 1.0);
-  m.reach = none + breed.reach;
-  for (std::size_t n = 0; n < breed.numbers.size(); ++n) m.numbers[n] = none + breed.numbers[n];
-  m.friction = none + breed.touching.pair.friction;
-  const double arm = breed.touching.pair.rolling_friction * breed.touching.radius;
+  m.reach = none + pair.reach;
+  for (std::size_t n = 0; n < pair.numbers.size(); ++n) m.numbers[n] = none + pair.numbers[n];
+  m.friction = none + pair.touching.pair.friction;
+  const double arm = pair.touching.pair.rolling_friction * pair.touching.radius;
   m.rolling = none + arm;
-  m.roll_spring = none + 2.25 * arm * arm * breed.secant;
-  m.lag = none + breed.lag(step);
+  m.roll_spring = none + 2.25 * arm * arm * pair.secant;
+  m.lag = none + pair.lag(step);
   m.inertia = none + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return m;
 }
@@ -52,7 +53,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     : jar_(std::move(jar)),
       rules_(rules),
       law_(rules.model.law),
-      breeds_(balls, pairs, law_),
+      pairs_(balls, pairs, law_),
       pass_(std::visit([]<class L>(const L&) { return pass_of<L>(); }, law_)),
       start_(start),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
@@ -61,27 +62,28 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
                  contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
       team_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
-  const auto species = static_cast<std::int32_t>(breeds_.all_species().size());
-  makes_.resize(breeds_.all().size());
+  const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
+  parameters_.resize(pairs_.all().size());
   double smallest = geometry::never;
   std::map<int, int> classes;  // octaves of radius that there are
-  for (const Species& s : breeds_.all_species()) smallest = std::min(smallest, s.radius);
+  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
   const auto octave = [&](double r) {
     return static_cast<int>(std::floor(std::log2(r / smallest)));
   };
-  for (const Species& s : breeds_.all_species()) classes[octave(s.radius)] = 0;
+  for (const Species& s : pairs_.all_species()) classes[octave(s.radius)] = 0;
   for (int count = 0; auto& [at, number] : classes) number = count++;
   class_radius_.resize(classes.size());
   for (std::int32_t a = 0; a < species; ++a) {
-    const Species& s = breeds_.species(a);
+    const Species& s = pairs_.species(a);
     for (std::int32_t b = 0; b < species; ++b) {
-      const std::int32_t k = breeds_.balls(a, b);
-      makes_[static_cast<std::size_t>(k)] =
-          make_of(breeds_[k], s, &breeds_.species(b), rules_.time_step);
+      const std::int32_t k = pairs_.balls(a, b);
+      parameters_[static_cast<std::size_t>(k)] =
+          pair_parameters(pairs_[k], s, &pairs_.species(b), rules_.time_step);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
-      const std::int32_t k = breeds_.wall(a, face);
-      makes_[static_cast<std::size_t>(k)] = make_of(breeds_[k], s, nullptr, rules_.time_step);
+      const std::int32_t k = pairs_.wall(a, face);
+      parameters_[static_cast<std::size_t>(k)] =
+          pair_parameters(pairs_[k], s, nullptr, rules_.time_step);
     }
     const double kick = 0.5 * rules.time_step / s.mass, turn = 0.5 * rules.time_step / s.inertia;
     kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
@@ -89,7 +91,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
     widest = std::max(widest, s.radius);
   }
-  for (const Breed& b : breeds_.all()) reach_ = std::max(reach_, b.reach);
+  for (const SpeciesPair& b : pairs_.all()) reach_ = std::max(reach_, b.reach);
   skin_ = 0.5 * smallest;
   loads_.resize(static_cast<std::size_t>(team_.size()));
   start_moving(balls);
@@ -109,9 +111,9 @@ void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
   const double dt = rules_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[k];
-    mass_ += breeds_.of(k).mass;
+    mass_ += pairs_.of(k).mass;
     id_[k] = static_cast<std::int32_t>(k);
-    species_[k] = breeds_.species_of(k);
+    species_[k] = pairs_.species_of(k);
     const Vec3& x = ball.position;
     now_[k] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
   }
@@ -190,7 +192,7 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
       .list_positions = list_positions_.data(),
       .kicks = kicks_.data(),
       .species = species_.data(),
-      .makes = makes_.data(),
+      .parameters = parameters_.data(),
       .jar = jar_.get(),
       .comings = this,
       .time = clock(step_),
@@ -298,7 +300,7 @@ void ManyBodySolver::check_energy() {
   const scene::Account a = reckoned();
   const double t = clock(step_);
   const double wall = jar_->fastest(t);
-  const Species& first = breeds_.species(0);
+  const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;

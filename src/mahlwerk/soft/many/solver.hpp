@@ -85,7 +85,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   void make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const;
   void give_contact(Chunk& chunk, const Kept& kept, const Grips& from);
   void give(Grips& list, const Kept& kept, const Grips& from, std::int32_t i, std::int32_t j,
-            std::int32_t breed, double sign);
+            std::int32_t species_pair, double sign);
 
   // Who is near whom (crowd_lists.cpp).
   void rebuild();
@@ -113,7 +113,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   // Contacts that begin and end (crowd_contacts.cpp).
   void look_at_walls(Chunk& chunk) override;
   void seize(Chunk& chunk, const Nigh& pair) override;
-  std::int32_t free_lane(Grips& grips, std::int32_t breed, std::int32_t ball);
+  std::int32_t free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball);
   void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m, const Bodies& b) override;
   void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
   void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
@@ -123,14 +123,14 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
   contact::AnyLaw law_;
-  Breeds breeds_;
+  SpeciesPairs pairs_;
   PassOf pass_;
   double start_, reach_ = 0, mass_ = 0;
   bool folds_, large_, remembers_;
-  std::vector<Make> makes_;           // of each breed
-  std::vector<Eight> kicks_;          // of each species
-  std::vector<int> class_of_;         // each species' class of sizes
-  std::vector<double> class_radius_;  // [m] of the largest ball of each class
+  std::vector<PairParameters> parameters_;  // of each species pair
+  std::vector<Eight> kicks_;                // of each species
+  std::vector<int> class_of_;               // each species' class of sizes
+  std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.

@@ -15,9 +15,11 @@
 // machine.
 namespace mahlwerk::soft {
 
-/// Lane by lane what their breeds are.
-[[gnu::always_inline]] inline void gather(const Make* makes, const Grip& g, Make& out) {
-  for (int l = 0; l < lanes; ++l) copy_lane(makes[g.breed[static_cast<std::size_t>(l)]], l, out, l);
+/// Lane by lane the parameters of their species pairs.
+[[gnu::always_inline]] inline void gather(const PairParameters* parameters, const Grip& g,
+                                          PairParameters& out) {
+  for (int l = 0; l < lanes; ++l)
+    copy_lane(parameters[g.species_pair[static_cast<std::size_t>(l)]], l, out, l);
 }
 
 /// Contacts of one kind: what they do to the balls of the chunk.
@@ -25,7 +27,7 @@ template <class Law, bool wide>
 [[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, VectorPair* loads,
                                         Ahead& ahead, Deeds& sums) {
   Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
-  Make made;
+  PairParameters made;
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
     Grip& g = list.grips[n];
     ahead.fetch();
@@ -33,19 +35,19 @@ template <class Law, bool wide>
     if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
     const LaneMask touched = mask(g.touching);
     const Bodies b = bodies<wide>(s, g, touched, whose);
-    const Make* make = &s.makes[g.breed[0]];
-    if (!list.makes.empty())
-      make = &list.makes[n];
+    const PairParameters* parameters = &s.parameters[g.species_pair[0]];
+    if (!list.parameters.empty())
+      parameters = &list.parameters[n];
     else if (!g.alike)
-      gather(s.makes, g, made), make = &made;
-    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*make, touched);
+      gather(s.parameters, g, made), parameters = &made;
+    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*parameters, touched);
     const LaneMask touching = less(squared, near * near) & touched;
-    const Meeting m = meet(*make, b, squared);
+    const Meeting m = meet(*parameters, b, squared);
     const Edges edges{mask(g.fresh), touching ^ touched};
     const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
     if (g.fresh != 0) {
       s.comings->begin(chunk, list, n, m, b);
-      if (!list.makes.empty()) make = &list.makes[n];
+      if (!list.parameters.empty()) parameters = &list.parameters[n];
     }
     History past;
     past.spring = g.spring;
@@ -56,8 +58,8 @@ template <class Law, bool wide>
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
     Deeds d;
-    const Push out = push<Law>(*make, past, d, s.frame, b, m, touching, changes ? &edges : nullptr,
-                               whose == Whose::wall);
+    const Push out = push<Law>(*parameters, past, d, s.frame, b, m, touching,
+                               changes ? &edges : nullptr, whose == Whose::wall);
     g.spring = past.spring;
     g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
     if (s.remembers) {
@@ -71,7 +73,7 @@ template <class Law, bool wide>
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
     sums.sliding += d.sliding;
     if (whose == Whose::wall) sums.wall += d.wall;
-    sums.deepest = larger(sums.deepest, d.deepest * make->per_radius);
+    sums.deepest = larger(sums.deepest, d.deepest * parameters->per_radius);
     add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
     if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
     if (ends) s.comings->end(chunk, list, n, touching);
