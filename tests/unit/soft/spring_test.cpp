@@ -34,7 +34,8 @@ Turned turned(double lean, double angle, int steps) {
     return Vec3{-std::cos(lean) * std::sin(a), std::cos(lean) * std::cos(a), std::sin(lean)};
   };
   Vec<Lanes> spring = alike(at(0));
-  for (int k = 1; k <= steps; ++k) spring = laid_across(spring, alike(normal(angle * k / steps)));
+  for (int k = 1; k <= steps; ++k)
+    spring = rotate_to_tangent_plane(spring, alike(normal(angle * k / steps)));
   return {first(spring), at(angle)};
 }
 
@@ -56,7 +57,7 @@ TEST(Spring, turns_as_the_contact_does_but_for_a_quarter_of_the_angle_squared_ov
 }
 
 TEST(Spring, that_is_none_stays_none) {
-  const Vec3 left = first(laid_across(alike({}), alike({0, 0, 1})));
+  const Vec3 left = first(rotate_to_tangent_plane(alike({}), alike({0, 0, 1})));
   states("length", norm(left), 0, 0, "no division by its length");
 }
 

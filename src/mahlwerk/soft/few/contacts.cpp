@@ -9,7 +9,8 @@
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
 
-void FewBodySolver::begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) {
+void FewBodySolver::begin(Packet& p, const LaneMask& begun, const ContactGeometry& m,
+                          const Bodies& b) {
   for (int l = 0; l < lanes; ++l)
     if (begun[l] != 0) begin(p, l, m, b);
   p.touching |= begun;
@@ -30,7 +31,7 @@ void FewBodySolver::touches(std::int64_t body, int more) {
   in_touch_ += count > 0 ? 1 : -1;
 }
 
-void FewBodySolver::begin(Packet& p, int lane, const Meeting& m, const Bodies& b) {
+void FewBodySolver::begin(Packet& p, int lane, const ContactGeometry& m, const Bodies& b) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
@@ -78,7 +79,7 @@ void FewBodySolver::end(Packet& p, int lane) {
            : nearest(particles_.position.one(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(apart)) * apart;
   const Vec3 where = x + p.radius_i[lane] * n;
-  const Deeds& d = p.deeds;
+  const ContactWork& d = p.work;
   const double duration = time_of(particles_.step - began.step);
   ended_.push_back({.time = time_of(began.step),
                     .duration = duration,
@@ -100,7 +101,7 @@ void FewBodySolver::end(Packet& p, int lane) {
 }
 
 void FewBodySolver::settle(Packet& p, int lane) {
-  Deeds& d = p.deeds;
+  ContactWork& d = p.work;
   account_.lost_normal += d.normal[lane];
   account_.lost_tangential += d.tangential[lane];
   account_.lost_rolling += d.rolling[lane];

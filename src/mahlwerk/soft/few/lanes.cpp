@@ -18,7 +18,7 @@ void each_column(Packet& p, const F& f) {
   for (Lanes& c : p.numbers) f(c);
   for (Lanes& c : p.memory) f(c);
   for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.roll}) f(v->x), f(v->y), f(v->z);
-  Deeds& d = p.deeds;
+  ContactWork& d = p.work;
   for (Lanes* c :
        {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
     f(*c);

@@ -70,7 +70,7 @@ class Seldom {
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void look() = 0;
   /// Contacts of a packet begin.
-  virtual void begin(Packet& packet, const LaneMask& begun, const Meeting& meeting,
+  virtual void begin(Packet& packet, const LaneMask& begun, const ContactGeometry& geometry,
                      const Bodies& bodies) = 0;
   /// Contacts end, after their last push.
   virtual void end(Packet& packet, const LaneMask& ended) = 0;

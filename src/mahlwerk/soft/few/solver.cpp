@@ -191,13 +191,13 @@ scene::Account FewBodySolver::reckoned() const {
   for (const Packet& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
-      a.lost_normal += p.deeds.normal[l];
-      a.lost_tangential += p.deeds.tangential[l];
-      a.lost_rolling += p.deeds.rolling[l];
-      a.lost_open += p.deeds.normal[l] + p.deeds.tangential[l] + p.deeds.rolling[l];
-      a.slid += p.deeds.sliding[l];
-      a.wall_work += p.deeds.wall[l];
-      a.deepest_overlap = std::max(a.deepest_overlap, p.deeds.deepest[l] / p.radius_i[l]);
+      a.lost_normal += p.work.normal[l];
+      a.lost_tangential += p.work.tangential[l];
+      a.lost_rolling += p.work.rolling[l];
+      a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
+      a.slid += p.work.sliding[l];
+      a.wall_work += p.work.wall[l];
+      a.deepest_overlap = std::max(a.deepest_overlap, p.work.deepest[l] / p.radius_i[l]);
     }
   a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
   a.lost_tangential -= kept.tangential;

@@ -58,11 +58,11 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   void find_owners();
 
   // Contacts that begin and end (contacts.cpp).
-  void begin(Packet& p, const LaneMask& begun, const Meeting& m, const Bodies& b) override;
+  void begin(Packet& p, const LaneMask& begun, const ContactGeometry& m, const Bodies& b) override;
   void end(Packet& p, const LaneMask& ended) override;
-  void begin(Packet& p, int lane, const Meeting& m, const Bodies& b);
+  void begin(Packet& p, int lane, const ContactGeometry& m, const Bodies& b);
   void end(Packet& p, int lane);
-  void settle(Packet& p, int lane);           // its deeds are done
+  void settle(Packet& p, int lane);           // adds its work to the account
   void touches(std::int64_t body, int more);  // a contact more or less of a ball
   void bend(Packet& p, int lane);             // R* of a curved wall
 

@@ -68,27 +68,28 @@ template <bool wide>
 
 /// Adds what a packet does to each of eight balls, in the order of its lanes.
 template <bool wide>
-[[gnu::always_inline]] inline void add(const Owners& owners, const Push& push, Vec<Lanes>& force,
-                                       Vec<Lanes>& torque) {
+[[gnu::always_inline]] inline void add(const Owners& owners, const ContactForce& f,
+                                       Vec<Lanes>& force, Vec<Lanes>& torque) {
 #ifdef MAHLWERK_WIDE
   const auto sum = [&](Lanes& all, const Lanes& i, const Lanes& j, int k) {
     const Lanes part = __builtin_shuffle(i, j, owners.from[static_cast<std::size_t>(k)]);
     all += choose(owners.has[static_cast<std::size_t>(k)], part, Lanes{});
   };
-  const Vec<Lanes> back = -push.force;
+  const Vec<Lanes> back = -f.force;
   for (int k = 0; k < owners.most; ++k) {
-    sum(force.x, push.force.x, back.x, k);
-    sum(force.y, push.force.y, back.y, k);
-    sum(force.z, push.force.z, back.z, k);
-    sum(torque.x, push.torque_i.x, push.torque_j.x, k);
-    sum(torque.y, push.torque_i.y, push.torque_j.y, k);
-    sum(torque.z, push.torque_i.z, push.torque_j.z, k);
+    sum(force.x, f.force.x, back.x, k);
+    sum(force.y, f.force.y, back.y, k);
+    sum(force.z, f.force.z, back.z, k);
+    sum(torque.x, f.torque_i.x, f.torque_j.x, k);
+    sum(torque.y, f.torque_i.y, f.torque_j.y, k);
+    sum(torque.z, f.torque_i.z, f.torque_j.z, k);
   }
 #endif
 }
 
 /// The same through memory, for any number of balls.
-[[gnu::always_inline]] inline void scatter(ParticleData& w, const Packet& p, const Push& push) {
+[[gnu::always_inline]] inline void scatter(ParticleData& w, const Packet& p,
+                                           const ContactForce& f) {
   const auto give = [&](std::vector<Eight>& column, const Lanes& i, const Lanes& j) {
     double* all = numbers(column);
     for (int l = 0; l < lanes; ++l) {
@@ -96,18 +97,18 @@ template <bool wide>
       if (p.wall[l] == 0) all[p.j[l]] += j[l];
     }
   };
-  const Vec<Lanes> back = -push.force;
-  give(w.force.x, push.force.x, back.x);
-  give(w.force.y, push.force.y, back.y);
-  give(w.force.z, push.force.z, back.z);
-  give(w.torque.x, push.torque_i.x, push.torque_j.x);
-  give(w.torque.y, push.torque_i.y, push.torque_j.y);
-  give(w.torque.z, push.torque_i.z, push.torque_j.z);
+  const Vec<Lanes> back = -f.force;
+  give(w.force.x, f.force.x, back.x);
+  give(w.force.y, f.force.y, back.y);
+  give(w.force.z, f.force.z, back.z);
+  give(w.torque.x, f.torque_i.x, f.torque_j.x);
+  give(w.torque.y, f.torque_i.y, f.torque_j.y);
+  give(w.torque.z, f.torque_i.z, f.torque_j.z);
 }
 
 /// One packet in a step. Returns false where nothing touches.
 template <class Law, bool wide>
-[[gnu::always_inline]] inline bool act(Stretch& s, Packet& p, Push& out) {
+[[gnu::always_inline]] inline bool apply_packet(Stretch& s, Packet& p, ContactForce& out) {
   const ParticleData& w = s.particles;
   Bodies b;
   b.apart = pick<wide>(w.position, p.j, w.few) - pick<wide>(w.position, p.i, w.few);
@@ -123,9 +124,9 @@ template <class Law, bool wide>
   b.relative = pick<wide>(w.velocity_predicted, p.i, w.few) - b.vj;
   b.wi = pick<wide>(w.spin_predicted, p.i, w.few);
   b.wj = pick<wide>(w.spin_predicted, p.j, w.few);
-  const Meeting m = meet(p, b, squared);
+  const ContactGeometry m = contact_geometry(p, b, squared);
   if (changes) s.seldom.begin(p, edges.begun, m, b);
-  out = push<Law>(p, p, p.deeds, s.frame, b, m, touching, changes ? &edges : nullptr, true);
+  out = contact_force<Law>(p, p, p.work, s.frame, b, m, touching, changes ? &edges : nullptr, true);
   if (changes) s.seldom.end(p, edges.ended);
   p.normal = m.n;
   return true;
@@ -158,13 +159,13 @@ template <class Law, bool wide>
     const Lanes none{};
     s.frame.jar_speed = {none + drive.speed.x, none + drive.speed.y, none + drive.speed.z};
     touched = false;
-    Push push;
+    ContactForce found;
     if (wide && w.few) {
       Vec<Lanes> force{}, torque{};
       for (std::size_t n = 0; n < w.packets.size(); ++n)
-        if (act<Law, wide>(s, w.packets[n], push)) {
+        if (apply_packet<Law, wide>(s, w.packets[n], found)) {
           touched = true;
-          add<wide>(w.owners[n], push, force, torque);
+          add<wide>(w.owners[n], found, force, torque);
         }
       kick(w, 0, force, torque);
     } else {
@@ -173,9 +174,9 @@ template <class Law, bool wide>
         w.torque.put(b, Vec<Lanes>{});
       }
       for (Packet& p : w.packets)
-        if (act<Law, wide>(s, p, push)) {
+        if (apply_packet<Law, wide>(s, p, found)) {
           touched = true;
-          scatter(w, p, push);
+          scatter(w, p, found);
         }
       for (std::size_t b = 0; b < w.blocks; ++b) kick(w, b, w.force.at(b), w.torque.at(b));
     }

@@ -28,12 +28,12 @@ struct alignas(64) Bodies {
 };
 
 /// Force [N] on i, its opposite on j; torques [N m] on both.
-struct alignas(64) Push {
+struct alignas(64) ContactForce {
   Vec<Lanes> force, torque_i, torque_j;
 };
 
 /// Two bodies as they meet, before any force is known.
-struct alignas(64) Meeting {
+struct alignas(64) ContactGeometry {
   Vec<Lanes> n;            ///< from i to j
   Lanes overlap;           ///< [m]
   Lanes lever_i, lever_j;  ///< [m] from the centres to the contact
@@ -55,9 +55,9 @@ struct alignas(64) Meeting {
   return p.radius_i + p.radius_j + choose(touching, p.reach, Lanes{});
 }
 
-[[gnu::always_inline]] inline Meeting meet(const PairParameters& p, const Bodies& b,
-                                           Lanes squared) {
-  Meeting m;
+[[gnu::always_inline]] inline ContactGeometry contact_geometry(const PairParameters& p,
+                                                               const Bodies& b, Lanes squared) {
+  ContactGeometry m;
   const Lanes distance = root(squared);
   m.n = (1.0 / larger(distance, Lanes{} + 1e-300)) * b.apart;  // 0 in free lanes
   m.overlap = p.radius_i + p.radius_j - distance;
@@ -71,7 +71,8 @@ struct alignas(64) Meeting {
 
 /// A vector across the last normal laid across this one, its length kept (dem.18): by the series of
 /// 1/sqrt(1 - q), q the square of the sine of what it turns by.
-[[gnu::always_inline]] inline Vec<Lanes> laid_across(const Vec<Lanes>& a, const Vec<Lanes>& n) {
+[[gnu::always_inline]] inline Vec<Lanes> rotate_to_tangent_plane(const Vec<Lanes>& a,
+                                                                 const Vec<Lanes>& n) {
   const Lanes along = dot(a, n);
   const Lanes q = along * along / larger(dot(a, a), Lanes{} + 1e-300);
   const Lanes longer = 1.0 + q * (0.5 + 0.375 * q);
@@ -81,10 +82,12 @@ struct alignas(64) Meeting {
 /// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
 /// dem.21, dem.37). The spring is kept half a step ahead, so that it grows by the mean of the slip
 /// of two steps; where the load changes its sign it was at the limit of 0. Returns the force on i.
-[[gnu::always_inline]] inline Vec<Lanes> rub(const PairParameters& parameters, History& p,
-                                             Deeds& deeds, const Frame& frame, const Meeting& m,
-                                             const contact::Push<Lanes>& push, LaneMask touching,
-                                             LaneMask turned) {
+[[gnu::always_inline]] inline Vec<Lanes> tangential_force(const PairParameters& parameters,
+                                                          History& p, ContactWork& work,
+                                                          const Frame& frame,
+                                                          const ContactGeometry& m,
+                                                          const contact::Push<Lanes>& push,
+                                                          LaneMask touching, LaneMask turned) {
   if (frame.rescaled) {
     const Lanes kept = push.stiffness / p.stiffness;
     p.spring = choose(less(push.stiffness, p.stiffness), kept, Lanes{} + 1.0) * p.spring;
@@ -92,7 +95,7 @@ struct alignas(64) Meeting {
   const Lanes none{}, one = none + 1.0;
   const Lanes stiffness = push.stiffness * (1.0 - parameters.lag * push.stiffness);
   const Vec<Lanes> half = (0.5 * frame.step) * m.slip;
-  Vec<Lanes> spring = laid_across(p.spring, m.n);
+  Vec<Lanes> spring = rotate_to_tangent_plane(p.spring, m.n);
   const auto against = [&] { return larger(-(push.damping * dot(m.slip, spring)), none); };
   if (any(turned)) {  // the limit was 0 about half a step ago
     const Lanes kept = against() / larger(stiffness * dot(spring, spring), none + 1e-150);
@@ -110,7 +113,7 @@ struct alignas(64) Meeting {
     force = choose(slides, most * (pull * both), one) * force;
     const Vec<Lanes> left = choose(slides & less(held, pull), held * (size * both), one) * spring;
     const Lanes slid = dot(force, left - spring);
-    deeds.sliding += choose(slides, slid, none);
+    work.sliding += choose(slides, slid, none);
     spring = left;
   }
   p.spring = choose<Lanes>(touching, spring + half, Vec<Lanes>{});
@@ -118,10 +121,11 @@ struct alignas(64) Meeting {
 }
 
 /// Rolling resistance: the torque on i, its opposite on j (dem.22 to dem.25).
-[[gnu::always_inline]] inline Vec<Lanes> resist(const PairParameters& p, History& past,
-                                                Deeds& deeds, const Frame& frame, const Meeting& m,
-                                                const Bodies& b, const contact::Push<Lanes>& push,
-                                                LaneMask touching) {
+[[gnu::always_inline]] inline Vec<Lanes> rolling_torque(const PairParameters& p, History& past,
+                                                        ContactWork& work, const Frame& frame,
+                                                        const ContactGeometry& m, const Bodies& b,
+                                                        const contact::Push<Lanes>& push,
+                                                        LaneMask touching) {
   Vec<Lanes> turning = b.wi - b.wj;
   turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
   const Lanes none{}, most = p.rolling * push.load;
@@ -141,7 +145,8 @@ struct alignas(64) Meeting {
     torque = -(limited(most * root(ratio)) * turning);
   } else {
     const Lanes stiffness = p.roll_spring * push.stiffness;
-    Vec<Lanes> spring = laid_across(past.roll, m.n) - (frame.step * stiffness) * turning;
+    Vec<Lanes> spring =
+        rotate_to_tangent_plane(past.roll, m.n) - (frame.step * stiffness) * turning;
     const Lanes squared = dot(spring, spring);
     const LaneMask slips = less(most * most, squared);
     if (any(slips)) {
@@ -153,16 +158,18 @@ struct alignas(64) Meeting {
     torque = spring - choose(slips, none, damping) * turning;
     past.roll = choose<Lanes>(touching, spring, Vec<Lanes>{});
   }
-  deeds.rolling -= choose(touching, frame.step * dot(torque, turning), none);
+  work.rolling -= choose(touching, frame.step * dot(torque, turning), none);
   return choose<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
 /// All that the pairs of a packet do to each other in a step; `edges` where contacts begin or end;
 /// `walls`: some may be at a wall.
 template <class Law>
-[[gnu::always_inline]] inline Push push(const PairParameters& p, History& past, Deeds& d,
-                                        const Frame& frame, const Bodies& b, const Meeting& m,
-                                        LaneMask touching, const Edges* edges, bool walls) {
+[[gnu::always_inline]] inline ContactForce contact_force(const PairParameters& p, History& past,
+                                                         ContactWork& d, const Frame& frame,
+                                                         const Bodies& b, const ContactGeometry& m,
+                                                         LaneMask touching, const Edges* edges,
+                                                         bool walls) {
   const Lanes none{};
   contact::Push<Lanes> f = Law::template push<Lanes>(
       p.numbers, past.memory, choose(touching, m.overlap, none), choose(touching, m.rate, none));
@@ -179,9 +186,9 @@ template <class Law>
   }
   f.force = choose(live, f.force, none);
   f.load = size_of(f.load);
-  const Vec<Lanes> friction = rub(p, past, d, frame, m, f, live, turned);
+  const Vec<Lanes> friction = tangential_force(p, past, d, frame, m, f, live, turned);
   past.stiffness = stiffness;
-  Push out;
+  ContactForce out;
   out.force = friction - f.force * m.n;
   const Vec<Lanes> arm = cross(m.n, friction);
   out.torque_i = m.lever_i * arm;
@@ -189,7 +196,7 @@ template <class Law>
   Lanes by_wall{};
   if (walls) by_wall = dot(out.force, b.vj + frame.jar_speed);
   if (frame.rolling != contact::Rolling::none) {
-    const Vec<Lanes> torque = resist(p, past, d, frame, m, b, f, touching);
+    const Vec<Lanes> torque = rolling_torque(p, past, d, frame, m, b, f, touching);
     out.torque_i = out.torque_i + torque;
     out.torque_j = out.torque_j - torque;
     if (walls) by_wall += dot(torque, b.wj);

@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 
 /// What a contact has done since it began; sums over steps of power times the step.
-struct alignas(64) Deeds {
+struct alignas(64) ContactWork {
   Lanes impulse{};     ///< [N s] normal
   Lanes normal{};      ///< [J] work done along the normal
   Lanes tangential{};  ///< [J] across it
@@ -73,7 +73,7 @@ struct alignas(64) Packet : PairParameters, History {
   LaneMask i{}, j{};    ///< bodies; i is always a ball
   LaneMask touching{};  ///< since the last step
   Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
-  Deeds deeds;
+  ContactWork work;
 
   std::array<std::int32_t, lanes> face{};          ///< of a wall; < 0: balls
   std::array<std::int32_t, lanes> species_pair{};  ///< which pair of species (SpeciesPairs)

@@ -92,8 +92,8 @@ struct Drift {
 };
 
 /// Sums over the steps of a chunk.
-struct Doings {
-  Deeds deeds;  ///< half of those of a pair with another chunk, for both reckon them
+struct ChunkSums {
+  ContactWork work;  ///< half of those of a pair with another chunk, for both reckon them
   std::int64_t ball_steps = 0, collisions = 0, lasting = 0;
   std::int64_t tests = 0;
 };
@@ -113,7 +113,7 @@ struct Chunk {
   double bound = 0, wall_bound = 0;  ///< [m] pairs may have come so much nearer
   std::vector<std::int32_t> beside;  ///< chunks that have balls near to its own
   std::int32_t in_touch = 0;         ///< balls that touch something
-  Doings doings;
+  ChunkSums sums;
   std::vector<Ended> ended;
   std::vector<std::int32_t> met;  ///< pairs found to touch, while looking
 };

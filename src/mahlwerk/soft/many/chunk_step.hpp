@@ -12,7 +12,7 @@ class Comings {
  public:
   virtual ~Comings() = default;
   /// Lanes of `grips[g]` that touch for the first time.
-  virtual void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m,
+  virtual void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
                      const Bodies& b) = 0;
   /// Lanes that touched, and do not now.
   virtual void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) = 0;

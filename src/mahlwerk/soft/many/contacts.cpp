@@ -35,7 +35,7 @@ void ManyBodySolver::look_at_walls(Chunk& chunk) {
     w.parted[k] = w.parted.back();
     w.parted.pop_back();
   }
-  chunk.doings.tests += static_cast<std::int64_t>(due);
+  chunk.sums.tests += static_cast<std::int64_t>(due);
 }
 
 void ManyBodySolver::seize(Chunk& chunk, const Nigh& pair) {
@@ -104,7 +104,7 @@ void ManyBodySolver::touches(Chunk& chunk, std::int32_t ball, int more) {
   if ((count > 0) != was) chunk.in_touch += count > 0 ? 1 : -1;
 }
 
-void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Meeting& m,
+void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const ContactGeometry& m,
                            const Bodies& b) {
   Grip& g = grips.grips[n];
   for (int l = 0; l < lanes; ++l) {
@@ -195,8 +195,8 @@ void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int
                           .impulse = g.impulse[l],
                           .lost_normal = g.lost_normal[l],
                           .lost_tangential = g.lost_across[l]}});
-  ++chunk.doings.collisions;
-  if (outlasts(duration, began, pair, law_)) ++chunk.doings.lasting;
+  ++chunk.sums.collisions;
+  if (outlasts(duration, began, pair, law_)) ++chunk.sums.lasting;
 }
 
 }  // namespace mahlwerk::soft

@@ -72,7 +72,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
 
 scene::Account ManyBodySolver::reckoned() const {
   scene::Account a = account_;
-  for (const Chunk& chunk : chunks_) add_doings(a, chunk);
+  for (const Chunk& chunk : chunks_) add_sums(a, chunk);
   a.time = time_of(step_);
   a.time_steps = step_;
   if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
@@ -150,7 +150,7 @@ void ManyBodySolver::carry(Archive& archive) {
     chunks_.assign(count, {});
   }
   for (Chunk& c : chunks_) {
-    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.doings)(c.beside);
+    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.beside);
     for (Grips* list : {&c.own, &c.cross, &c.wall})
       archive(list->grips)(list->began)(list->memories)(list->parameters)(list->facings)(
           list->free);

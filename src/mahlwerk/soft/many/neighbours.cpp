@@ -71,7 +71,7 @@ void ManyBodySolver::mark_places() {
 
 std::int64_t ManyBodySolver::tests() const {
   std::int64_t all = account_.search_steps;
-  for (const Chunk& chunk : chunks_) all += chunk.doings.tests;
+  for (const Chunk& chunk : chunks_) all += chunk.sums.tests;
   return all;
 }
 

@@ -260,20 +260,20 @@ bool ManyBodySolver::reach_bounds() {
 /// Sums of the chunks so far. At fixed steps, for every sum is rounded.
 void ManyBodySolver::settle() {
   for (Chunk& chunk : chunks_) {
-    add_doings(account_, chunk);
-    chunk.doings = {};
+    add_sums(account_, chunk);
+    chunk.sums = {};
   }
 }
 
-void ManyBodySolver::add_doings(scene::Account& a, const Chunk& chunk) const {
-  const Doings& d = chunk.doings;
+void ManyBodySolver::add_sums(scene::Account& a, const Chunk& chunk) const {
+  const ChunkSums& d = chunk.sums;
   for (int l = 0; l < lanes; ++l) {
-    a.lost_normal += d.deeds.normal[l];
-    a.lost_tangential += d.deeds.tangential[l];
-    a.lost_rolling += d.deeds.rolling[l];
-    a.slid += d.deeds.sliding[l];
-    a.wall_work += d.deeds.wall[l];
-    a.deepest_overlap = std::max(a.deepest_overlap, d.deeds.deepest[l]);
+    a.lost_normal += d.work.normal[l];
+    a.lost_tangential += d.work.tangential[l];
+    a.lost_rolling += d.work.rolling[l];
+    a.slid += d.work.sliding[l];
+    a.wall_work += d.work.wall[l];
+    a.deepest_overlap = std::max(a.deepest_overlap, d.work.deepest[l]);
   }
   a.contact_time += time_of(d.ball_steps);
   a.collisions += d.collisions;

@@ -44,7 +44,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   void check_energy();
   void settle();
   std::size_t records() const;
-  void add_doings(scene::Account& a, const Chunk& chunk) const;
+  void add_sums(scene::Account& a, const Chunk& chunk) const;
   void gather();
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
@@ -114,7 +114,8 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   void look_at_walls(Chunk& chunk) override;
   void seize(Chunk& chunk, const Nigh& pair) override;
   std::int32_t free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball);
-  void begin(Chunk& chunk, Grips& grips, std::size_t g, const Meeting& m, const Bodies& b) override;
+  void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
+             const Bodies& b) override;
   void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
   void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
   void bend(Grips& grips, std::size_t g, int lane);

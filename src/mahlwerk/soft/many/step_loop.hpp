@@ -25,7 +25,7 @@ namespace mahlwerk::soft {
 /// Contacts of one kind: what they do to the balls of the chunk.
 template <class Law, bool wide>
 [[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, VectorPair* loads,
-                                        Ahead& ahead, Deeds& sums) {
+                                        Ahead& ahead, ContactWork& sums) {
   Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
   PairParameters made;
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
@@ -42,7 +42,7 @@ template <class Law, bool wide>
       gather(s.parameters, g, made), parameters = &made;
     const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*parameters, touched);
     const LaneMask touching = less(squared, near * near) & touched;
-    const Meeting m = meet(*parameters, b, squared);
+    const ContactGeometry m = contact_geometry(*parameters, b, squared);
     const Edges edges{mask(g.fresh), touching ^ touched};
     const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
     if (g.fresh != 0) {
@@ -57,9 +57,9 @@ template <class Law, bool wide>
       for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
-    Deeds d;
-    const Push out = push<Law>(*parameters, past, d, s.frame, b, m, touching,
-                               changes ? &edges : nullptr, whose == Whose::wall);
+    ContactWork d;
+    const ContactForce out = contact_force<Law>(*parameters, past, d, s.frame, b, m, touching,
+                                                changes ? &edges : nullptr, whose == Whose::wall);
     g.spring = past.spring;
     g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
     if (s.remembers) {
@@ -110,7 +110,7 @@ template <bool wide>
       for (; bits != 0; bits &= bits - 1)
         chunk.met.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
     }
-    chunk.doings.tests += static_cast<std::int64_t>(end);
+    chunk.sums.tests += static_cast<std::int64_t>(end);
   };
   scan(w.pairs, w.due(chunk.bound, s.bin));
   for (std::size_t n = chunk.met.size(); n-- > 0;) {
@@ -194,10 +194,10 @@ template <class Law, bool wide>
   std::fill_n(loads.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
   for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
-    Deeds d;
+    ContactWork d;
     grip<Law, wide>(s, chunk, whose, loads.data(), ahead, d);
     const double part = whose == Whose::cross ? 0.5 : 1;
-    Deeds& all = chunk.doings.deeds;
+    ContactWork& all = chunk.sums.work;
     all.normal += part * d.normal;
     all.tangential += part * d.tangential;
     all.rolling += part * d.rolling;
@@ -205,7 +205,7 @@ template <class Law, bool wide>
     all.wall += d.wall;
     all.deepest = larger(all.deepest, d.deepest);
   }
-  chunk.doings.ball_steps += chunk.in_touch;
+  chunk.sums.ball_steps += chunk.in_touch;
   if (wide && s.large)
     move<wide, wide>(s, chunk, loads.data(), drift);
   else
