@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t few = 8;  // balls whose pairs are all looked at
+constexpr std::size_t few = 8;  // balls kind pairs are all looked at
 
 }  // namespace
 

@@ -64,9 +64,9 @@ struct ParticleData {
 };
 
 /// What happens seldom, outside the innermost loop.
-class Seldom {
+class SlowPath {
  public:
-  virtual ~Seldom() = default;
+  virtual ~SlowPath() = default;
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void look() = 0;
   /// Contacts of a packet begin.
@@ -77,10 +77,10 @@ class Seldom {
 };
 
 /// Everything a stretch of steps needs.
-struct alignas(64) Stretch {
+struct alignas(64) StepBlock {
   ParticleData& particles;
   const MovingWall& jar;
-  Seldom& seldom;
+  SlowPath& slow_path;
   Frame frame;
   std::span<const DriveSample> drive;  ///< one more than steps
   double start = 0;                    ///< [s] the mill's clock at step 0
@@ -90,10 +90,10 @@ struct alignas(64) Stretch {
 };
 
 /// Takes steps; returns whether anything touched in the last one.
-using Steps = bool (*)(Stretch&);
+using BlockStepper = bool (*)(StepBlock&);
 
 /// The steps of each law, compiled for this machine.
 template <class Law>
-Steps steps_of();
+BlockStepper block_stepper();
 
 }  // namespace mahlwerk::soft

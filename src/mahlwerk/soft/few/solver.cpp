@@ -30,7 +30,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       rules_(rules),
       law_(rules.model.law),
       pairs_(balls, pairs, law_),
-      steps_(std::visit([]<class L>(const L&) { return steps_of<L>(); }, law_)),
+      step_block_(std::visit([]<class L>(const L&) { return block_stepper<L>(); }, law_)),
       start_(start),
       hops_(rules.hop && balls.size() <= hopping),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
@@ -107,7 +107,7 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
         now_ = std::min(landing_, until);
         if (now_ == landing_) land();
       } else if (!hop()) {
-        stretch(until);
+        advance_block(until);
         now_ = particles_.step;
       }
       if (ended_.size() > 1000) hand_over();
@@ -120,32 +120,32 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
   hand_over();
 }
 
-/// Steps up to `until`, the end of a block, or the first idle step after which to try a hop.
-void FewBodySolver::stretch(std::int64_t until) {
+/// BlockStepper up to `until`, the end of a block, or the first idle step after which to try a hop.
+void FewBodySolver::advance_block(std::int64_t until) {
   ParticleData& w = particles_;
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
   const bool waits = hops_ && !touched_ && w.step < try_hop_;
   if (waits) end = std::min(end, try_hop_);
   drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->sample_drive(start_, rules_.time_step, w.step, drive_);
-  Stretch s{.particles = w,
-            .jar = *jar_,
-            .seldom = *this,
-            .frame = {.step = rules_.time_step,
-                      .per_step = 1 / rules_.time_step,
-                      .jar_speed = {},
-                      .rolling = rules_.model.rolling,
-                      .rolling_damping = rules_.model.rolling_damping,
-                      .rescaled = rules_.model.rescaled_unloading,
-                      .periodic = folds_,
-                      .periods = periods_of(jar_->periods())},
-            .drive = drive_,
-            .start = start_,
-            .moved = 0.5 * skin_,
-            .swept_since = list_step_,
-            .idle_ends = hops_ && !waits};
+  StepBlock s{.particles = w,
+              .jar = *jar_,
+              .slow_path = *this,
+              .frame = {.step = rules_.time_step,
+                        .per_step = 1 / rules_.time_step,
+                        .jar_speed = {},
+                        .rolling = rules_.model.rolling,
+                        .rolling_damping = rules_.model.rolling_damping,
+                        .rescaled = rules_.model.rescaled_unloading,
+                        .periodic = folds_,
+                        .periods = periods_of(jar_->periods())},
+              .drive = drive_,
+              .start = start_,
+              .moved = 0.5 * skin_,
+              .swept_since = list_step_,
+              .idle_ends = hops_ && !waits};
   const std::int64_t before = w.step;
-  touched_ = steps_(s);
+  touched_ = step_block_(s);
   account_.time_steps += w.step - before;
   if (w.step % energy_check == 0) check_energy();
 }

@@ -14,7 +14,7 @@
 namespace mahlwerk::soft {
 
 /// The soft engine: balls and their contacts, followed in small steps (docs/theory/soft.md).
-class FewBodySolver final : public scene::Engine, private Seldom {
+class FewBodySolver final : public scene::Engine, private SlowPath {
  public:
   FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                 const Rules& rules, const contact::PairTable& pairs, double start);
@@ -27,7 +27,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
 
  private:
   // The main loop (soft_balls.cpp).
-  void stretch(std::int64_t until);
+  void advance_block(std::int64_t until);
   double clock(std::int64_t step) const;    // [s] of the mill
   double time_of(std::int64_t step) const;  // [s] since the start of the run
   void check_energy();
@@ -81,7 +81,7 @@ class FewBodySolver final : public scene::Engine, private Seldom {
   Rules rules_;
   contact::AnyLaw law_;
   SpeciesPairs pairs_;
-  Steps steps_;
+  BlockStepper step_block_;
   double start_, skin_;
   double mass_ = 0;           // [kg] of all balls
   double reach_ = 0;          // [m] farthest that a contact holds beyond touch

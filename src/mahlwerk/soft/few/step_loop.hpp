@@ -8,13 +8,13 @@
 // The innermost loop: one text, compiled for each law and each kind of machine.
 namespace mahlwerk::soft {
 
-/// Numbers of a column at the bodies of eight lanes. With `wide` registers, two of them hold all
+/// Numbers of a column at the bodies of eight lanes. With AVX-512, two registers hold all
 /// bodies and one instruction picks eight.
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline Lanes pick(const std::vector<Eight>& column, const LaneMask& at,
                                          bool few) {
-#ifdef MAHLWERK_WIDE
-  if constexpr (wide)
+#ifdef MAHLWERK_AVX512
+  if constexpr (avx512)
     if (few) return __builtin_shuffle(column[0].is, column[1].is, at);
 #endif
   const double* all = numbers(column);
@@ -22,14 +22,14 @@ template <bool wide>
   for (int l = 0; l < lanes; ++l) found[l] = all[at[l]];
   return found;
 }
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline Vec<Lanes> pick(const Columns& c, const LaneMask& at, bool few) {
-  return {pick<wide>(c.x, at, few), pick<wide>(c.y, at, few), pick<wide>(c.z, at, few)};
+  return {pick<avx512>(c.x, at, few), pick<avx512>(c.y, at, few), pick<avx512>(c.z, at, few)};
 }
 
 /// Half a kick, a drift, and the velocities predicted for the contacts of this step (dem.26).
 /// Returns where a ball has moved farther than it may.
-[[gnu::always_inline]] inline bool drift(Stretch& s, const DriveSample& before,
+[[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
   const Lanes none{}, step = none + s.frame.step, half = 0.5 * step;
@@ -67,10 +67,10 @@ template <bool wide>
 }
 
 /// Adds what a packet does to each of eight balls, in the order of its lanes.
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline void add(const Owners& owners, const ContactForce& f,
                                        Vec<Lanes>& force, Vec<Lanes>& torque) {
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
   const auto sum = [&](Lanes& all, const Lanes& i, const Lanes& j, int k) {
     const Lanes part = __builtin_shuffle(i, j, owners.from[static_cast<std::size_t>(k)]);
     all += choose(owners.has[static_cast<std::size_t>(k)], part, Lanes{});
@@ -107,11 +107,11 @@ template <bool wide>
 }
 
 /// One packet in a step. Returns false where nothing touches.
-template <class Law, bool wide>
-[[gnu::always_inline]] inline bool apply_packet(Stretch& s, Packet& p, ContactForce& out) {
+template <class Law, bool avx512>
+[[gnu::always_inline]] inline bool apply_packet(StepBlock& s, Packet& p, ContactForce& out) {
   const ParticleData& w = s.particles;
   Bodies b;
-  b.apart = pick<wide>(w.position, p.j, w.few) - pick<wide>(w.position, p.i, w.few);
+  b.apart = pick<avx512>(w.position, p.j, w.few) - pick<avx512>(w.position, p.i, w.few);
   if (s.frame.periodic)
     b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
                folded(b.apart.z, s.frame.periods.z)};
@@ -120,21 +120,21 @@ template <class Law, bool wide>
   const Edges edges{touching & ~p.touching, p.touching & ~touching};
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
-  b.vj = pick<wide>(w.velocity_predicted, p.j, w.few);
-  b.relative = pick<wide>(w.velocity_predicted, p.i, w.few) - b.vj;
-  b.wi = pick<wide>(w.spin_predicted, p.i, w.few);
-  b.wj = pick<wide>(w.spin_predicted, p.j, w.few);
+  b.vj = pick<avx512>(w.velocity_predicted, p.j, w.few);
+  b.relative = pick<avx512>(w.velocity_predicted, p.i, w.few) - b.vj;
+  b.wi = pick<avx512>(w.spin_predicted, p.i, w.few);
+  b.wj = pick<avx512>(w.spin_predicted, p.j, w.few);
   const ContactGeometry m = contact_geometry(p, b, squared);
-  if (changes) s.seldom.begin(p, edges.begun, m, b);
+  if (changes) s.slow_path.begin(p, edges.begun, m, b);
   out = contact_force<Law>(p, p, p.work, s.frame, b, m, touching, changes ? &edges : nullptr, true);
-  if (changes) s.seldom.end(p, edges.ended);
+  if (changes) s.slow_path.end(p, edges.ended);
   p.normal = m.n;
   return true;
 }
 
 /// The main loop of the soft engine.
-template <class Law, bool wide>
-[[gnu::always_inline]] inline bool steps(Stretch& s) {
+template <class Law, bool avx512>
+[[gnu::always_inline]] inline bool step_block(StepBlock& s) {
   ParticleData& w = s.particles;
   bool touched = false;
   for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
@@ -142,7 +142,7 @@ template <class Law, bool wide>
     const bool far = drift(s, s.drive[k], drive);
     ++w.step;
     if (far) {
-      s.seldom.look();
+      s.slow_path.look();
       s.swept_since = w.step;
     }
     if (!w.near.empty()) {
@@ -160,12 +160,12 @@ template <class Law, bool wide>
     s.frame.jar_speed = {none + drive.speed.x, none + drive.speed.y, none + drive.speed.z};
     touched = false;
     ContactForce found;
-    if (wide && w.few) {
+    if (avx512 && w.few) {
       Vec<Lanes> force{}, torque{};
       for (std::size_t n = 0; n < w.packets.size(); ++n)
-        if (apply_packet<Law, wide>(s, w.packets[n], found)) {
+        if (apply_packet<Law, avx512>(s, w.packets[n], found)) {
           touched = true;
-          add<wide>(w.owners[n], found, force, torque);
+          add<avx512>(w.owners[n], found, force, torque);
         }
       kick(w, 0, force, torque);
     } else {
@@ -174,7 +174,7 @@ template <class Law, bool wide>
         w.torque.put(b, Vec<Lanes>{});
       }
       for (Packet& p : w.packets)
-        if (apply_packet<Law, wide>(s, p, found)) {
+        if (apply_packet<Law, avx512>(s, p, found)) {
           touched = true;
           scatter(w, p, found);
         }
@@ -185,32 +185,32 @@ template <class Law, bool wide>
   return touched;
 }
 
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
 template <class Law>
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool steps_wide(Stretch& s) {
-  return steps<Law, true>(s);
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool step_block_avx512(StepBlock& s) {
+  return step_block<Law, true>(s);
 }
 #endif
-#ifdef MAHLWERK_MIDDLING
+#ifdef MAHLWERK_AVX2
 template <class Law>
-[[gnu::target("avx2"), gnu::flatten]] bool steps_middling(Stretch& s) {
-  return steps<Law, false>(s);
+[[gnu::target("avx2"), gnu::flatten]] bool step_block_avx2(StepBlock& s) {
+  return step_block<Law, false>(s);
 }
 #endif
 template <class Law>
-[[gnu::flatten]] bool steps_plain(Stretch& s) {
-  return steps<Law, false>(s);
+[[gnu::flatten]] bool step_block_sse2(StepBlock& s) {
+  return step_block<Law, false>(s);
 }
 
 template <class Law>
-Steps steps_of() {
-#ifdef MAHLWERK_WIDE
-  if (machine() == Machine::wide) return steps_wide<Law>;
+BlockStepper block_stepper() {
+#ifdef MAHLWERK_AVX512
+  if (isa() == Isa::avx512) return step_block_avx512<Law>;
 #endif
-#ifdef MAHLWERK_MIDDLING
-  if (machine() == Machine::middling) return steps_middling<Law>;
+#ifdef MAHLWERK_AVX2
+  if (isa() == Isa::avx2) return step_block_avx2<Law>;
 #endif
-  return steps_plain<Law>;
+  return step_block_sse2<Law>;
 }
 
 }  // namespace mahlwerk::soft

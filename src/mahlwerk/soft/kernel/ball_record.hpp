@@ -56,7 +56,7 @@ template <class R>
 /// Side by side. Said outright: GCC 12 would load both and then shuffle.
 [[gnu::always_inline]] inline Lanes joined(const FourAnywhere& a, const FourAnywhere& b) {
   Lanes both;
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
   asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
 #else
   both = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -81,7 +81,7 @@ template <class R>
 /// Past the cache: to where nobody looks before everything else has been through it.
 template <class R, class A>
 [[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
   asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
 #else
   std::memcpy(&row, &a, sizeof row);
@@ -89,7 +89,7 @@ template <class R, class A>
 }
 /// Before anybody else looks there.
 [[gnu::always_inline]] inline void all_are_put() {
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
   asm volatile("sfence" ::: "memory");
 #endif
 }

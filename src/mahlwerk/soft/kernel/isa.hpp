@@ -5,31 +5,31 @@
 #include <cstdlib>
 #include <string_view>
 
-// Which kinds of machine the innermost loops are compiled for.
+// Instruction sets that the innermost loops are compiled for.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MAHLWERK_WIDE 1
-#ifndef __SANITIZE_ADDRESS__  // nothing there that the other two have not, and minutes to compile
-#define MAHLWERK_MIDDLING 1
+#define MAHLWERK_AVX512 1
+#ifndef __SANITIZE_ADDRESS__  // adds nothing to the other two, and minutes to compile
+#define MAHLWERK_AVX2 1
 #endif
 #endif
 
 namespace mahlwerk::soft {
 
-enum class Machine { plain, middling, wide };
+enum class Isa { sse2, avx2, avx512 };
 
-/// The widest registers of this machine: AVX-512, AVX2 or what every machine has; narrower if the
+/// The widest instruction set of this machine, SSE2 if no other; a narrower one where the
 /// environment says MAHLWERK_SIMD=avx2 or plain. Results have the same bits on all.
-inline Machine machine() {
-#ifdef MAHLWERK_WIDE
+inline Isa isa() {
+#ifdef MAHLWERK_AVX512
   const char* wish = std::getenv("MAHLWERK_SIMD");
   const std::string_view asked = wish == nullptr ? "" : wish;
-  if (asked == "plain") return Machine::plain;
+  if (asked == "plain") return Isa::sse2;
   if (asked != "avx2" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl"))
-    return Machine::wide;
-  if (__builtin_cpu_supports("avx2")) return Machine::middling;
+    return Isa::avx512;
+  if (__builtin_cpu_supports("avx2")) return Isa::avx2;
 #endif
-  return Machine::plain;
+  return Isa::sse2;
 }
 
 }  // namespace mahlwerk::soft

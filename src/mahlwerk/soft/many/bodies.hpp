@@ -9,19 +9,19 @@
 // From the rows of a crowd to the bodies of eight contacts, and back: what they do to each ball.
 namespace mahlwerk::soft {
 
-enum class Whose { own, cross, wall };
+enum class ContactKind { own, halo, wall };
 
 using Bodied = std::array<std::int32_t, lanes>;  // a body for each lane
 
-/// Places and velocities. Without wide registers, number by number.
-template <bool wide>
+/// Places and velocities. Without AVX-512, number by number.
+template <bool avx512>
 [[gnu::always_inline]] inline void motion(const BallRecord* rows, const Bodied& at,
                                           Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const BallRecord& a = rows[at[k]];
     const auto l = static_cast<int>(k);
-    if constexpr (!wide) {
+    if constexpr (!avx512) {
       x[0][l] = a.x, x[1][l] = a.y, x[2][l] = a.z;
       v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
     } else if (k < 4) {
@@ -29,18 +29,18 @@ template <bool wide>
       x[k] = fours(a, b), v[k] = last_fours(a, b);
     }
   }
-  if constexpr (wide) transpose(x), transpose(v);
+  if constexpr (avx512) transpose(x), transpose(v);
   position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 /// The same, of j less i.
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline void differences(const BallRecord* rows, const Grip& g,
                                                Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const BallRecord &i = rows[g.i[k]], &j = rows[g.j[k]];
     const auto l = static_cast<int>(k);
-    if constexpr (!wide) {
+    if constexpr (!avx512) {
       x[0][l] = j.x - i.x, x[1][l] = j.y - i.y, x[2][l] = j.z - i.z;
       v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
     } else if (k < 4) {
@@ -48,30 +48,30 @@ template <bool wide>
       x[k] = fours(j, j4) - fours(i, i4), v[k] = last_fours(j, j4) - last_fours(i, i4);
     }
   }
-  if constexpr (wide) transpose(x), transpose(v);
+  if constexpr (avx512) transpose(x), transpose(v);
   position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline Vec<Lanes> spins(const SpinRecord* spins, const Bodied& at) {
   Lanes w[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const SpinRecord& a = spins[at[k]];
     const auto l = static_cast<int>(k);
-    if constexpr (!wide)
+    if constexpr (!avx512)
       w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
     else if (k < 4)
       w[k] = fours(a, spins[at[k + 4]]);
   }
-  if constexpr (wide) transpose(w);
+  if constexpr (avx512) transpose(w);
   return {w[0], w[1], w[2]};
 }
 
 /// Adds forces and torques to the rows of the balls, in the order of the lanes.
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline void add(VectorPair* loads, std::int32_t first, const Bodied& at,
                                        const Vec<Lanes>& force, const Vec<Lanes>& torque) {
   Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
-  if constexpr (wide) {
+  if constexpr (avx512) {
     transpose(r);
     for (int l = 0; l < lanes; ++l) {
       VectorPair& sum = loads[at[static_cast<std::size_t>(l)] - first];
@@ -87,17 +87,17 @@ template <bool wide>
 }
 
 /// The bodies of a grip.
-template <bool wide>
-[[gnu::always_inline]] inline Bodies bodies(const Pass& s, const Grip& g, LaneMask touching,
-                                            Whose whose) {
+template <bool avx512>
+[[gnu::always_inline]] inline Bodies bodies(const ChunkStep& s, const Grip& g, LaneMask touching,
+                                            ContactKind kind) {
   Bodies b;
   const Lanes none{};
   Vec<Lanes> position, velocity;
-  b.wi = spins<wide>(s.spins, g.i);
-  if (whose == Whose::wall) {
+  b.wi = spins<avx512>(s.spins, g.i);
+  if (kind == ContactKind::wall) {
     Eight points[3];
     s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.reach, points);
-    motion<wide>(s.rows, g.i, position, velocity);
+    motion<avx512>(s.rows, g.i, position, velocity);
     const Vec<Lanes> at{points[0].is, points[1].is, points[2].is};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
@@ -110,22 +110,22 @@ template <bool wide>
     b.apart = at - position;
     b.relative = velocity - b.vj;
   } else {
-    differences<wide>(s.rows, g, position, velocity);
+    differences<avx512>(s.rows, g, position, velocity);
     b.apart = position;
     if (s.frame.periodic)
       b.apart = {folded(position.x, s.frame.periods.x), folded(position.y, s.frame.periods.y),
                  folded(position.z, s.frame.periods.z)};
     b.relative = -velocity;
     b.vj = {none, none, none};
-    b.wj = spins<wide>(s.spins, g.j);
+    b.wj = spins<avx512>(s.spins, g.j);
   }
   return b;
 }
 
-[[gnu::always_inline]] inline void prefetch(const Pass& s, const Grip& g, Whose whose) {
+[[gnu::always_inline]] inline void prefetch(const ChunkStep& s, const Grip& g, ContactKind kind) {
   for (std::size_t l = 0; l < lanes; ++l) {
     __builtin_prefetch(&s.spins[g.i[l]]);
-    if (whose == Whose::wall) continue;
+    if (kind == ContactKind::wall) continue;
     __builtin_prefetch(&s.rows[g.j[l]]);
     __builtin_prefetch(&s.spins[g.j[l]]);
   }

@@ -60,12 +60,12 @@ struct Grips {
 
 /// Pairs that are near and do not touch, by their gap when they were last sorted: those of bin k
 /// had at least k times the width. So few need be looked at until bodies have moved.
-struct Waiting {
+struct VerletList {
   static constexpr int bins = 16;
   static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all wider gaps
-  std::vector<Nigh> pairs;
+  std::vector<NeighbourPair> pairs;
   std::array<std::int32_t, bins + 1> end{};  ///< of each bin
-  std::vector<Nigh> parted;                  ///< have touched since, and are looked at always
+  std::vector<NeighbourPair> separated;      ///< have touched since, and are looked at always
 
   /// Pairs that may touch where bodies have come nearer by `bound`, bins being `width` wide.
   std::size_t due(double bound, double bin_width) const {
@@ -108,11 +108,11 @@ struct Ended {
 /// of one and a ball of another chunk, which has the contact, too; with the wall.
 struct Chunk {
   std::int32_t first = 0, last = 0;
-  Grips own, cross, wall;
-  Waiting near, near_wall;
-  double bound = 0, wall_bound = 0;  ///< [m] pairs may have come so much nearer
-  std::vector<std::int32_t> beside;  ///< chunks that have balls near to its own
-  std::int32_t in_touch = 0;         ///< balls that touch something
+  Grips own, halo, wall;
+  VerletList near, near_wall;
+  double bound = 0, wall_bound = 0;      ///< [m] pairs may have come so much nearer
+  std::vector<std::int32_t> neighbours;  ///< chunks that have balls near to its own
+  std::int32_t in_touch = 0;             ///< balls that touch something
   ChunkSums sums;
   std::vector<Ended> ended;
   std::vector<std::int32_t> met;  ///< pairs found to touch, while looking

@@ -8,22 +8,22 @@
 namespace mahlwerk::soft {
 
 /// Contacts of a chunk that begin and end, seldom enough to stand outside the innermost loop.
-class Comings {
+class ContactEvents {
  public:
-  virtual ~Comings() = default;
+  virtual ~ContactEvents() = default;
   /// Lanes of `grips[g]` that touch for the first time.
   virtual void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
                      const Bodies& b) = 0;
   /// Lanes that touched, and do not now.
   virtual void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) = 0;
   /// Two balls that touch for the first time get a lane.
-  virtual void seize(Chunk& chunk, const Nigh& pair) = 0;
+  virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// So do balls that touch a wall.
-  virtual void look_at_walls(Chunk& chunk) = 0;
+  virtual void test_walls(Chunk& chunk) = 0;
 };
 
 /// Everything a step of one chunk needs. Rows are those of all balls.
-struct alignas(64) Pass {
+struct alignas(64) ChunkStep {
   const BallRecord* rows = nullptr;
   const SpinRecord* spins = nullptr;
   BallRecord* next = nullptr;  ///< a step later
@@ -35,7 +35,7 @@ struct alignas(64) Pass {
   const std::int32_t* species = nullptr;
   const PairParameters* parameters = nullptr;  ///< of each species pair, eight alike
   const MovingWall* jar = nullptr;
-  Comings* comings = nullptr;
+  ContactEvents* events = nullptr;
   double time = 0;            ///< [s] the mill's clock
   double bin = 0;             ///< [m] width of the bins of pairs that wait
   double reach = 0;           ///< [m] farthest that a contact holds beyond touch
@@ -51,10 +51,10 @@ using Loads = std::vector<VectorPair>;
 
 /// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean. The
 /// memory of the one `following`, if any, is fetched meanwhile.
-using PassOf = void (*)(Pass&, Chunk&, const Chunk* following, Loads&, Drift& drift);
+using ChunkStepper = void (*)(ChunkStep&, Chunk&, const Chunk* following, Loads&, Drift& drift);
 
 /// The pass of each law, compiled for this machine.
 template <class Law>
-PassOf pass_of();
+ChunkStepper chunk_stepper();
 
 }  // namespace mahlwerk::soft

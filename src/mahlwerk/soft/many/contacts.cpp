@@ -10,38 +10,38 @@
 namespace mahlwerk::soft {
 namespace {
 
-bool is_wall(const Nigh& pair) {
+bool is_wall(const NeighbourPair& pair) {
   return pair.other < 0;
 }
 
 }  // namespace
 
-void ManyBodySolver::look_at_walls(Chunk& chunk) {
-  Waiting& w = chunk.near_wall;
-  const auto touches = [&](const Nigh& pair) {
+void ManyBodySolver::test_walls(Chunk& chunk) {
+  VerletList& w = chunk.near_wall;
+  const auto touches = [&](const NeighbourPair& pair) {
     const BallRecord& ball = now_[static_cast<std::size_t>(pair.ball)];
     return jar_->gap(~pair.other, ball.position(), clock(step_), ball.radius).distance <
            ball.radius;
   };
-  const std::size_t due = w.due(chunk.wall_bound, skin_ * Waiting::width);
+  const std::size_t due = w.due(chunk.wall_bound, skin_ * VerletList::width);
   for (std::size_t k = due; k-- > 0;) {
     if (!touches(w.pairs[k])) continue;
-    seize(chunk, w.pairs[k]);
+    activate(chunk, w.pairs[k]);
     w.remove(k);
   }
-  for (std::size_t k = w.parted.size(); k-- > 0;) {
-    if (!touches(w.parted[k])) continue;
-    seize(chunk, w.parted[k]);
-    w.parted[k] = w.parted.back();
-    w.parted.pop_back();
+  for (std::size_t k = w.separated.size(); k-- > 0;) {
+    if (!touches(w.separated[k])) continue;
+    activate(chunk, w.separated[k]);
+    w.separated[k] = w.separated.back();
+    w.separated.pop_back();
   }
   chunk.sums.tests += static_cast<std::int64_t>(due);
 }
 
-void ManyBodySolver::seize(Chunk& chunk, const Nigh& pair) {
+void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
-  Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.cross;
+  Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.halo;
   const std::int32_t species_pair =
       is_wall(pair) ? pairs_.wall(mine, ~pair.other)
                     : pairs_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
@@ -160,8 +160,8 @@ void ManyBodySolver::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMa
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], -1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], -1);
-    if (&grips != &chunk.cross || g.i[k] < g.j[k]) record(chunk, grips, n, l);
-    (wall ? chunk.near_wall : chunk.near).parted.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
+    if (&grips != &chunk.halo || g.i[k] < g.j[k]) record(chunk, grips, n, l);
+    (wall ? chunk.near_wall : chunk.near).separated.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
     g.touching &= ~bit(l);
     put(g.spring, l, {});
     grips.free.push_back(static_cast<std::int32_t>(n) * lanes + l);

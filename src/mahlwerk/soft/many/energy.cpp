@@ -65,7 +65,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
     }
   };
   add(chunk.own, 1);
-  add(chunk.cross, 0.5);
+  add(chunk.halo, 0.5);
   add(chunk.wall, 1);
   return energy;
 }
@@ -150,11 +150,11 @@ void ManyBodySolver::carry(Archive& archive) {
     chunks_.assign(count, {});
   }
   for (Chunk& c : chunks_) {
-    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.beside);
-    for (Grips* list : {&c.own, &c.cross, &c.wall})
+    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.neighbours);
+    for (Grips* list : {&c.own, &c.halo, &c.wall})
       archive(list->grips)(list->began)(list->memories)(list->parameters)(list->facings)(
           list->free);
-    for (Waiting* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->parted);
+    for (VerletList* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->separated);
   }
   archive(account_)(watch_)(asked_);
   if (archive.reading()) share_work();

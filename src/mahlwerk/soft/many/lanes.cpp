@@ -11,13 +11,13 @@
 namespace mahlwerk::soft {
 namespace {
 
-enum ListKind : std::int32_t { own_list, cross_list, wall_list, list_kinds };
+enum ListKind : std::int32_t { own_list, halo_list, wall_list, list_kinds };
 
 Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
   Chunk& chunk = chunks[static_cast<std::size_t>(list / list_kinds)];
-  return list % list_kinds == own_list     ? chunk.own
-         : list % list_kinds == cross_list ? chunk.cross
-                                           : chunk.wall;
+  return list % list_kinds == own_list    ? chunk.own
+         : list % list_kinds == halo_list ? chunk.halo
+                                          : chunk.wall;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ ManyBodySolver::Carried ManyBodySolver::take_contacts(const std::vector<std::int
         const Grip& g = list.grips[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(at % lanes)) continue;
-        if (number % list_kinds == cross_list && g.i[l] > g.j[l])
+        if (number % list_kinds == halo_list && g.i[l] > g.j[l])
           continue;  // the other chunk's is taken
         const std::int32_t j =
             number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
@@ -97,10 +97,10 @@ void ManyBodySolver::make_room(Chunk& chunk, std::span<const Kept> kept, std::si
   for (const Kept& k : kept)
     ++count[k.list % list_kinds == wall_list         ? wall_list
             : k.j >= chunk.first && k.j < chunk.last ? own_list
-                                                     : cross_list];
+                                                     : halo_list];
   const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
   chunk.own.make_room(room(own_list), remembers_, false);
-  chunk.cross.make_room(room(cross_list), remembers_, false);
+  chunk.halo.make_room(room(halo_list), remembers_, false);
   chunk.wall.make_room(room(wall_list), remembers_, rules_.model.curved_walls);
 }
 
@@ -112,8 +112,8 @@ void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const Grips& from
     return give(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
-  if (!has(k.i)) return give(chunk.cross, k, from, k.j, k.i, pairs_.balls(other, species), -1);
-  Grips& list = has(k.j) ? chunk.own : chunk.cross;
+  if (!has(k.i)) return give(chunk.halo, k, from, k.j, k.i, pairs_.balls(other, species), -1);
+  Grips& list = has(k.j) ? chunk.own : chunk.halo;
   give(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
 }
 

@@ -16,10 +16,10 @@ namespace mahlwerk::soft {
 namespace {
 
 /// Sorts pairs into bins of `width` by their gaps.
-void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<double>& gaps,
-               double width) {
-  std::array<std::int32_t, Waiting::bins + 1> count{};
-  constexpr double most = Waiting::bins - 1;
+void into_bins(VerletList& w, const std::vector<NeighbourPair>& found,
+               const std::vector<double>& gaps, double width) {
+  std::array<std::int32_t, VerletList::bins + 1> count{};
+  constexpr double most = VerletList::bins - 1;
   std::vector<std::uint8_t> bins(found.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     bins[k] = static_cast<std::uint8_t>(std::min(std::max(0.0, gaps[k] / width), most));
@@ -30,7 +30,7 @@ void into_bins(Waiting& w, const std::vector<Nigh>& found, const std::vector<dou
   w.pairs.resize(found.size());
   for (std::size_t k = 0; k < found.size(); ++k)
     w.pairs[static_cast<std::size_t>(count[bins[k]]++)] = found[k];
-  w.parted.clear();
+  w.separated.clear();
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ std::int64_t ManyBodySolver::tests() const {
 bool ManyBodySolver::worth_sorting() const {
   std::int64_t pairs = 0;
   for (const Chunk& c : chunks_)
-    pairs += std::ssize(c.near.pairs) + std::ssize(c.near.parted) + std::ssize(c.near_wall.pairs);
+    pairs +=
+        std::ssize(c.near.pairs) + std::ssize(c.near.separated) + std::ssize(c.near_wall.pairs);
   return tests() - sorted_at_ > 7 * pairs;
 }
 
@@ -92,15 +93,16 @@ void ManyBodySolver::sort_pairs() {
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     std::vector<double> gaps;
-    for (Waiting* w : {&chunk.near, &chunk.near_wall}) {
-      std::vector<Nigh> pairs = w->pairs;
-      pairs.insert(pairs.end(), w->parted.begin(), w->parted.end());
+    for (VerletList* w : {&chunk.near, &chunk.near_wall}) {
+      std::vector<NeighbourPair> pairs = w->pairs;
+      pairs.insert(pairs.end(), w->separated.begin(), w->separated.end());
       gaps.resize(pairs.size());
       if (w == &chunk.near)
         find_gaps(now_.data(), pairs, jar_->periods(), gaps);
       else
-        std::ranges::transform(pairs, gaps.begin(), [&](const Nigh& p) { return wall_gap(p); });
-      into_bins(*w, pairs, gaps, skin_ * Waiting::width);
+        std::ranges::transform(pairs, gaps.begin(),
+                               [&](const NeighbourPair& p) { return wall_gap(p); });
+      into_bins(*w, pairs, gaps, skin_ * VerletList::width);
     }
   });
   for (const Chunk& c : chunks_)
@@ -108,7 +110,7 @@ void ManyBodySolver::sort_pairs() {
   mark_places();
 }
 
-double ManyBodySolver::wall_gap(const Nigh& pair) const {
+double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
   const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
   return jar_->distance(~pair.other, a.position(), clock(step_), a.radius + 2 * skin_) - a.radius;
 }
@@ -164,7 +166,7 @@ std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
 /// both.
 void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
-  for (const Grips* list : {&chunk.own, &chunk.cross})
+  for (const Grips* list : {&chunk.own, &chunk.halo})
     for (const Grip& g : list->grips)
       for (std::size_t l = 0; l < lanes; ++l) {
         if (!g.touches(static_cast<int>(l))) continue;
@@ -173,7 +175,7 @@ void ManyBodySolver::find_near(Chunk& chunk) {
                               own ? std::max(g.i[l], g.j[l]) : g.j[l]);
       }
   std::ranges::sort(touching);
-  std::vector<Nigh> found;
+  std::vector<NeighbourPair> found;
   std::vector<double> gaps;
   auto at = touching.begin();
   std::vector<bool> beside(chunks_.size());
@@ -197,10 +199,10 @@ void ManyBodySolver::find_near(Chunk& chunk) {
   }
   for (const auto& [i, j] : touching)
     if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
-  chunk.beside.clear();
+  chunk.neighbours.clear();
   for (std::size_t c = 0; c < beside.size(); ++c)
-    if (beside[c]) chunk.beside.push_back(static_cast<std::int32_t>(c));
-  into_bins(chunk.near, found, gaps, skin_ * Waiting::width);
+    if (beside[c]) chunk.neighbours.push_back(static_cast<std::int32_t>(c));
+  into_bins(chunk.near, found, gaps, skin_ * VerletList::width);
 }
 
 /// Finds a ball that has gone wrong, too.
@@ -210,7 +212,7 @@ ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
     for (std::size_t l = 0; l < lanes; ++l)
       if (g.touches(static_cast<int>(l))) touching.emplace_back(g.i[l], g.j[l]);
   std::ranges::sort(touching);
-  std::vector<Nigh> found;
+  std::vector<NeighbourPair> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
   const double t = clock(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
@@ -225,15 +227,15 @@ ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
       gaps.push_back(gap);
     }
   }
-  into_bins(chunk.near_wall, found, gaps, skin_ * Waiting::width);
+  into_bins(chunk.near_wall, found, gaps, skin_ * VerletList::width);
   return {};
 }
 
 /// Bodies that overlap much at the start would fly apart.
 void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
-    for (const Waiting* w : {&chunk.near, &chunk.near_wall})
-      for (const Nigh& pair : w->pairs) {
+    for (const VerletList* w : {&chunk.near, &chunk.near_wall})
+      for (const NeighbourPair& pair : w->pairs) {
         const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {

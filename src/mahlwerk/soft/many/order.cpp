@@ -150,7 +150,7 @@ void ManyBodySolver::share_work() {
   const auto weight = [](const Chunk& c) {
     return c.last - c.first +
            2 * lanes *
-               static_cast<std::int64_t>(c.own.grips.size() + c.cross.grips.size() +
+               static_cast<std::int64_t>(c.own.grips.size() + c.halo.grips.size() +
                                          c.wall.grips.size());
   };
   std::int64_t all = 0, done = 0;

@@ -9,7 +9,7 @@ namespace mahlwerk::soft {
 
 /// Memory that will be asked for soon, fetched a little at a time while there is something else to
 /// do: all at once the requests would wait for each other.
-class Ahead {
+class PrefetchQueue {
  public:
   template <class T>
   void add(const T* from, std::size_t count) {

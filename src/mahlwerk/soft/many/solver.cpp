@@ -54,7 +54,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       rules_(rules),
       law_(rules.model.law),
       pairs_(balls, pairs, law_),
-      pass_(std::visit([]<class L>(const L&) { return pass_of<L>(); }, law_)),
+      step_chunk_(std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, law_)),
       start_(start),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
              std::isfinite(jar_->periods().z)),
@@ -179,11 +179,11 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   now_.swap(next_);
   spins_.swap(next_spins_);
   if (!reach_bounds())
-    look_anew();
+    rebuild_neighbour_lists();
   else if (worth_sorting())
     sort_pairs();
   const Lanes none{};
-  Pass pass{
+  ChunkStep s{
       .rows = now_.data(),
       .spins = spins_.data(),
       .next = next_.data(),
@@ -194,9 +194,9 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
       .species = species_.data(),
       .parameters = parameters_.data(),
       .jar = jar_.get(),
-      .comings = this,
+      .events = this,
       .time = clock(step_),
-      .bin = skin_ * Waiting::width,
+      .bin = skin_ * VerletList::width,
       .reach = reach_,
       .before = before,
       .after = after,
@@ -218,13 +218,13 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
         large_ && next >= 0 ? &chunks_[static_cast<std::size_t>(next)] : nullptr;
     Drift& d = drifts_[k];
     const Vec3 last = d.mean;
-    pass_(pass, chunks_[k], following, loads_[static_cast<std::size_t>(thread)], d);
+    step_chunk_(s, chunks_[k], following, loads_[static_cast<std::size_t>(thread)], d);
     // The guess of the next step; the one just used belongs to the spread.
     guesses_[k] = 2.0 * d.mean - last;
   });
 }
 
-void ManyBodySolver::look_anew() {
+void ManyBodySolver::rebuild_neighbour_lists() {
   try {
     rebuild();
   } catch (const RunError&) {
@@ -244,7 +244,7 @@ bool ManyBodySolver::reach_bounds() {
     Chunk& chunk = chunks_[c];
     const Drift& mine = drifts_[c];
     double most = mine.spread;
-    for (const std::int32_t other : chunk.beside) {
+    for (const std::int32_t other : chunk.neighbours) {
       const Drift& its = drifts_[static_cast<std::size_t>(other)];
       most = std::max(most, its.spread + norm(its.guess - mine.guess));
     }

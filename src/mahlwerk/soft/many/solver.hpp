@@ -21,7 +21,7 @@ namespace mahlwerk::soft {
 /// The soft engine for many balls (docs/theory/soft.md): balls in chunks that lie together, each
 /// chunk with its contacts. A step of a chunk reads the balls as they are and writes its own as
 /// they will be, so chunks are done in any order, by any number of threads, with the same bits.
-class ManyBodySolver final : public scene::Engine, private Comings {
+class ManyBodySolver final : public scene::Engine, private ContactEvents {
  public:
   ManyBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                  const Rules& rules, const contact::PairTable& pairs, double start);
@@ -40,7 +40,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   double time_of(std::int64_t step) const;
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
   bool reach_bounds();
-  void look_anew();
+  void rebuild_neighbour_lists();
   void check_energy();
   void settle();
   std::size_t records() const;
@@ -94,7 +94,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   std::int64_t tests() const;
   bool worth_sorting() const;
   void sort_pairs();
-  double wall_gap(const Nigh& pair) const;
+  double wall_gap(const NeighbourPair& pair) const;
   std::int32_t gather_near(const Chunk& chunk, std::int32_t from, Candidates& candidates) const;
   void find_near(Chunk& chunk);
   struct Wrong {
@@ -111,8 +111,8 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   void refuse_overlaps() const;
 
   // Contacts that begin and end (crowd_contacts.cpp).
-  void look_at_walls(Chunk& chunk) override;
-  void seize(Chunk& chunk, const Nigh& pair) override;
+  void test_walls(Chunk& chunk) override;
+  void activate(Chunk& chunk, const NeighbourPair& pair) override;
   std::int32_t free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball);
   void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
              const Bodies& b) override;
@@ -125,7 +125,7 @@ class ManyBodySolver final : public scene::Engine, private Comings {
   Rules rules_;
   contact::AnyLaw law_;
   SpeciesPairs pairs_;
-  PassOf pass_;
+  ChunkStepper step_chunk_;
   double start_, reach_ = 0, mass_ = 0;
   bool folds_, large_, remembers_;
   std::vector<PairParameters> parameters_;  // of each species pair

@@ -23,18 +23,21 @@ namespace mahlwerk::soft {
 }
 
 /// Contacts of one kind: what they do to the balls of the chunk.
-template <class Law, bool wide>
-[[gnu::always_inline]] inline void grip(Pass& s, Chunk& chunk, Whose whose, VectorPair* loads,
-                                        Ahead& ahead, ContactWork& sums) {
-  Grips& list = whose == Whose::own ? chunk.own : whose == Whose::cross ? chunk.cross : chunk.wall;
+template <class Law, bool avx512>
+[[gnu::always_inline]] inline void apply_packets(ChunkStep& s, Chunk& chunk, ContactKind kind,
+                                                 VectorPair* loads, PrefetchQueue& ahead,
+                                                 ContactWork& sums) {
+  Grips& list = kind == ContactKind::own    ? chunk.own
+                : kind == ContactKind::halo ? chunk.halo
+                                            : chunk.wall;
   PairParameters made;
   for (std::size_t n = 0; n < list.grips.size(); ++n) {
     Grip& g = list.grips[n];
     ahead.fetch();
     if (g.touching == 0) continue;
-    if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], whose);
+    if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], kind);
     const LaneMask touched = mask(g.touching);
-    const Bodies b = bodies<wide>(s, g, touched, whose);
+    const Bodies b = bodies<avx512>(s, g, touched, kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
     if (!list.parameters.empty())
       parameters = &list.parameters[n];
@@ -46,7 +49,7 @@ template <class Law, bool wide>
     const Edges edges{mask(g.fresh), touching ^ touched};
     const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
     if (g.fresh != 0) {
-      s.comings->begin(chunk, list, n, m, b);
+      s.events->begin(chunk, list, n, m, b);
       if (!list.parameters.empty()) parameters = &list.parameters[n];
     }
     History past;
@@ -58,8 +61,9 @@ template <class Law, bool wide>
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
     ContactWork d;
-    const ContactForce out = contact_force<Law>(*parameters, past, d, s.frame, b, m, touching,
-                                                changes ? &edges : nullptr, whose == Whose::wall);
+    const ContactForce out =
+        contact_force<Law>(*parameters, past, d, s.frame, b, m, touching,
+                           changes ? &edges : nullptr, kind == ContactKind::wall);
     g.spring = past.spring;
     g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
     if (s.remembers) {
@@ -72,20 +76,21 @@ template <class Law, bool wide>
     g.lost_across += d.tangential + d.rolling;
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
     sums.sliding += d.sliding;
-    if (whose == Whose::wall) sums.wall += d.wall;
+    if (kind == ContactKind::wall) sums.wall += d.wall;
     sums.deepest = larger(sums.deepest, d.deepest * parameters->per_radius);
-    add<wide>(loads, chunk.first, g.i, out.force, out.torque_i);
-    if (whose == Whose::own) add<wide>(loads, chunk.first, g.j, -out.force, out.torque_j);
-    if (ends) s.comings->end(chunk, list, n, touching);
-    if (whose == Whose::wall) list.facings[n].normal = m.n;
+    add<avx512>(loads, chunk.first, g.i, out.force, out.torque_i);
+    if (kind == ContactKind::own) add<avx512>(loads, chunk.first, g.j, -out.force, out.torque_j);
+    if (ends) s.events->end(chunk, list, n, touching);
+    if (kind == ContactKind::wall) list.facings[n].normal = m.n;
   }
 }
 
 /// Which of the pairs from `at` on, up to eight, touch: a bit for each.
-template <bool wide>
-[[gnu::always_inline]] inline std::uint32_t touching_of(const Pass& s, const Nigh* pairs,
+template <bool avx512>
+[[gnu::always_inline]] inline std::uint32_t touching_of(const ChunkStep& s,
+                                                        const NeighbourPair* pairs,
                                                         std::size_t count) {
-  Apart pair = apart<wide>(s.rows, pairs, count);
+  Apart pair = apart<avx512>(s.rows, pairs, count);
   if (s.frame.periodic)
     pair.centres = {folded(pair.centres.x, s.frame.periods.x),
                     folded(pair.centres.y, s.frame.periods.y),
@@ -96,17 +101,17 @@ template <bool wide>
 }
 
 /// Pairs that are near: those that touch now become contacts.
-template <bool wide>
-[[gnu::always_inline]] inline void look(const Pass& s, Chunk& chunk) {
-  Waiting& w = chunk.near;
-  const auto scan = [&](const std::vector<Nigh>& pairs, std::size_t end) {
+template <bool avx512>
+[[gnu::always_inline]] inline void look(const ChunkStep& s, Chunk& chunk) {
+  VerletList& w = chunk.near;
+  const auto scan = [&](const std::vector<NeighbourPair>& pairs, std::size_t end) {
     chunk.met.clear();
     for (std::size_t k = 0; k < end; k += lanes) {
       constexpr std::size_t ahead = 4 * lanes;  // so that rows are there when they are asked for
       for (std::size_t n = k + ahead; n < std::min(end, k + ahead + lanes); ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
       std::uint32_t bits =
-          touching_of<wide>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+          touching_of<avx512>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
       for (; bits != 0; bits &= bits - 1)
         chunk.met.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
     }
@@ -115,22 +120,22 @@ template <bool wide>
   scan(w.pairs, w.due(chunk.bound, s.bin));
   for (std::size_t n = chunk.met.size(); n-- > 0;) {
     const auto k = static_cast<std::size_t>(chunk.met[n]);
-    s.comings->seize(chunk, w.pairs[k]);
+    s.events->activate(chunk, w.pairs[k]);
     w.remove(k);
   }
-  scan(w.parted, w.parted.size());
+  scan(w.separated, w.separated.size());
   for (std::size_t n = chunk.met.size(); n-- > 0;) {
     const auto k = static_cast<std::size_t>(chunk.met[n]);
-    s.comings->seize(chunk, w.parted[k]);
-    w.parted[k] = w.parted.back();
-    w.parted.pop_back();
+    s.events->activate(chunk, w.separated[k]);
+    w.separated[k] = w.separated.back();
+    w.separated.pop_back();
   }
 }
 
 /// The balls of a chunk, a step on (dem.26).
-template <bool wide, bool past_cache>
-[[gnu::always_inline]] inline void move(const Pass& s, const Chunk& chunk, const VectorPair* loads,
-                                        Drift& drift) {
+template <bool avx512, bool past_cache>
+[[gnu::always_inline]] inline void move(const ChunkStep& s, const Chunk& chunk,
+                                        const VectorPair* loads, Drift& drift) {
   const double dt = s.frame.step;
   const Vec3 &b0 = s.before.pull, &b1 = s.after.pull;
   const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
@@ -167,9 +172,9 @@ template <bool wide, bool past_cache>
 }
 
 /// What the chunk after this one will ask for.
-[[gnu::always_inline]] inline Ahead fetching(const Pass& s, const Chunk& chunk,
-                                             const Chunk* following) {
-  Ahead ahead;
+[[gnu::always_inline]] inline PrefetchQueue fetching(const ChunkStep& s, const Chunk& chunk,
+                                                     const Chunk* following) {
+  PrefetchQueue ahead;
   if (following == nullptr) return ahead;
   const Chunk& c = *following;
   const auto balls = static_cast<std::size_t>(c.last - c.first);
@@ -177,26 +182,27 @@ template <bool wide, bool past_cache>
   ahead.add(&s.spins[c.first], balls);
   ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
   ahead.add(c.own.grips.data(), c.own.grips.size());
-  ahead.add(c.cross.grips.data(), c.cross.grips.size());
+  ahead.add(c.halo.grips.data(), c.halo.grips.size());
   ahead.add(&s.half[c.first], balls);
   ahead.add(&s.list_positions[c.first], balls);
-  ahead.divide(chunk.own.grips.size() + chunk.cross.grips.size());
+  ahead.divide(chunk.own.grips.size() + chunk.halo.grips.size());
   return ahead;
 }
 
 /// The main loop's body for a crowd.
-template <class Law, bool wide>
-[[gnu::always_inline]] inline void pass(Pass& s, Chunk& chunk, const Chunk* following, Loads& loads,
-                                        Drift& drift) {
-  Ahead ahead = fetching(s, chunk, following);
-  look<wide>(s, chunk);
-  s.comings->look_at_walls(chunk);
+template <class Law, bool avx512>
+[[gnu::always_inline]] inline void step_chunk(ChunkStep& s, Chunk& chunk, const Chunk* following,
+                                              Loads& loads, Drift& drift) {
+  PrefetchQueue ahead = fetching(s, chunk, following);
+  look<avx512>(s, chunk);
+  s.events->test_walls(chunk);
   std::fill_n(loads.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
-  for (const Whose whose : {Whose::own, Whose::cross, Whose::wall}) {  // the text once, not thrice
+  for (const ContactKind kind :
+       {ContactKind::own, ContactKind::halo, ContactKind::wall}) {  // the text once, not thrice
     ContactWork d;
-    grip<Law, wide>(s, chunk, whose, loads.data(), ahead, d);
-    const double part = whose == Whose::cross ? 0.5 : 1;
+    apply_packets<Law, avx512>(s, chunk, kind, loads.data(), ahead, d);
+    const double part = kind == ContactKind::halo ? 0.5 : 1;
     ContactWork& all = chunk.sums.work;
     all.normal += part * d.normal;
     all.tangential += part * d.tangential;
@@ -206,41 +212,41 @@ template <class Law, bool wide>
     all.deepest = larger(all.deepest, d.deepest);
   }
   chunk.sums.ball_steps += chunk.in_touch;
-  if (wide && s.large)
-    move<wide, wide>(s, chunk, loads.data(), drift);
+  if (avx512 && s.large)
+    move<avx512, avx512>(s, chunk, loads.data(), drift);
   else
-    move<wide, false>(s, chunk, loads.data(), drift);
+    move<avx512, false>(s, chunk, loads.data(), drift);
 }
 
-#ifdef MAHLWERK_WIDE
+#ifdef MAHLWERK_AVX512
 template <class Law>
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void pass_wide(Pass& s, Chunk& c,
-                                                                          const Chunk* next,
-                                                                          Loads& l, Drift& d) {
-  pass<Law, true>(s, c, next, l, d);
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void step_chunk_avx512(
+    ChunkStep& s, Chunk& c, const Chunk* next, Loads& l, Drift& d) {
+  step_chunk<Law, true>(s, c, next, l, d);
 }
 #endif
-#ifdef MAHLWERK_MIDDLING
+#ifdef MAHLWERK_AVX2
 template <class Law>
-[[gnu::target("avx2"), gnu::flatten]] void pass_middling(Pass& s, Chunk& c, const Chunk* next,
-                                                         Loads& l, Drift& d) {
-  pass<Law, false>(s, c, next, l, d);
+[[gnu::target("avx2"), gnu::flatten]] void step_chunk_avx2(ChunkStep& s, Chunk& c,
+                                                           const Chunk* next, Loads& l, Drift& d) {
+  step_chunk<Law, false>(s, c, next, l, d);
 }
 #endif
 template <class Law>
-[[gnu::flatten]] void pass_plain(Pass& s, Chunk& c, const Chunk* next, Loads& l, Drift& d) {
-  pass<Law, false>(s, c, next, l, d);
+[[gnu::flatten]] void step_chunk_sse2(ChunkStep& s, Chunk& c, const Chunk* next, Loads& l,
+                                      Drift& d) {
+  step_chunk<Law, false>(s, c, next, l, d);
 }
 
 template <class Law>
-PassOf pass_of() {
-#ifdef MAHLWERK_WIDE
-  if (machine() == Machine::wide) return pass_wide<Law>;
+ChunkStepper chunk_stepper() {
+#ifdef MAHLWERK_AVX512
+  if (isa() == Isa::avx512) return step_chunk_avx512<Law>;
 #endif
-#ifdef MAHLWERK_MIDDLING
-  if (machine() == Machine::middling) return pass_middling<Law>;
+#ifdef MAHLWERK_AVX2
+  if (isa() == Isa::avx2) return step_chunk_avx2<Law>;
 #endif
-  return pass_plain<Law>;
+  return step_chunk_sse2<Law>;
 }
 
 }  // namespace mahlwerk::soft

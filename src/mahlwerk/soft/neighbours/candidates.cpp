@@ -13,7 +13,7 @@ namespace mahlwerk::soft {
 Candidates::Candidates(const Vec3& periods)
     : periods_(periods),
       folds_(std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z)),
-      wide_(machine() == Machine::wide) {}
+      avx512_(isa() == Isa::avx512) {}
 
 void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t last) {
   for (std::int32_t j = first; j < last; ++j, ++count_) {
@@ -51,17 +51,17 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
   }
 }
 
-#ifdef MAHLWERK_WIDE
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_wide(
+#ifdef MAHLWERK_AVX512
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_avx512(
     const Sought& sought) {
   find(sought);
 }
 #endif
 
 std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
-#ifdef MAHLWERK_WIDE
-  if (wide_) {
-    find_wide(sought);
+#ifdef MAHLWERK_AVX512
+  if (avx512_) {
+    find_avx512(sought);
     return found_;
   }
 #endif

@@ -41,12 +41,12 @@ class Candidates {
     Lanes x{}, y{}, z{}, radius{}, row{};
   };
   void find(const Sought& sought);
-  void find_wide(const Sought& sought);  // the same with the widest registers
+  void find_avx512(const Sought& sought);  // the same with the widest registers
   LaneMask test(const Block& b, const Sought& sought, Lanes& squared) const;
 
   Vec3 periods_;
   bool folds_;
-  [[maybe_unused]] bool wide_;
+  [[maybe_unused]] bool avx512_;
   std::vector<Block> blocks_;
   std::vector<Found> found_;
   std::size_t count_ = 0;

@@ -12,37 +12,37 @@ namespace {
 
 struct Sought {
   const BallRecord* rows;
-  std::span<const Nigh> pairs;
+  std::span<const NeighbourPair> pairs;
   const Vec3& periods;
   std::span<double> gaps;
 };
 
-template <bool wide>
+template <bool avx512>
 [[gnu::always_inline]] inline void find(const Sought& s) {
   const bool folds =
       std::isfinite(s.periods.x) || std::isfinite(s.periods.y) || std::isfinite(s.periods.z);
   for (std::size_t k = 0; k < s.pairs.size(); k += lanes) {
     const std::size_t count = std::min<std::size_t>(lanes, s.pairs.size() - k);
-    Apart a = apart<wide>(s.rows, s.pairs.data() + k, count);
+    Apart a = apart<avx512>(s.rows, s.pairs.data() + k, count);
     if (folds) to_nearest(a.centres, s.periods);
     const Lanes gap = root(dot(a.centres, a.centres)) - a.touch;
     for (std::size_t l = 0; l < count; ++l) s.gaps[k + l] = gap[static_cast<int>(l)];
   }
 }
 
-#ifdef MAHLWERK_WIDE
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void find_wide(const Sought& s) {
+#ifdef MAHLWERK_AVX512
+[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void find_avx512(const Sought& s) {
   find<true>(s);
 }
 #endif
 
 }  // namespace
 
-void find_gaps(const BallRecord* rows, std::span<const Nigh> pairs, const Vec3& periods,
+void find_gaps(const BallRecord* rows, std::span<const NeighbourPair> pairs, const Vec3& periods,
                std::span<double> gaps) {
   const Sought sought{rows, pairs, periods, gaps};
-#ifdef MAHLWERK_WIDE
-  if (machine() == Machine::wide) return find_wide(sought);
+#ifdef MAHLWERK_AVX512
+  if (isa() == Isa::avx512) return find_avx512(sought);
 #endif
   find<false>(sought);
 }

@@ -28,7 +28,7 @@ constexpr std::uint32_t bit(int lane) {
 }
 
 /// A pair that is near; other < 0: the face ~other.
-struct Nigh {
+struct NeighbourPair {
   std::int32_t ball = 0, other = 0;
 };
 
@@ -39,21 +39,21 @@ struct Apart {
 };
 
 /// Up to eight pairs; lanes from `count` on are those of the first.
-template <bool wide>
-[[gnu::always_inline]] inline Apart apart(const BallRecord* rows, const Nigh* pairs,
+template <bool avx512>
+[[gnu::always_inline]] inline Apart apart(const BallRecord* rows, const NeighbourPair* pairs,
                                           std::size_t count) {
   Lanes c[4];
   const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
-  const auto pair = [&](std::size_t k) -> const Nigh& { return pairs[k < count ? k : 0]; };
+  const auto pair = [&](std::size_t k) -> const NeighbourPair& { return pairs[k < count ? k : 0]; };
   for (std::size_t k = 0; k < lanes; ++k) {
     const BallRecord &a = rows[pair(k).ball], &b = rows[pair(k).other];
     const auto l = static_cast<int>(k);
-    if constexpr (!wide)
+    if constexpr (!avx512)
       c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = b.radius + a.radius;
     else if (k < 4)
       c[k] = fours(b, rows[pair(k + 4).other]) - sign * fours(a, rows[pair(k + 4).ball]);
   }
-  if constexpr (wide) transpose(c);
+  if constexpr (avx512) transpose(c);
   return {{c[0], c[1], c[2]}, c[3]};
 }
 
@@ -68,7 +68,7 @@ inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
 }
 
 /// How far the surfaces of pairs of balls are from each other [m].
-void find_gaps(const BallRecord* rows, std::span<const Nigh> pairs, const Vec3& periods,
+void find_gaps(const BallRecord* rows, std::span<const NeighbourPair> pairs, const Vec3& periods,
                std::span<double> gaps);
 
 }  // namespace mahlwerk::soft
