@@ -60,7 +60,7 @@ Vibrated vibrated(bool hop) {
   const scene::Chamber mill{geometry::Capsule{0.012, 0.03621}, motion, {}, {0, 0, -9.81}};
   soft::Rules rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
                     .time_step = 5e-7,
-                    .hop = hop};
+                    .free_flight_skip = hop};
   const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
                                    {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
   Count count;

@@ -95,7 +95,7 @@ double rounded_down(double x) {
 SoftSettings soft_settings(const cases::Case& what) {
   SoftSettings s;
   s.rules.model = what.contact.model;
-  s.rules.hop = what.run.hop;
+  s.rules.free_flight_skip = what.run.hop;
   s.speed = meeting_speed(what);
   s.steps =
       soft::time_steps(one_of_each(what), s.rules.model.law, cases::pair_table(what), s.speed);

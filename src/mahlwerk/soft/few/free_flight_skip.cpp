@@ -5,19 +5,19 @@
 
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Time in which nothing touches and nothing can is passed in one leap (dem.27).
+// Time in which nothing touches and nothing can is passed in one step (dem.27).
 namespace mahlwerk::soft {
 
-/// Begins a hop if one is due and worth it. It ends where it does, however a run is cut.
-bool FewBodySolver::hop() {
-  if (!hops_ || touched_ || particles_.step < try_hop_) return false;
+/// Starts a skip if one is due and worth it. Its end does not depend on how a run is cut.
+bool FewBodySolver::start_skip() {
+  if (!skips_ || touched_ || particles_.step < next_skip_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
   const std::int64_t steps = free_steps();
   if (steps < worth) {
-    try_hop_ = particles_.step + pause;
+    next_skip_ = particles_.step + pause;
     return false;
   }
-  landing_ = particles_.step + steps;
+  skip_end_ = particles_.step + steps;
   return true;
 }
 
@@ -53,17 +53,17 @@ FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
           .time = time};
 }
 
-void FewBodySolver::land() {
-  const Flown way = flown(landing_ - particles_.step);
+void FewBodySolver::end_skip() {
+  const Flown way = flown(skip_end_ - particles_.step);
   for (std::size_t b = 0; b < particles_.balls; ++b) {
     const Vec3 v = particles_.velocity.one(b);
     particles_.position.put_one(b, particles_.position.one(b) + way.time * v + way.shift);
     particles_.velocity.put_one(b, v + way.gain);
   }
-  particles_.step = landing_;
-  try_hop_ = landing_ + 1;
-  landing_ = -1;
-  look();
+  particles_.step = skip_end_;
+  next_skip_ = skip_end_ + 1;
+  skip_end_ = -1;
+  rebuild_neighbour_list();
 }
 
 }  // namespace mahlwerk::soft

@@ -84,19 +84,19 @@ bool FewBodySolver::touching_first() {
 
 /// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
 /// lanes, and the last packets give theirs to the first.
-void FewBodySolver::fill_lanes(const std::vector<Candidate>& wanted) {
+void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
   std::vector<Packet>& packets = particles_.packets;
-  std::vector<bool> seated(wanted.size());
+  std::vector<bool> listed(wanted.size());
   for (Packet& p : packets)
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k]) continue;
       const bool wall = p.face[k] >= 0;
-      const Candidate c{static_cast<std::int32_t>(p.i[l]),
-                        wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[k]};
+      const NearPair c{static_cast<std::int32_t>(p.i[l]),
+                       wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[k]};
       const auto at = std::ranges::lower_bound(wanted, c);
       if (at != wanted.end() && *at == c) {
-        seated[static_cast<std::size_t>(at - wanted.begin())] = true;
+        listed[static_cast<std::size_t>(at - wanted.begin())] = true;
         continue;
       }
       if (p.touching[l] != 0) end(p, l);
@@ -113,9 +113,9 @@ void FewBodySolver::fill_lanes(const std::vector<Candidate>& wanted) {
     lane = 0;
   };
   for (std::size_t n = 0; n < wanted.size(); ++n) {
-    if (seated[n]) continue;
+    if (listed[n]) continue;
     next_free();
-    give_lane(packets[at], lane, wanted[n]);
+    assign_lane(packets[at], lane, wanted[n]);
   }
   while (!packets.empty()) {
     Packet& last = packets.back();
@@ -133,7 +133,7 @@ void FewBodySolver::fill_lanes(const std::vector<Candidate>& wanted) {
     packets.pop_back();
 }
 
-void FewBodySolver::give_lane(Packet& p, int lane, const Candidate& c) {
+void FewBodySolver::assign_lane(Packet& p, int lane, const NearPair& c) {
   clear_lane(p, lane);
   const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);

@@ -15,7 +15,7 @@ constexpr std::size_t few = 8;  // balls kind pairs are all looked at
 
 }  // namespace
 
-void FewBodySolver::look() {
+void FewBodySolver::rebuild_neighbour_list() {
   for (std::size_t b = 0; b < particles_.blocks; ++b)
     particles_.list_positions.put(b, particles_.position.at(b));
   list_step_ = particles_.step;
@@ -31,9 +31,9 @@ void FewBodySolver::look() {
     for (std::size_t b = 0; b < particles_.balls; ++b) near_walls(b);
     std::ranges::sort(wanted_);
   }
-  const bool same = wanted_ == seated_;
+  const bool same = wanted_ == listed_;
   if (!same) {
-    seated_ = wanted_;
+    listed_ = wanted_;
     fill_lanes(wanted_);
   }
   if (touching_first() || !same) {

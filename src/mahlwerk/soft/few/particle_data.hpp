@@ -68,7 +68,7 @@ class SlowPath {
  public:
   virtual ~SlowPath() = default;
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
-  virtual void look() = 0;
+  virtual void rebuild_neighbour_list() = 0;
   /// Contacts of a packet begin.
   virtual void begin(Packet& packet, const LaneMask& begun, const ContactGeometry& geometry,
                      const Bodies& bodies) = 0;

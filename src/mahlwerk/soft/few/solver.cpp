@@ -13,7 +13,7 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int64_t energy_check = 64;  // steps between two looks at the energy
-constexpr std::size_t hopping = 32;        // balls: beyond, something touches at nearly all times
+constexpr std::size_t skipping = 32;       // balls: beyond, something touches at nearly all times
 
 Vec<Lanes> periods_of(const Vec3& p) {
   const Lanes none{};
@@ -32,7 +32,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       pairs_(balls, pairs, law_),
       step_block_(std::visit([]<class L>(const L&) { return block_stepper<L>(); }, law_)),
       start_(start),
-      hops_(rules.hop && balls.size() <= hopping),
+      skips_(rules.free_flight_skip && balls.size() <= skipping),
       folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
              std::isfinite(jar_->periods().z)),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
@@ -59,7 +59,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     mass_ += pairs_.of(b).mass;
   }
   skin_ = 0.03 * smallest;
-  look();
+  rebuild_neighbour_list();
   refuse_overlaps();
   account_.started_with = 0;
   const scene::Account now = reckoned();
@@ -70,7 +70,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Bodies that overlap much at the start would fly apart.
 void FewBodySolver::refuse_overlaps() const {
   const double t = clock(particles_.step);
-  for (const Candidate& c : seated_) {
+  for (const NearPair& c : listed_) {
     const auto i = static_cast<std::size_t>(c.i);
     const double radius = made_of_[i].radius;
     const Vec3 x = particles_.position.one(i);
@@ -103,10 +103,10 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
   try {
     while (now_ < until) {
       if (stopped()) break;
-      if (landing_ >= 0) {
-        now_ = std::min(landing_, until);
-        if (now_ == landing_) land();
-      } else if (!hop()) {
+      if (skip_end_ >= 0) {
+        now_ = std::min(skip_end_, until);
+        if (now_ == skip_end_) end_skip();
+      } else if (!start_skip()) {
         advance_block(until);
         now_ = particles_.step;
       }
@@ -120,12 +120,12 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
   hand_over();
 }
 
-/// BlockStepper up to `until`, the end of a block, or the first idle step after which to try a hop.
+/// Steps up to `until`, the end of a block, or the first idle step after which to try a skip.
 void FewBodySolver::advance_block(std::int64_t until) {
   ParticleData& w = particles_;
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
-  const bool waits = hops_ && !touched_ && w.step < try_hop_;
-  if (waits) end = std::min(end, try_hop_);
+  const bool waits = skips_ && !touched_ && w.step < next_skip_;
+  if (waits) end = std::min(end, next_skip_);
   drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->sample_drive(start_, rules_.time_step, w.step, drive_);
   StepBlock s{.particles = w,
@@ -143,7 +143,7 @@ void FewBodySolver::advance_block(std::int64_t until) {
               .start = start_,
               .moved = 0.5 * skin_,
               .swept_since = list_step_,
-              .idle_ends = hops_ && !waits};
+              .idle_ends = skips_ && !waits};
   const std::int64_t before = w.step;
   touched_ = step_block_(s);
   account_.time_steps += w.step - before;
@@ -241,7 +241,7 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
   return all;
 }
 
-/// Those of the last step; in a hop there are none.
+/// Those of the last step; in a skip there are none.
 std::vector<Vec3> FewBodySolver::forces() const {
   std::vector<Vec3> all(made_of_.size());
   for (std::size_t b = 0; b < all.size(); ++b) all[b] = particles_.force.one(b);
@@ -250,11 +250,11 @@ std::vector<Vec3> FewBodySolver::forces() const {
 
 void FewBodySolver::carry(Archive& archive) {
   ParticleData& w = particles_;
-  archive(w.step)(w.wall_points_due)(now_)(landing_)(try_hop_)(list_step_)(touched_);
+  archive(w.step)(w.wall_points_due)(now_)(skip_end_)(next_skip_)(list_step_)(touched_);
   for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted, &w.velocity, &w.spin,
                      &w.force, &w.torque, &w.list_positions})
     archive(c->x)(c->y)(c->z);
-  archive(w.packets)(w.near)(contacts_of_)(seated_);
+  archive(w.packets)(w.near)(contacts_of_)(listed_);
   archive(account_)(in_touch_)(in_touch_since_)(watch_)(asked_);
   if (w.position.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
   if (archive.reading()) find_owners();

@@ -13,7 +13,7 @@
 
 namespace mahlwerk::soft {
 
-/// The soft engine: balls and their contacts, followed in small steps (docs/theory/soft.md).
+/// The soft engine for few balls: every neighbour pair has a lane (docs/theory/soft.md).
 class FewBodySolver final : public scene::Engine, private SlowPath {
  public:
   FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
@@ -26,7 +26,7 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void carry(Archive& archive) override;
 
  private:
-  // The main loop (soft_balls.cpp).
+  // The main loop (solver.cpp).
   void advance_block(std::int64_t until);
   double clock(std::int64_t step) const;    // [s] of the mill
   double time_of(std::int64_t step) const;  // [s] since the start of the run
@@ -39,21 +39,21 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
-  // Who is near whom (near.cpp).
-  struct Candidate {
+  // Neighbour list (neighbours.cpp).
+  struct NearPair {
     std::int32_t i, j, face;  // face < 0: two balls
-    friend auto operator<=>(const Candidate&, const Candidate&) = default;
+    friend auto operator<=>(const NearPair&, const NearPair&) = default;
   };
-  void look() override;
+  void rebuild_neighbour_list() override;
   void near_walls(std::size_t ball);
   void near_ball(std::size_t i, std::size_t j);
   Vec3 nearest(const Vec3& apart) const;
   void near_balls();
 
-  // Which lane each pair has (seats.cpp).
+  // Lane of each pair (lanes.cpp).
   bool touching_first();
-  void fill_lanes(const std::vector<Candidate>& wanted);
-  void give_lane(Packet& p, int lane, const Candidate& c);
+  void fill_lanes(const std::vector<NearPair>& wanted);
+  void assign_lane(Packet& p, int lane, const NearPair& c);
   void find_wall_points();
   void find_owners();
 
@@ -66,15 +66,15 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void touches(std::int64_t body, int more);  // a contact more or less of a ball
   void bend(Packet& p, int lane);             // R* of a curved wall
 
-  // Free flight (hop.cpp).
-  bool hop();
+  // Free flight (free_flight_skip.cpp).
+  bool start_skip();
   std::int64_t free_steps() const;
   struct Flown {
     Vec3 shift, gain;  // of every position and velocity, besides those of straight flight
     double time = 0;
   };
   Flown flown(std::int64_t steps) const;
-  void land();
+  void end_skip();
 
   std::unique_ptr<const MovingWall> jar_;
   std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
@@ -85,17 +85,17 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   double start_, skin_;
   double mass_ = 0;           // [kg] of all balls
   double reach_ = 0;          // [m] farthest that a contact holds beyond touch
-  bool hops_, folds_;         // over free flight; the box repeats
+  bool skips_, folds_;        // over free flight; the box repeats
   std::vector<double> gaps_;  // [m] of each ball to each face, when the list was built
 
   ParticleData particles_;
-  std::vector<Candidate> wanted_, seated_;  // near each other now; those that have a lane
+  std::vector<NearPair> wanted_, listed_;  // near each other now; that have a lane
   std::int64_t list_step_ = 0;
-  std::int64_t try_hop_ = 0;   // not before this step
-  std::int64_t landing_ = -1;  // of a hop under way; < 0: none
-  std::int64_t now_ = 0;       // the step reached; ahead of the swarm's in a hop
-  bool touched_ = true;        // in the last step
-  double asked_ = 0;           // [s] where the last call wanted to go
+  std::int64_t next_skip_ = 0;  // not before this step
+  std::int64_t skip_end_ = -1;  // of a skip under way; < 0: none
+  std::int64_t now_ = 0;        // the step reached; ahead of the particles' in a skip
+  bool touched_ = true;         // in the last step
+  double asked_ = 0;            // [s] where the last call wanted to go
 
   scene::Account account_;                 // of contacts that have ended
   std::vector<std::int32_t> contacts_of_;  // each ball

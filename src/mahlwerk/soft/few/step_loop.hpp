@@ -142,7 +142,7 @@ template <class Law, bool avx512>
     const bool far = drift(s, s.drive[k], drive);
     ++w.step;
     if (far) {
-      s.slow_path.look();
+      s.slow_path.rebuild_neighbour_list();
       s.swept_since = w.step;
     }
     if (!w.near.empty()) {

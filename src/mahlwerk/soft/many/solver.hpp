@@ -33,7 +33,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   void carry(Archive& archive) override;
 
  private:
-  // The main loop (crowd.cpp).
+  // The main loop (solver.cpp).
   void start_moving(const std::vector<scene::Ball>& balls);
   void step(const DriveSample& before, const DriveSample& after);
   double clock(std::int64_t step) const { return start_ + time_of(step); }
@@ -48,7 +48,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   void gather();
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
-  // What it tells (crowd_account.cpp).
+  // Energy, state (energy.cpp).
   scene::Account reckoned() const;
   struct Stored {
     double normal = 0, tangential = 0;  // [J]
@@ -59,7 +59,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   Vec3 velocity(std::size_t row, const Vec3& pulls) const;
   Vec3 spin(std::size_t row) const;
 
-  // In which order, and in which chunk (crowd_order.cpp).
+  // Order of the balls, chunks (order.cpp).
   void put_in_order();
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
@@ -70,7 +70,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
     return static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[row])]);
   }
 
-  // Contacts that move with their balls (crowd_carry.cpp).
+  // Contacts that move with their balls (lanes.cpp).
   struct Kept {
     std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
     std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
@@ -87,7 +87,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   void give(Grips& list, const Kept& kept, const Grips& from, std::int32_t i, std::int32_t j,
             std::int32_t species_pair, double sign);
 
-  // Who is near whom (crowd_lists.cpp).
+  // Neighbour lists (neighbours.cpp).
   void rebuild();
   void tune_skin();
   void mark_places();
@@ -110,7 +110,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   }
   void refuse_overlaps() const;
 
-  // Contacts that begin and end (crowd_contacts.cpp).
+  // Contacts that begin and end (contacts.cpp).
   void test_walls(Chunk& chunk) override;
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
   std::int32_t free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball);

@@ -102,7 +102,7 @@ template <bool avx512>
 
 /// Pairs that are near: those that touch now become contacts.
 template <bool avx512>
-[[gnu::always_inline]] inline void look(const ChunkStep& s, Chunk& chunk) {
+[[gnu::always_inline]] inline void find_contacts(const ChunkStep& s, Chunk& chunk) {
   VerletList& w = chunk.near;
   const auto scan = [&](const std::vector<NeighbourPair>& pairs, std::size_t end) {
     chunk.met.clear();
@@ -194,7 +194,7 @@ template <class Law, bool avx512>
 [[gnu::always_inline]] inline void step_chunk(ChunkStep& s, Chunk& chunk, const Chunk* following,
                                               Loads& loads, Drift& drift) {
   PrefetchQueue ahead = fetching(s, chunk, following);
-  look<avx512>(s, chunk);
+  find_contacts<avx512>(s, chunk);
   s.events->test_walls(chunk);
   std::fill_n(loads.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
