@@ -11,14 +11,14 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
+#include "mahlwerk/soft/walls/chamber_wall.hpp"
 
 namespace mahlwerk::soft {
 
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls, const Rules& rules,
                                       const contact::PairTable& pairs, double start) {
-  auto jar =
-      std::visit([&](const auto& shape) { return moving_wall(shape, chamber); }, chamber.shape);
+  auto jar = moving_wall(chamber);
   if (balls.size() > rules.few)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, rules, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, rules, pairs, start);

@@ -30,7 +30,7 @@ std::int64_t FewBodySolver::free_steps() const {
   if (folds_) return 0;
   for (std::size_t i = 0; i < particles_.balls; ++i) {
     const Vec3 x = particles_.position.one(i), v = particles_.velocity.one(i);
-    time = std::min(time, jar_->clear({x, v}, now, made_of_[i].radius));
+    time = std::min(time, jar_->clear(x, v, now, made_of_[i].radius));
     for (std::size_t j = i + 1; j < particles_.balls; ++j) {
       const Vec3 r = particles_.position.one(j) - x, u = particles_.velocity.one(j) - v;
       const double touch = made_of_[i].radius + made_of_[j].radius;

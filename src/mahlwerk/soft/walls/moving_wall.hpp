@@ -4,10 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <utility>
 
-#include "mahlwerk/scene/jar.hpp"
+#include "mahlwerk/geometry/shape.hpp"
+#include "mahlwerk/kinematics/motion.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 
 namespace mahlwerk::soft {
@@ -68,7 +69,8 @@ class MovingWall {
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
                            double t, double beyond, Eight (&points)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].
-  virtual double clear(const scene::Passing& ball, double t, double radius) const = 0;
+  virtual double clear(const Vec3& position, const Vec3& velocity, double t,
+                       double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
   virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
   /// A vector in the axes that a face turns with; of balls (face < 0) those of the jar.
@@ -92,9 +94,5 @@ class MovingWall {
   int faces_ = 0, turning_from_ = 0;
   double sweep_ = 0, reach_ = 0;
 };
-
-/// The surroundings in one shape, on every motion; each shape is compiled in a file of its own.
-template <class S>
-std::unique_ptr<const MovingWall> moving_wall(const S& shape, const scene::Chamber& chamber);
 
 }  // namespace mahlwerk::soft

@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#pragma once
+#include "mahlwerk/soft/walls/chamber_wall.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "mahlwerk/geometry/clear.hpp"
-#include "mahlwerk/soft/walls/moving_wall.hpp"
+#include "mahlwerk/scene/jar.hpp"
 
 namespace mahlwerk::soft {
+namespace {
 
 template <class S>
-class MovingWallOf final : public MovingWall {
+class ChamberWall final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
 
  public:
-  explicit MovingWallOf(const scene::Jar<S>& jar) : jar_(jar) {
+  explicit ChamberWall(const scene::Jar<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
     faces_ = turning_from_ = jar.shape().faces;
@@ -99,7 +101,7 @@ class MovingWallOf final : public MovingWall {
       points[0].is[l] = point.x, points[1].is[l] = point.y, points[2].is[l] = point.z;
     }
   }
-  double clear(const scene::Passing& ball, double t, double radius) const override {
+  double clear(const Vec3& position, const Vec3& velocity, double t, double radius) const override {
     double least = geometry::never;
     const int asked = requires {
       S::one_outlook;
@@ -107,10 +109,10 @@ class MovingWallOf final : public MovingWall {
     ? 1 : jar_.shape().faces;
     for (int face = 0; face < std::min(asked, turning_from_); ++face)
       if (jar_.shape().meets(face, radius))
-        least = std::min(least, jar_.outlook(face, ball, t, radius).time);
+        least = std::min(least, jar_.outlook(face, {position, velocity}, t, radius).time);
     for (int face = turning_from_; face < faces_; ++face) {
-      const double room = gap(face, ball.position, t, geometry::never).distance - radius;
-      const double closing = norm(ball.velocity) + sweep_;
+      const double room = gap(face, position, t, geometry::never).distance - radius;
+      const double closing = norm(velocity) + sweep_;
       const double pull = norm(jar_.gravity()) + norm(jar_.limits().acceleration);
       least = std::min(least, geometry::clear_of_plane(room, closing, pull));
     }
@@ -150,10 +152,15 @@ class MovingWallOf final : public MovingWall {
   scene::Jar<S> jar_;
 };
 
-template <class S>
-std::unique_ptr<const MovingWall> moving_wall(const S& shape, const scene::Chamber& chamber) {
-  const kinematics::ChosenMotion motion(chamber.motion);
-  return std::make_unique<MovingWallOf<S>>(scene::Jar<S>(shape, motion, chamber));
+}  // namespace
+
+std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber) {
+  return std::visit(
+      [&]<class S>(const S& shape) -> std::unique_ptr<const MovingWall> {
+        const kinematics::ChosenMotion motion(chamber.motion);
+        return std::make_unique<ChamberWall<S>>(scene::Jar<S>(shape, motion, chamber));
+      },
+      chamber.shape);
 }
 
 }  // namespace mahlwerk::soft
