@@ -67,7 +67,6 @@ template <bool avx512>
 }
 
 /// Adds what a packet does to each of eight balls, in the order of its lanes.
-template <bool avx512>
 [[gnu::always_inline]] inline void add(const Owners& owners, const ContactForce& f,
                                        Vec<Lanes>& force, Vec<Lanes>& torque) {
 #ifdef MAHLWERK_AVX512
@@ -159,27 +158,22 @@ template <class Law, bool avx512>
     const Lanes none{};
     s.frame.jar_speed = {none + drive.speed.x, none + drive.speed.y, none + drive.speed.z};
     touched = false;
+    const bool in_registers = avx512 && w.few;
+    Vec<Lanes> force{}, torque{};
+    for (std::size_t b = 0; b < w.blocks && !in_registers; ++b)
+      w.force.put(b, force), w.torque.put(b, torque);
     ContactForce found;
-    if (avx512 && w.few) {
-      Vec<Lanes> force{}, torque{};
-      for (std::size_t n = 0; n < w.packets.size(); ++n)
-        if (apply_packet<Law, avx512>(s, w.packets[n], found)) {
-          touched = true;
-          add<avx512>(w.owners[n], found, force, torque);
-        }
-      kick(w, 0, force, torque);
-    } else {
-      for (std::size_t b = 0; b < w.blocks; ++b) {
-        w.force.put(b, Vec<Lanes>{});
-        w.torque.put(b, Vec<Lanes>{});
-      }
-      for (Packet& p : w.packets)
-        if (apply_packet<Law, avx512>(s, p, found)) {
-          touched = true;
-          scatter(w, p, found);
-        }
-      for (std::size_t b = 0; b < w.blocks; ++b) kick(w, b, w.force.at(b), w.torque.at(b));
+    for (std::size_t n = 0; n < w.packets.size(); ++n) {
+      if (!apply_packet<Law, avx512>(s, w.packets[n], found)) continue;
+      touched = true;
+      if (in_registers)
+        add(w.owners[n], found, force, torque);
+      else
+        scatter(w, w.packets[n], found);
     }
+    if (in_registers) kick(w, 0, force, torque);
+    for (std::size_t b = 0; b < w.blocks && !in_registers; ++b)
+      kick(w, b, w.force.at(b), w.torque.at(b));
     if (!touched && s.idle_ends) return false;
   }
   return touched;
