@@ -62,14 +62,6 @@ void FewBodySolver::near_walls(std::size_t b) {
   }
 }
 
-/// To the nearest image, in a periodic box.
-Vec3 FewBodySolver::nearest(const Vec3& apart) const {
-  if (!folds_) return apart;
-  const Vec3& period = jar_->periods();
-  return {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
-          std::remainder(apart.z, period.z)};
-}
-
 /// i < j.
 void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
   const Vec3 apart = nearest(particles_.position.one(j) - particles_.position.one(i));

@@ -33,8 +33,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       step_block_(std::visit([]<class L>(const L&) { return block_stepper<L>(); }, law_)),
       start_(start),
       skips_(rules.free_flight_skip && balls.size() <= skipping),
-      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
-             std::isfinite(jar_->periods().z)),
+      folds_(repeats(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
   for (const SpeciesPair& b : pairs_.all()) reach_ = std::max(reach_, b.reach);

@@ -47,7 +47,9 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void rebuild_neighbour_list() override;
   void near_walls(std::size_t ball);
   void near_ball(std::size_t i, std::size_t j);
-  Vec3 nearest(const Vec3& apart) const;
+  Vec3 nearest(const Vec3& apart) const {
+    return folds_ ? nearest_image(apart, jar_->periods()) : apart;
+  }
   void near_balls();
 
   // Lane of each pair (lanes.cpp).

@@ -111,9 +111,7 @@ template <class Law, bool avx512>
   const ParticleData& w = s.particles;
   Bodies b;
   b.apart = pick<avx512>(w.position, p.j, w.few) - pick<avx512>(w.position, p.i, w.few);
-  if (s.frame.periodic)
-    b.apart = {folded(b.apart.x, s.frame.periods.x), folded(b.apart.y, s.frame.periods.y),
-               folded(b.apart.z, s.frame.periods.z)};
+  if (s.frame.periodic) b.apart = folded(b.apart, s.frame.periods);
   const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p, p.touching);
   const LaneMask touching = less(squared, near * near);
   const Edges edges{touching & ~p.touching, p.touching & ~touching};
@@ -179,32 +177,16 @@ template <class Law, bool avx512>
   return touched;
 }
 
-#ifdef MAHLWERK_AVX512
 template <class Law>
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] bool step_block_avx512(StepBlock& s) {
-  return step_block<Law, true>(s);
-}
-#endif
-#ifdef MAHLWERK_AVX2
-template <class Law>
-[[gnu::target("avx2"), gnu::flatten]] bool step_block_avx2(StepBlock& s) {
-  return step_block<Law, false>(s);
-}
-#endif
-template <class Law>
-[[gnu::flatten]] bool step_block_sse2(StepBlock& s) {
-  return step_block<Law, false>(s);
-}
-
+struct BlockLoop {
+  template <bool avx512>
+  [[gnu::always_inline]] static bool run(StepBlock& s) {
+    return step_block<Law, avx512>(s);
+  }
+};
 template <class Law>
 BlockStepper block_stepper() {
-#ifdef MAHLWERK_AVX512
-  if (isa() == Isa::avx512) return step_block_avx512<Law>;
-#endif
-#ifdef MAHLWERK_AVX2
-  if (isa() == Isa::avx2) return step_block_avx2<Law>;
-#endif
-  return step_block_sse2<Law>;
+  return Compiled<BlockLoop<Law>, BlockStepper>::best();
 }
 
 }  // namespace mahlwerk::soft

@@ -4,6 +4,7 @@
 
 #include "mahlwerk/contact/rolling.hpp"
 #include "mahlwerk/soft/kernel/edges.hpp"
+#include "mahlwerk/soft/kernel/periodic.hpp"
 
 // What two bodies that touch do to each other, eight pairs at a time (docs/theory/soft.md).
 namespace mahlwerk::soft {
@@ -41,14 +42,6 @@ struct alignas(64) ContactGeometry {
   Lanes rate;              ///< [m/s] u.n, of the overlap
   Vec<Lanes> slip;         ///< [m/s] u across n
 };
-
-/// To the nearest image, in a periodic box.
-[[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
-  Lanes x = a;
-  x -= choose(x > 0.5 * period, period, Lanes{});
-  x += choose(x < -0.5 * period, period, Lanes{});
-  return x;
-}
 
 /// Shorter or equal to which the distance of two centres is a touch.
 [[gnu::always_inline]] inline Lanes touch_distance(const PairParameters& p, LaneMask touching) {

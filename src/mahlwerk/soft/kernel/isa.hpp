@@ -32,4 +32,36 @@ inline Isa isa() {
   return Isa::sse2;
 }
 
+/// `Body::run<avx512>`, which must be inlined, compiled for each instruction set as a function of
+/// type F.
+template <class Body, class F>
+struct Compiled;
+template <class Body, class Result, class... In>
+struct Compiled<Body, Result (*)(In...)> {
+#ifdef MAHLWERK_AVX512
+  [[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] static Result avx512(In... in) {
+    return Body::template run<true>(in...);
+  }
+#endif
+#ifdef MAHLWERK_AVX2
+  [[gnu::target("avx2"), gnu::flatten]] static Result avx2(In... in) {
+    return Body::template run<false>(in...);
+  }
+#endif
+  [[gnu::flatten]] static Result sse2(In... in) {
+    return Body::template run<false>(in...);
+  }
+
+  /// That for this machine.
+  static auto best() -> Result (*)(In...) {
+#ifdef MAHLWERK_AVX512
+    if (isa() == Isa::avx512) return avx512;
+#endif
+#ifdef MAHLWERK_AVX2
+    if (isa() == Isa::avx2) return avx2;
+#endif
+    return sse2;
+  }
+};
+
 }  // namespace mahlwerk::soft

@@ -112,9 +112,7 @@ template <bool avx512>
   } else {
     differences<avx512>(s.rows, g, position, velocity);
     b.apart = position;
-    if (s.frame.periodic)
-      b.apart = {folded(position.x, s.frame.periods.x), folded(position.y, s.frame.periods.y),
-                 folded(position.z, s.frame.periods.z)};
+    if (s.frame.periodic) b.apart = folded(position, s.frame.periods);
     b.relative = -velocity;
     b.vj = {none, none, none};
     b.wj = spins<avx512>(s.spins, g.j);

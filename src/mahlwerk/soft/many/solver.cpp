@@ -56,8 +56,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       pairs_(balls, pairs, law_),
       step_chunk_(std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, law_)),
       start_(start),
-      folds_(std::isfinite(jar_->periods().x) || std::isfinite(jar_->periods().y) ||
-             std::isfinite(jar_->periods().z)),
+      folds_(repeats(jar_->periods())),
       large_(balls.size() > in_cache),
       remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, law_) ||
                  contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),

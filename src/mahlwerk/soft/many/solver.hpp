@@ -102,11 +102,8 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
     const char* why = nullptr;
   };
   Wrong near_walls(Chunk& chunk);
-  Vec3 nearest(const Vec3& apart) const {  // to the nearest image, in a periodic box
-    if (!folds_) return apart;
-    const Vec3& period = jar_->periods();
-    return {std::remainder(apart.x, period.x), std::remainder(apart.y, period.y),
-            std::remainder(apart.z, period.z)};
+  Vec3 nearest(const Vec3& apart) const {
+    return folds_ ? nearest_image(apart, jar_->periods()) : apart;
   }
   void refuse_overlaps() const;
 

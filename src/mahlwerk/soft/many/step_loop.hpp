@@ -91,10 +91,7 @@ template <bool avx512>
                                                         const NeighbourPair* pairs,
                                                         std::size_t count) {
   Apart pair = apart<avx512>(s.rows, pairs, count);
-  if (s.frame.periodic)
-    pair.centres = {folded(pair.centres.x, s.frame.periods.x),
-                    folded(pair.centres.y, s.frame.periods.y),
-                    folded(pair.centres.z, s.frame.periods.z)};
+  if (s.frame.periodic) pair.centres = folded(pair.centres, s.frame.periods);
   const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
   if (!any(mask)) return 0;
   return bits(mask, count);
@@ -218,35 +215,17 @@ template <class Law, bool avx512>
     move<avx512, false>(s, chunk, loads.data(), drift);
 }
 
-#ifdef MAHLWERK_AVX512
 template <class Law>
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void step_chunk_avx512(
-    ChunkStep& s, Chunk& c, const Chunk* next, Loads& l, Drift& d) {
-  step_chunk<Law, true>(s, c, next, l, d);
-}
-#endif
-#ifdef MAHLWERK_AVX2
-template <class Law>
-[[gnu::target("avx2"), gnu::flatten]] void step_chunk_avx2(ChunkStep& s, Chunk& c,
-                                                           const Chunk* next, Loads& l, Drift& d) {
-  step_chunk<Law, false>(s, c, next, l, d);
-}
-#endif
-template <class Law>
-[[gnu::flatten]] void step_chunk_sse2(ChunkStep& s, Chunk& c, const Chunk* next, Loads& l,
-                                      Drift& d) {
-  step_chunk<Law, false>(s, c, next, l, d);
-}
-
+struct ChunkLoop {
+  template <bool avx512>
+  [[gnu::always_inline]] static void run(ChunkStep& s, Chunk& c, const Chunk* next, Loads& l,
+                                         Drift& d) {
+    step_chunk<Law, avx512>(s, c, next, l, d);
+  }
+};
 template <class Law>
 ChunkStepper chunk_stepper() {
-#ifdef MAHLWERK_AVX512
-  if (isa() == Isa::avx512) return step_chunk_avx512<Law>;
-#endif
-#ifdef MAHLWERK_AVX2
-  if (isa() == Isa::avx2) return step_chunk_avx2<Law>;
-#endif
-  return step_chunk_sse2<Law>;
+  return Compiled<ChunkLoop<Law>, ChunkStepper>::best();
 }
 
 }  // namespace mahlwerk::soft

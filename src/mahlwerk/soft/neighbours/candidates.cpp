@@ -6,14 +6,10 @@
 #include <cmath>
 
 #include "mahlwerk/soft/kernel/isa.hpp"
+#include "mahlwerk/soft/kernel/periodic.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
 namespace mahlwerk::soft {
-
-Candidates::Candidates(const Vec3& periods)
-    : periods_(periods),
-      folds_(std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z)),
-      avx512_(isa() == Isa::avx512) {}
 
 void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t last) {
   for (std::int32_t j = first; j < last; ++j, ++count_) {
@@ -29,7 +25,7 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
 [[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
                                                         Lanes& squared) const {
   Vec<Lanes> apart{b.x - sought.position.x, b.y - sought.position.y, b.z - sought.position.z};
-  if (folds_) to_nearest(apart, periods_);
+  if (folds_) apart = nearest_image(apart, periods_);
   squared = dot(apart, apart);
   const Lanes far = b.radius + sought.beyond, none{};
   return less(squared, far * far) &
@@ -51,21 +47,20 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
   }
 }
 
-#ifdef MAHLWERK_AVX512
-[[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] void Candidates::find_avx512(
-    const Sought& sought) {
-  find(sought);
-}
-#endif
+struct Candidates::Search {
+  template <bool avx512>
+  [[gnu::always_inline]] static void run(Candidates& all, const Sought& sought) {
+    all.find(sought);
+  }
+};
+
+Candidates::Candidates(const Vec3& periods)
+    : periods_(periods),
+      folds_(repeats(periods)),
+      find_(Compiled<Search, void (*)(Candidates&, const Sought&)>::best()) {}
 
 std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
-#ifdef MAHLWERK_AVX512
-  if (avx512_) {
-    find_avx512(sought);
-    return found_;
-  }
-#endif
-  find(sought);
+  find_(*this, sought);
   return found_;
 }
 

@@ -40,13 +40,13 @@ class Candidates {
   struct alignas(64) Block {
     Lanes x{}, y{}, z{}, radius{}, row{};
   };
+  struct Search;
   void find(const Sought& sought);
-  void find_avx512(const Sought& sought);  // the same with the widest registers
   LaneMask test(const Block& b, const Sought& sought, Lanes& squared) const;
 
   Vec3 periods_;
   bool folds_;
-  [[maybe_unused]] bool avx512_;
+  void (*find_)(Candidates&, const Sought&);  // for this machine
   std::vector<Block> blocks_;
   std::vector<Found> found_;
   std::size_t count_ = 0;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -55,16 +54,6 @@ template <bool avx512>
   }
   if constexpr (avx512) transpose(c);
   return {{c[0], c[1], c[2]}, c[3]};
-}
-
-/// To the nearest image, however far apart; `periods` [m] are infinite where the box does not
-/// repeat.
-inline void to_nearest(Vec<Lanes>& apart, const Vec3& periods) {
-  for (int l = 0; l < lanes; ++l) {
-    apart.x[l] = std::remainder(apart.x[l], periods.x);
-    apart.y[l] = std::remainder(apart.y[l], periods.y);
-    apart.z[l] = std::remainder(apart.z[l], periods.z);
-  }
 }
 
 /// How far the surfaces of pairs of balls are from each other [m].
