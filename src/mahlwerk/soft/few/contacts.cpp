@@ -35,32 +35,15 @@ void FewBodySolver::begin(Packet& p, int lane, const ContactGeometry& m, const B
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
-  if (p.wall[lane] != 0 && rules_.model.curved_walls) bend(p, lane);
-  const Vec3 n = one(m.n, lane), glide = one(b.relative, lane);
-  p.began[k] = {.step = particles_.step,
-                .approach = std::max(m.rate[lane], 0.0),
-                .slip = norm(one(m.slip, lane)),
-                .glide = norm(glide - dot(glide, n) * n)};
+  if (p.wall[lane] != 0 && rules_.model.curved_walls)
+    bend(p, lane, *jar_, p.face[k], particles_.position.one(static_cast<std::size_t>(p.i[lane])),
+         clock(particles_.step), pairs_[p.species_pair[k]], law_);
+  p.began[k] = beginning(particles_.step, m, b, lane);
   put(p.spring, lane, {});
   put(p.roll, lane, {});
   p.stiffness[lane] = 0;
   p.pulls[lane] = 0;
-  contact::LawNumbers numbers;
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = p.numbers[i][lane];
-  double memory[contact::law_memories] = {};
-  std::visit([&](const auto& law) { law.begin(numbers, memory, p.began[k].approach); }, law_);
-  for (int i = 0; i < contact::law_memories; ++i) p.memory[i][lane] = memory[i];
-}
-
-void FewBodySolver::bend(Packet& p, int lane) {
-  const auto k = static_cast<std::size_t>(lane);
-  const auto ball = static_cast<std::size_t>(p.i[lane]);
-  const Bent bent =
-      bent_wall(*jar_, p.face[k], particles_.position.one(ball), clock(particles_.step),
-                made_of_[ball].radius, pairs_[p.species_pair[k]], law_);
-  for (std::size_t i = 0; i < bent.numbers.size(); ++i) p.numbers[i][lane] = bent.numbers[i];
-  p.rolling[lane] = bent.rolling;
-  p.roll_spring[lane] = bent.roll_spring;
+  begin_memory(p.memory, p, lane, p.began[k].approach, law_);
 }
 
 void FewBodySolver::end(Packet& p, int lane) {

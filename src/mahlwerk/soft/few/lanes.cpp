@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "mahlwerk/soft/contact_records.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
 // Which lane of which packet a pair has, and what it finds there: its numbers, its wall point.
@@ -141,28 +142,15 @@ void FewBodySolver::assign_lane(Packet& p, int lane, const NearPair& c) {
   const std::int32_t mine = pairs_.species_of(i);
   p.species_pair[k] = wall ? pairs_.wall(mine, c.face)
                            : pairs_.balls(mine, pairs_.species_of(static_cast<std::size_t>(c.j)));
-  const SpeciesPair& pair = pairs_[p.species_pair[k]];
-  const Species& a = pairs_.species(mine);
   p.used[k] = true;
   p.face[k] = c.face;
   p.i[lane] = c.i;
   p.j[lane] = wall ? 0 : c.j;
-  p.wall[lane] = wall ? -1 : 0;
-  p.radius_i[lane] = a.radius;
-  p.share[lane] = wall ? 1 : 0.5;
-  p.inertia[lane] = a.inertia;
-  if (!wall) {
-    const Species& b = pairs_.of(static_cast<std::size_t>(c.j));
-    p.radius_j[lane] = b.radius;
-    p.inertia[lane] = a.inertia * b.inertia / (a.inertia + b.inertia);
-  }
-  p.lag[lane] = pair.lag(rules_.time_step);
-  p.reach[lane] = pair.reach;
-  for (std::size_t n = 0; n < pair.numbers.size(); ++n) p.numbers[n][lane] = pair.numbers[n];
-  p.friction[lane] = pair.touching.pair.friction;
-  const double arm = pair.touching.pair.rolling_friction * pair.touching.radius;
-  p.rolling[lane] = arm;
-  p.roll_spring[lane] = 2.25 * arm * arm * pair.secant;
+  copy_lane(
+      pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
+                      wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), rules_.time_step),
+      0, p, lane);
+  p.per_radius[lane] = 0;  // the deepest overlap is divided by the radius when the contact ends
 }
 
 /// A wall point for each ball near a wall, in the order of the lanes.

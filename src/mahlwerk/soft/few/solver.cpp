@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/soft/contact_records.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 
 namespace mahlwerk::soft {
@@ -14,11 +15,6 @@ namespace {
 
 constexpr std::int64_t energy_check = 64;  // steps between two looks at the energy
 constexpr std::size_t skipping = 32;       // balls: beyond, something touches at nearly all times
-
-Vec<Lanes> periods_of(const Vec3& p) {
-  const Lanes none{};
-  return {none + p.x, none + p.y, none + p.z};
-}
 
 }  // namespace
 
@@ -130,14 +126,7 @@ void FewBodySolver::advance_block(std::int64_t until) {
   StepBlock s{.particles = w,
               .jar = *jar_,
               .slow_path = *this,
-              .frame = {.step = rules_.time_step,
-                        .per_step = 1 / rules_.time_step,
-                        .jar_speed = {},
-                        .rolling = rules_.model.rolling,
-                        .rolling_damping = rules_.model.rolling_damping,
-                        .rescaled = rules_.model.rescaled_unloading,
-                        .periodic = folds_,
-                        .periods = periods_of(jar_->periods())},
+              .frame = frame_of(rules_, jar_->periods()),
               .drive = drive_,
               .start = start_,
               .moved = 0.5 * skin_,
@@ -154,15 +143,13 @@ FewBodySolver::Stored FewBodySolver::stored() const {
   for (const Packet& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
-      contact::LawNumbers k;
-      for (std::size_t n = 0; n < k.size(); ++n) k[n] = p.numbers[n][l];
       const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
       const Vec3 apart = nearest(particles_.position.one(static_cast<std::size_t>(p.j[l])) -
                                  particles_.position.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
-      energy.normal +=
-          std::visit([&](const auto& law) { return law.stored(k, memory, overlap); }, law_);
+      energy.normal += std::visit(
+          [&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); }, law_);
       const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};
       energy.tangential += 0.5 * p.stiffness[l] * squared(spring);
     }

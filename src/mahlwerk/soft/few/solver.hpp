@@ -66,7 +66,6 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void end(Packet& p, int lane);
   void settle(Packet& p, int lane);           // adds its work to the account
   void touches(std::int64_t body, int more);  // a contact more or less of a ball
-  void bend(Packet& p, int lane);             // R* of a curved wall
 
   // Free flight (free_flight_skip.cpp).
   bool start_skip();

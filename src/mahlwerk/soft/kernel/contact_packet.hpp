@@ -49,6 +49,11 @@ inline Vec3 one(const Vec<Lanes>& a, int lane) {
 inline void put(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
+inline contact::LawNumbers numbers_of(const PairParameters& p, int lane) {
+  contact::LawNumbers numbers;
+  for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = p.numbers[n][lane];
+  return numbers;
+}
 inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
   constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
   const auto* from = reinterpret_cast<const double*>(&a);

@@ -112,44 +112,20 @@ void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const Cont
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], 1);
     if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
-    if (!grips.parameters.empty()) bend(grips, n, l);
-    const Vec3 normal = one(m.n, l), glide = one(b.relative, l);
+    PairParameters* own = grips.parameters.empty() ? nullptr : &grips.parameters[n];
+    const PairParameters& usual = parameters_[static_cast<std::size_t>(g.species_pair[k])];
+    if (own != nullptr) {
+      copy_lane(usual, l, *own, l);
+      bend(*own, l, *jar_, g.j[k], now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
+           pairs_[g.species_pair[k]], law_);
+    }
     Beginning& began = grips.began[n][k];
-    began = {.step = step_,
-             .approach = std::max(m.rate[l], 0.0),
-             .slip = norm(one(m.slip, l)),
-             .glide = norm(glide - dot(glide, normal) * normal)};
-    if (!remembers_) continue;
-    const PairParameters& parameters =
-        grips.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
-                                 : grips.parameters[n];
-    contact::LawNumbers numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = parameters.numbers[i][l];
-    double memory[contact::law_memories] = {};
-    std::visit([&](const auto& law) { law.begin(numbers, memory, began.approach); }, law_);
-    for (int i = 0; i < contact::law_memories; ++i) grips.memories[n].memory[i][l] = memory[i];
+    began = beginning(step_, m, b, l);
+    if (remembers_)
+      begin_memory(grips.memories[n].memory, own != nullptr ? *own : usual, l, began.approach,
+                   law_);
   }
   g.fresh = 0;
-}
-
-/// The ball at a curved wall: R* from both principal curvatures (dem.4).
-void ManyBodySolver::bend(Grips& grips, std::size_t n, int lane) {
-  const Grip& g = grips.grips[n];
-  const auto k = static_cast<std::size_t>(lane);
-  const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const Bent bent = bent_wall(*jar_, g.j[k], ball.position(), clock(step_), ball.radius,
-                              pairs_[g.species_pair[k]], law_);
-  PairParameters& parameters = grips.parameters[n];
-  for (std::size_t i = 0; i < bent.numbers.size(); ++i)
-    parameters.numbers[i][lane] = bent.numbers[i];
-  parameters.radius_i[lane] = ball.radius;
-  parameters.per_radius[lane] = 1 / ball.radius;
-  parameters.friction[lane] = pairs_[g.species_pair[k]].touching.pair.friction;
-  parameters.reach[lane] = pairs_[g.species_pair[k]].reach;
-  parameters.lag[lane] = pairs_[g.species_pair[k]].lag(rules_.time_step);
-  parameters.inertia[lane] = pairs_.species(species_[static_cast<std::size_t>(g.i[k])]).inertia;
-  parameters.rolling[lane] = bent.rolling;
-  parameters.roll_spring[lane] = bent.roll_spring;
 }
 
 void ManyBodySolver::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {

@@ -40,8 +40,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
         const PairParameters& parameters =
             list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
                                     : list.parameters[n];
-        contact::LawNumbers numbers;
-        for (std::size_t a = 0; a < numbers.size(); ++a) numbers[a] = parameters.numbers[a][l];
+        const contact::LawNumbers numbers = numbers_of(parameters, l);
         double memory[contact::law_memories] = {};
         if (remembers_)
           for (int a = 0; a < contact::law_memories; ++a) memory[a] = list.memories[n].memory[a][l];

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/contact_records.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 
 namespace mahlwerk::soft {
@@ -22,27 +23,6 @@ constexpr std::size_t most_records = 8192;  // that wait for the observer, for t
 int most_helpful(std::size_t balls) {
   constexpr std::size_t each = 1000;
   return static_cast<int>(std::clamp<std::size_t>(balls / each, 1, 1024));
-}
-
-/// Eight alike.
-PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
-                               double step) {
-  PairParameters m;
-  const Lanes none{};
-  m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
-  m.radius_i = none + a.radius;
-  m.radius_j = none + (b != nullptr ? b->radius : 0.0);
-  m.per_radius = none + 1 / a.radius;
-  m.share = none + (b != nullptr ? 0.5 : 1.0);
-  m.reach = none + pair.reach;
-  for (std::size_t n = 0; n < pair.numbers.size(); ++n) m.numbers[n] = none + pair.numbers[n];
-  m.friction = none + pair.touching.pair.friction;
-  const double arm = pair.touching.pair.rolling_friction * pair.touching.radius;
-  m.rolling = none + arm;
-  m.roll_spring = none + 2.25 * arm * arm * pair.secant;
-  m.lag = none + pair.lag(step);
-  m.inertia = none + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
-  return m;
 }
 
 }  // namespace
@@ -182,35 +162,27 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   else if (worth_sorting())
     sort_pairs();
   const Lanes none{};
-  ChunkStep s{
-      .rows = now_.data(),
-      .spins = spins_.data(),
-      .next = next_.data(),
-      .next_spins = next_spins_.data(),
-      .half = half_.data(),
-      .list_positions = list_positions_.data(),
-      .kicks = kicks_.data(),
-      .species = species_.data(),
-      .parameters = parameters_.data(),
-      .jar = jar_.get(),
-      .events = this,
-      .time = clock(step_),
-      .bin = skin_ * VerletList::width,
-      .reach = reach_,
-      .before = before,
-      .after = after,
-      .large = large_,
-      .turning = jar_->turning_from() < jar_->faces(),
-      .remembers = remembers_,
-      .frame = {.step = rules_.time_step,
-                .per_step = 1 / rules_.time_step,
-                .jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z},
-                .rolling = rules_.model.rolling,
-                .rolling_damping = rules_.model.rolling_damping,
-                .rescaled = rules_.model.rescaled_unloading,
-                .periodic = folds_,
-                .periods = {none + jar_->periods().x, none + jar_->periods().y,
-                            none + jar_->periods().z}}};
+  ChunkStep s{.rows = now_.data(),
+              .spins = spins_.data(),
+              .next = next_.data(),
+              .next_spins = next_spins_.data(),
+              .half = half_.data(),
+              .list_positions = list_positions_.data(),
+              .kicks = kicks_.data(),
+              .species = species_.data(),
+              .parameters = parameters_.data(),
+              .jar = jar_.get(),
+              .events = this,
+              .time = clock(step_),
+              .bin = skin_ * VerletList::width,
+              .reach = reach_,
+              .before = before,
+              .after = after,
+              .large = large_,
+              .turning = jar_->turning_from() < jar_->faces(),
+              .remembers = remembers_,
+              .frame = frame_of(rules_, jar_->periods())};
+  s.frame.jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z};
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =

@@ -115,7 +115,6 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
              const Bodies& b) override;
   void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
   void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
-  void bend(Grips& grips, std::size_t g, int lane);
   void touches(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const MovingWall> jar_;
