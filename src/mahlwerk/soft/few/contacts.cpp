@@ -1,21 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/soft/contact_records.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
 // Contacts that begin and end, and the records they leave.
 namespace mahlwerk::soft {
 
-void FewBodySolver::begin(Packet& p, const LaneMask& begun, const ContactGeometry& m,
+void FewBodySolver::begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,
                           const Bodies& b) {
   for (int l = 0; l < lanes; ++l)
     if (begun[l] != 0) begin(p, l, m, b);
   p.touching |= begun;
 }
-void FewBodySolver::end(Packet& p, const LaneMask& ended) {
+void FewBodySolver::end(PairPacket& p, const LaneMask& ended) {
   for (int l = 0; l < lanes; ++l)
     if (ended[l] != 0) end(p, l);
 }
@@ -31,7 +32,7 @@ void FewBodySolver::touches(std::int64_t body, int more) {
   in_touch_ += count > 0 ? 1 : -1;
 }
 
-void FewBodySolver::begin(Packet& p, int lane, const ContactGeometry& m, const Bodies& b) {
+void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, const Bodies& b) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], 1);
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
@@ -46,7 +47,7 @@ void FewBodySolver::begin(Packet& p, int lane, const ContactGeometry& m, const B
   begin_memory(p.memory, p, lane, p.began[k].approach, law_);
 }
 
-void FewBodySolver::end(Packet& p, int lane) {
+void FewBodySolver::end(PairPacket& p, int lane) {
   const auto k = static_cast<std::size_t>(lane);
   touches(p.i[lane], -1);
   const bool wall = p.wall[lane] != 0;
@@ -83,7 +84,7 @@ void FewBodySolver::end(Packet& p, int lane) {
   settle(p, lane);
 }
 
-void FewBodySolver::settle(Packet& p, int lane) {
+void FewBodySolver::settle(PairPacket& p, int lane) {
   ContactWork& d = p.work;
   account_.lost_normal += d.normal[lane];
   account_.lost_tangential += d.tangential[lane];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "mahlwerk/soft/contact_records.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
 // Which lane of which packet a pair has, and what it finds there: its numbers, its wall point.
@@ -11,7 +11,7 @@ namespace {
 
 /// Calls `f` with every column of a packet.
 template <class F>
-void each_column(Packet& p, const F& f) {
+void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
   for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.reach, &p.friction, &p.rolling,
                    &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
@@ -27,7 +27,7 @@ void each_column(Packet& p, const F& f) {
 }
 
 /// Empties a lane; its bodies are the first ball twice, far from touching: radii 0.
-void clear_lane(Packet& p, int lane) {
+void clear_lane(PairPacket& p, int lane) {
   each_column(p, [&](auto& column) {
     using One = std::remove_reference_t<decltype(column[0])>;
     column[static_cast<std::size_t>(lane)] = std::remove_cvref_t<One>{};
@@ -36,7 +36,7 @@ void clear_lane(Packet& p, int lane) {
 
 /// Calls `f` with the same column of both.
 template <class F>
-void each_column_of_both(Packet& a, Packet& b, const F& f) {
+void each_column_of_both(PairPacket& a, PairPacket& b, const F& f) {
   const auto* here = reinterpret_cast<const char*>(&a);
   auto* there = reinterpret_cast<char*>(&b);
   each_column(a, [&](auto& column) {
@@ -45,7 +45,7 @@ void each_column_of_both(Packet& a, Packet& b, const F& f) {
   });
 }
 
-void swap_lanes(Packet& a, int lane, Packet& b, int other_lane) {
+void swap_lanes(PairPacket& a, int lane, PairPacket& b, int other_lane) {
   each_column_of_both(a, b, [&](auto& one, auto& other) {
     const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(other_lane);
     const auto kept = one[i];
@@ -54,7 +54,7 @@ void swap_lanes(Packet& a, int lane, Packet& b, int other_lane) {
   });
 }
 
-void move_lane(Packet& from, int lane, Packet& to, int other_lane) {
+void move_lane(PairPacket& from, int lane, PairPacket& to, int other_lane) {
   swap_lanes(from, lane, to, other_lane);
   clear_lane(from, lane);
 }
@@ -63,7 +63,7 @@ void move_lane(Packet& from, int lane, Packet& to, int other_lane) {
 
 /// Pairs that touch sit in the first packets, so that the others are passed over.
 bool FewBodySolver::touching_first() {
-  std::vector<Packet>& packets = particles_.packets;
+  std::vector<PairPacket>& packets = particles_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
   int lane = 0, other_lane = 0;
@@ -86,9 +86,9 @@ bool FewBodySolver::touching_first() {
 /// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
 /// lanes, and the last packets give theirs to the first.
 void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
-  std::vector<Packet>& packets = particles_.packets;
+  std::vector<PairPacket>& packets = particles_.packets;
   std::vector<bool> listed(wanted.size());
-  for (Packet& p : packets)
+  for (PairPacket& p : packets)
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k]) continue;
@@ -119,7 +119,7 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
     assign_lane(packets[at], lane, wanted[n]);
   }
   while (!packets.empty()) {
-    Packet& last = packets.back();
+    PairPacket& last = packets.back();
     const auto used = std::ranges::find(last.used, true);
     if (used == last.used.end()) {
       packets.pop_back();
@@ -134,7 +134,7 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
     packets.pop_back();
 }
 
-void FewBodySolver::assign_lane(Packet& p, int lane, const NearPair& c) {
+void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
   clear_lane(p, lane);
   const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);
@@ -157,7 +157,7 @@ void FewBodySolver::assign_lane(Packet& p, int lane, const NearPair& c) {
 void FewBodySolver::find_wall_points() {
   ParticleData& w = particles_;
   w.near.clear();
-  for (Packet& p : w.packets)
+  for (PairPacket& p : w.packets)
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k] || p.face[k] < 0) continue;
@@ -177,7 +177,7 @@ void FewBodySolver::find_owners() {
   w.owners.assign(w.packets.size(), {});
   if (!w.few) return;
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
-    const Packet& p = w.packets[n];
+    const PairPacket& p = w.packets[n];
     std::array<int, lanes> count{};
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;

@@ -36,6 +36,21 @@ inline const double* numbers(const std::vector<Eight>& column) {
   return reinterpret_cast<const double*>(column.data());
 }
 
+/// Eight neighbour pairs side by side, with the history of those that touch. Free lanes touch
+/// nothing. A ContactPacket of many bodies has contacts only, and a sixth of the memory: parameters
+/// are those of a species pair, and most of the work is summed over a chunk.
+struct alignas(64) PairPacket : PairParameters, History {
+  LaneMask i{}, j{};    ///< bodies; i is always a ball
+  LaneMask touching{};  ///< since the last step
+  Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
+  ContactWork work;
+
+  std::array<std::int32_t, lanes> face{};          ///< of a wall; < 0: balls
+  std::array<std::int32_t, lanes> species_pair{};  ///< which pair of species (SpeciesPairs)
+  std::array<bool, lanes> used{};
+  std::array<Beginning, lanes> began{};
+};
+
 /// Where each of up to eight balls finds its contacts in a packet: the k-th at lane `from[k]`, from
 /// `lanes` on with the opposite sign.
 struct alignas(64) Owners {
@@ -54,7 +69,7 @@ struct ParticleData {
   Columns force, torque;                       ///< [N], [N m] of the contacts on the balls
   std::vector<Eight> half_kick;                ///< [s/kg] half a step over mass
   std::vector<Eight> half_spin_kick;           ///< [s/(kg m2)] half a step over inertia
-  std::vector<Packet> packets;
+  std::vector<PairPacket> packets;
   std::vector<Owners> owners;       ///< of each packet, where `few`
   std::vector<WallNeighbour> near;  ///< wall point k belongs to near[k]
   Columns list_positions;           ///< at which the neighbour list was built
@@ -70,10 +85,10 @@ class SlowPath {
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void rebuild_neighbour_list() = 0;
   /// Contacts of a packet begin.
-  virtual void begin(Packet& packet, const LaneMask& begun, const ContactGeometry& geometry,
+  virtual void begin(PairPacket& packet, const LaneMask& begun, const ContactGeometry& geometry,
                      const Bodies& bodies) = 0;
   /// Contacts end, after their last push.
-  virtual void end(Packet& packet, const LaneMask& ended) = 0;
+  virtual void end(PairPacket& packet, const LaneMask& ended) = 0;
 };
 
 /// Everything a stretch of steps needs.

@@ -30,14 +30,15 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void advance_block(std::int64_t until);
   double clock(std::int64_t step) const;    // [s] of the mill
   double time_of(std::int64_t step) const;  // [s] since the start of the run
-  void check_energy();
-  scene::Account reckoned() const;
+  void refuse_overlaps() const;
+  [[noreturn]] void stop(std::size_t ball, const char* why) const;
+
+  // Energy (energy.cpp).
   struct Stored {
     double normal = 0, tangential = 0;  // [J]
   };
   Stored stored() const;  // in contacts, now
-  void refuse_overlaps() const;
-  [[noreturn]] void stop(std::size_t ball, const char* why) const;
+  void check_energy();
 
   // Neighbour list (neighbours.cpp).
   struct NearPair {
@@ -55,16 +56,17 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   // Lane of each pair (lanes.cpp).
   bool touching_first();
   void fill_lanes(const std::vector<NearPair>& wanted);
-  void assign_lane(Packet& p, int lane, const NearPair& c);
+  void assign_lane(PairPacket& p, int lane, const NearPair& c);
   void find_wall_points();
   void find_owners();
 
   // Contacts that begin and end (contacts.cpp).
-  void begin(Packet& p, const LaneMask& begun, const ContactGeometry& m, const Bodies& b) override;
-  void end(Packet& p, const LaneMask& ended) override;
-  void begin(Packet& p, int lane, const ContactGeometry& m, const Bodies& b);
-  void end(Packet& p, int lane);
-  void settle(Packet& p, int lane);           // adds its work to the account
+  void begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,
+             const Bodies& b) override;
+  void end(PairPacket& p, const LaneMask& ended) override;
+  void begin(PairPacket& p, int lane, const ContactGeometry& m, const Bodies& b);
+  void end(PairPacket& p, int lane);
+  void settle(PairPacket& p, int lane);       // adds its work to the account
   void touches(std::int64_t body, int more);  // a contact more or less of a ball
 
   // Free flight (free_flight_skip.cpp).

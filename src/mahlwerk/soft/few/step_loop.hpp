@@ -87,7 +87,7 @@ template <bool avx512>
 }
 
 /// The same through memory, for any number of balls.
-[[gnu::always_inline]] inline void scatter(ParticleData& w, const Packet& p,
+[[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
                                            const ContactForce& f) {
   const auto give = [&](std::vector<Eight>& column, const Lanes& i, const Lanes& j) {
     double* all = numbers(column);
@@ -107,7 +107,7 @@ template <bool avx512>
 
 /// One packet in a step. Returns false where nothing touches.
 template <class Law, bool avx512>
-[[gnu::always_inline]] inline bool apply_packet(StepBlock& s, Packet& p, ContactForce& out) {
+[[gnu::always_inline]] inline bool apply_packet(StepBlock& s, PairPacket& p, ContactForce& out) {
   const ParticleData& w = s.particles;
   Bodies b;
   b.apart = pick<avx512>(w.position, p.j, w.few) - pick<avx512>(w.position, p.i, w.few);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mahlwerk/contact/law.hpp"
-#include "mahlwerk/soft/kernel/contact_packet.hpp"
+#include "mahlwerk/soft/kernel/contact_data.hpp"
 
 // Contacts begin and end between two steps. What the force of a whole step would give them too
 // much or too little there is made up for (dem.35, dem.36).

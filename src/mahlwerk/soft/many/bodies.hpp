@@ -34,7 +34,7 @@ template <bool avx512>
 }
 /// The same, of j less i.
 template <bool avx512>
-[[gnu::always_inline]] inline void differences(const BallRecord* rows, const Grip& g,
+[[gnu::always_inline]] inline void differences(const BallRecord* rows, const ContactPacket& g,
                                                Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
@@ -86,10 +86,10 @@ template <bool avx512>
   }
 }
 
-/// The bodies of a grip.
+/// The bodies of a packet.
 template <bool avx512>
-[[gnu::always_inline]] inline Bodies bodies(const ChunkStep& s, const Grip& g, LaneMask touching,
-                                            ContactKind kind) {
+[[gnu::always_inline]] inline Bodies bodies(const ChunkStep& s, const ContactPacket& g,
+                                            LaneMask touching, ContactKind kind) {
   Bodies b;
   const Lanes none{};
   Vec<Lanes> position, velocity;
@@ -120,7 +120,8 @@ template <bool avx512>
   return b;
 }
 
-[[gnu::always_inline]] inline void prefetch(const ChunkStep& s, const Grip& g, ContactKind kind) {
+[[gnu::always_inline]] inline void prefetch(const ChunkStep& s, const ContactPacket& g,
+                                            ContactKind kind) {
   for (std::size_t l = 0; l < lanes; ++l) {
     __builtin_prefetch(&s.spins[g.i[l]]);
     if (kind == ContactKind::wall) continue;

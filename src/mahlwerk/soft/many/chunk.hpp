@@ -16,7 +16,7 @@ namespace mahlwerk::soft {
 
 /// Eight contacts side by side: those that touch, and nothing else. Free lanes touch nothing, but
 /// name bodies that there are.
-struct alignas(64) Grip {
+struct alignas(64) ContactPacket {
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
   std::array<std::int32_t, lanes> species_pair{};
   std::uint32_t touching = 0, fresh = 0;  ///< bits of lanes; of those that first do in this step
@@ -40,18 +40,18 @@ struct alignas(64) Facing {
 };
 
 /// Contacts of one kind, with the lanes that are free.
-struct Grips {
-  std::vector<Grip> grips;
+struct ContactPackets {
+  std::vector<ContactPacket> packets;
   std::vector<std::array<Beginning, lanes>> began;
-  std::vector<Memory> memories;  ///< of each grip, where the law or the rolling needs them
-  std::vector<PairParameters> parameters;  ///< of each grip, where curved walls change them
-  std::vector<Facing> facings;             ///< of each grip with walls
-  std::vector<std::int32_t> free;          ///< lane l of grip g: 8 g + l
+  std::vector<Memory> memories;  ///< of each packet, where the law or the rolling needs them
+  std::vector<PairParameters> parameters;  ///< of each packet, where curved walls change them
+  std::vector<Facing> facings;             ///< of each packet with walls
+  std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
   std::int32_t leaving = 0;                ///< contacts that move to a new order of the balls
 
   /// Where contacts remember, or are bent, for that, too.
   void make_room(std::size_t count, bool remember, bool bend) {
-    grips.reserve(count);
+    packets.reserve(count);
     began.reserve(count);
     if (remember) memories.reserve(count);
     if (bend) parameters.reserve(count);
@@ -108,7 +108,7 @@ struct Ended {
 /// of one and a ball of another chunk, which has the contact, too; with the wall.
 struct Chunk {
   std::int32_t first = 0, last = 0;
-  Grips own, halo, wall;
+  ContactPackets own, halo, wall;
   VerletList near, near_wall;
   double bound = 0, wall_bound = 0;      ///< [m] pairs may have come so much nearer
   std::vector<std::int32_t> neighbours;  ///< chunks that have balls near to its own

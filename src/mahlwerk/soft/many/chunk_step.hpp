@@ -11,11 +11,11 @@ namespace mahlwerk::soft {
 class ContactEvents {
  public:
   virtual ~ContactEvents() = default;
-  /// Lanes of `grips[g]` that touch for the first time.
-  virtual void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
+  /// Lanes of `packets[g]` that touch for the first time.
+  virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
                      const Bodies& b) = 0;
   /// Lanes that touched, and do not now.
-  virtual void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) = 0;
+  virtual void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) = 0;
   /// Two balls that touch for the first time get a lane.
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// So do balls that touch a wall.

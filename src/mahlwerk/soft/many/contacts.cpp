@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/soft/contact_records.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
 // Contacts of a crowd that begin and end, and the records they leave.
@@ -41,12 +42,12 @@ void ManyBodySolver::test_walls(Chunk& chunk) {
 void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
-  Grips& grips = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.halo;
+  ContactPackets& list = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.halo;
   const std::int32_t species_pair =
       is_wall(pair) ? pairs_.wall(mine, ~pair.other)
                     : pairs_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
-  const std::int32_t at = free_lane(grips, species_pair, pair.ball);
-  Grip& g = grips.grips[static_cast<std::size_t>(at / lanes)];
+  const std::int32_t at = free_lane(list, species_pair, pair.ball);
+  ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
   const auto l = static_cast<std::size_t>(at % lanes);
   g.i[l] = pair.ball;
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
@@ -55,30 +56,31 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
 }
 
 /// A lane for a contact of `ball` and of that species pair, its history cleared.
-std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball) {
-  if (grips.free.empty()) {
-    const auto g = static_cast<std::int32_t>(grips.grips.size());
+std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t species_pair,
+                                       std::int32_t ball) {
+  if (list.free.empty()) {
+    const auto g = static_cast<std::int32_t>(list.packets.size());
     const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
     // An eighth more, not twice as many: it is most of the memory.
-    if (const std::size_t n = grips.grips.size(); n == grips.grips.capacity())
-      grips.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
-    grips.grips.emplace_back();
-    Grip& fresh = grips.grips.back();
+    if (const std::size_t n = list.packets.size(); n == list.packets.capacity())
+      list.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
+    list.packets.emplace_back();
+    ContactPacket& fresh = list.packets.back();
     fresh.species_pair.fill(species_pair);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
-    grips.began.emplace_back();
-    if (remembers_) grips.memories.emplace_back();
-    if (wall) grips.facings.emplace_back();
+    list.began.emplace_back();
+    if (remembers_) list.memories.emplace_back();
+    if (wall) list.facings.emplace_back();
     if (rules_.model.curved_walls && wall)
-      grips.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
-    for (int l = lanes - 1; l >= 0; --l) grips.free.push_back(g * lanes + l);
+      list.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
+    for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
   }
-  const std::int32_t at = grips.free.back();
-  grips.free.pop_back();
+  const std::int32_t at = list.free.back();
+  list.free.pop_back();
   const auto n = static_cast<std::size_t>(at / lanes);
   const int l = at % lanes;
-  Grip& g = grips.grips[n];
+  ContactPacket& g = list.packets[n];
   g.species_pair[static_cast<std::size_t>(l)] = species_pair;
   g.alike = true;
   for (int k = 0; k < lanes; ++k)
@@ -89,7 +91,7 @@ std::int32_t ManyBodySolver::free_lane(Grips& grips, std::int32_t species_pair, 
   put(g.spring, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
   if (remembers_) {
-    Memory& m = grips.memories[n];
+    Memory& m = list.memories[n];
     for (Lanes& memory : m.memory) memory[l] = 0;
     put(m.roll, l, {});
     m.stiffness[l] = 0;
@@ -104,57 +106,57 @@ void ManyBodySolver::touches(Chunk& chunk, std::int32_t ball, int more) {
   if ((count > 0) != was) chunk.in_touch += count > 0 ? 1 : -1;
 }
 
-void ManyBodySolver::begin(Chunk& chunk, Grips& grips, std::size_t n, const ContactGeometry& m,
-                           const Bodies& b) {
-  Grip& g = grips.grips[n];
+void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
+                           const ContactGeometry& m, const Bodies& b) {
+  ContactPacket& g = list.packets[n];
   for (int l = 0; l < lanes; ++l) {
     if ((g.fresh & bit(l)) == 0) continue;
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], 1);
-    if (&grips == &chunk.own) touches(chunk, g.j[k], 1);
-    PairParameters* own = grips.parameters.empty() ? nullptr : &grips.parameters[n];
+    if (&list == &chunk.own) touches(chunk, g.j[k], 1);
+    PairParameters* own = list.parameters.empty() ? nullptr : &list.parameters[n];
     const PairParameters& usual = parameters_[static_cast<std::size_t>(g.species_pair[k])];
     if (own != nullptr) {
       copy_lane(usual, l, *own, l);
       bend(*own, l, *jar_, g.j[k], now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
            pairs_[g.species_pair[k]], law_);
     }
-    Beginning& began = grips.began[n][k];
+    Beginning& began = list.began[n][k];
     began = beginning(step_, m, b, l);
     if (remembers_)
-      begin_memory(grips.memories[n].memory, own != nullptr ? *own : usual, l, began.approach,
-                   law_);
+      begin_memory(list.memories[n].memory, own != nullptr ? *own : usual, l, began.approach, law_);
   }
   g.fresh = 0;
 }
 
-void ManyBodySolver::end(Chunk& chunk, Grips& grips, std::size_t n, const LaneMask& touching) {
-  Grip& g = grips.grips[n];
-  const bool wall = &grips == &chunk.wall;
+void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n,
+                         const LaneMask& touching) {
+  ContactPacket& g = list.packets[n];
+  const bool wall = &list == &chunk.wall;
   for (int l = 0; l < lanes; ++l) {
     if (!g.touches(l) || touching[l] != 0) continue;
     const auto k = static_cast<std::size_t>(l);
     touches(chunk, g.i[k], -1);
-    if (&grips == &chunk.own) touches(chunk, g.j[k], -1);
-    if (&grips != &chunk.halo || g.i[k] < g.j[k]) record(chunk, grips, n, l);
+    if (&list == &chunk.own) touches(chunk, g.j[k], -1);
+    if (&list != &chunk.halo || g.i[k] < g.j[k]) record(chunk, list, n, l);
     (wall ? chunk.near_wall : chunk.near).separated.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
     g.touching &= ~bit(l);
     put(g.spring, l, {});
-    grips.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
+    list.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
   }
 }
 
-void ManyBodySolver::record(Chunk& chunk, const Grips& grips, std::size_t n, int l) {
-  const Grip& g = grips.grips[n];
-  const bool wall = &grips == &chunk.wall;
+void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_t n, int l) {
+  const ContactPacket& g = list.packets[n];
+  const bool wall = &list == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const Beginning& began = grips.began[n][k];
+  const Beginning& began = list.began[n][k];
   const SpeciesPair& pair = pairs_[g.species_pair[k]];
   const double t = clock(step_), duration = time_of(step_ - began.step);
   const int face = wall ? g.j[k] : -1;
   const Vec3 apart =
-      wall ? one(grips.facings[n].normal, l)
+      wall ? one(list.facings[n].normal, l)
            : nearest(now_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
   const Vec3 normal = (1 / norm(apart)) * apart;
   chunk.ended.push_back({step_,

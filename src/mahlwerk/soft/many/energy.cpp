@@ -3,35 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
-// What a crowd tells of itself: energy, balls.
 namespace mahlwerk::soft {
-
-Vec3 ManyBodySolver::pulls() const {
-  const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
-  return 0.5 * rules_.time_step * (b[1].pull - b[0].pull);
-}
-
-/// At the step reached; the rows know half a step more (dem.26).
-Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& pulls) const {
-  const VectorPair& half = half_[row];
-  const BallRecord& seen = next_[row];
-  return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{seen.u, seen.v, seen.w} + pulls;
-}
-Vec3 ManyBodySolver::spin(std::size_t row) const {
-  const VectorPair& half = half_[row];
-  const SpinRecord& seen = next_spins_[row];
-  return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{seen.x, seen.y, seen.z};
-}
 
 /// Of contacts, each counted once, or two times half.
 ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
   Stored energy;
   const double t = clock(step_);
-  const auto add = [&](const Grips& list, double weight) {
-    for (std::size_t n = 0; n < list.grips.size(); ++n) {
-      const Grip& g = list.grips[n];
+  const auto add = [&](const ContactPackets& list, double weight) {
+    for (std::size_t n = 0; n < list.packets.size(); ++n) {
+      const ContactPacket& g = list.packets[n];
       for (int l = 0; l < lanes; ++l) {
         if (!g.touches(l)) continue;
         energy.taken += weight * (g.lost_normal[l] + g.lost_across[l]);
@@ -69,7 +52,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
   return energy;
 }
 
-scene::Account ManyBodySolver::reckoned() const {
+scene::Account ManyBodySolver::account() const {
   scene::Account a = account_;
   for (const Chunk& chunk : chunks_) add_sums(a, chunk);
   a.time = time_of(step_);
@@ -106,57 +89,41 @@ scene::Account ManyBodySolver::reckoned() const {
   return a;
 }
 
-scene::Account ManyBodySolver::account() const {
-  return reckoned();
+void ManyBodySolver::check_energy() {
+  const scene::Account a = account();
+  const double t = clock(step_);
+  const double wall = jar_->fastest(t);
+  const Species& first = pairs_.species(0);
+  const double least = first.mass * norm(jar_->gravity()) * first.radius;
+  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
+  std::size_t fastest = 0;
+  for (std::size_t k = 1; k < now_.size(); ++k)
+    if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
+  stop(fastest, energy_jumped);
 }
 
-std::vector<scene::Ball> ManyBodySolver::balls() const {
-  std::vector<scene::Ball> all(id_.size());
-  const Vec3 change = pulls();
-  for (std::size_t k = 0; k < id_.size(); ++k) {
-    const Species& s = pairs_.species(species_[k]);
-    all[static_cast<std::size_t>(id_[k])] = {
-        s.radius, s.density, now_[k].position(), velocity(k, change), spin(k), s.kind};
+/// Sums of the chunks so far. At fixed steps, for every sum is rounded.
+void ManyBodySolver::settle() {
+  for (Chunk& chunk : chunks_) {
+    add_sums(account_, chunk);
+    chunk.sums = {};
   }
-  return all;
 }
 
-/// From what the rows know: the velocity seen a step later is that half a step later, half a kick
-/// of the contacts, and half a step of the body field then (dem.26).
-std::vector<Vec3> ManyBodySolver::forces() const {
-  std::vector<Vec3> all(id_.size());
-  const double half_step = 0.5 * rules_.time_step;
-  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().pull;
-  for (std::size_t k = 0; k < id_.size(); ++k) {
-    const VectorPair& half = half_[k];
-    const BallRecord& seen = next_[k];
-    const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
-    all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_step * gained;
+void ManyBodySolver::add_sums(scene::Account& a, const Chunk& chunk) const {
+  const ChunkSums& d = chunk.sums;
+  for (int l = 0; l < lanes; ++l) {
+    a.lost_normal += d.work.normal[l];
+    a.lost_tangential += d.work.tangential[l];
+    a.lost_rolling += d.work.rolling[l];
+    a.slid += d.work.sliding[l];
+    a.wall_work += d.work.wall[l];
+    a.deepest_overlap = std::max(a.deepest_overlap, d.work.deepest[l]);
   }
-  return all;
-}
-
-void ManyBodySolver::carry(Archive& archive) {
-  const std::size_t balls = now_.size();
-  archive(step_)(list_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
-  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_);
-  if (now_.size() != balls) throw Archive::broken();
-  archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
-  auto count = static_cast<std::uint64_t>(chunks_.size());
-  archive(count);
-  if (archive.reading()) {
-    if (count > now_.size() + 1) throw Archive::broken();
-    chunks_.assign(count, {});
-  }
-  for (Chunk& c : chunks_) {
-    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.neighbours);
-    for (Grips* list : {&c.own, &c.halo, &c.wall})
-      archive(list->grips)(list->began)(list->memories)(list->parameters)(list->facings)(
-          list->free);
-    for (VerletList* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->separated);
-  }
-  archive(account_)(watch_)(asked_);
-  if (archive.reading()) share_work();
+  a.contact_time += time_of(d.ball_steps);
+  a.collisions += d.collisions;
+  a.lasting_contacts += d.lasting;
+  a.search_steps += d.tests;
 }
 
 }  // namespace mahlwerk::soft

@@ -13,7 +13,7 @@ namespace {
 
 enum ListKind : std::int32_t { own_list, halo_list, wall_list, list_kinds };
 
-Grips& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
+ContactPackets& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
   Chunk& chunk = chunks[static_cast<std::size_t>(list / list_kinds)];
   return list % list_kinds == own_list    ? chunk.own
          : list % list_kinds == halo_list ? chunk.halo
@@ -27,9 +27,9 @@ ManyBodySolver::Carried ManyBodySolver::take_contacts(const std::vector<std::int
   Carried all;
   const auto each = [&](const auto& f) {
     for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
-      const Grips& list = list_of(chunks_, number);
-      for (std::int32_t at = 0; at < lanes * std::ssize(list.grips); ++at) {
-        const Grip& g = list.grips[static_cast<std::size_t>(at / lanes)];
+      const ContactPackets& list = list_of(chunks_, number);
+      for (std::int32_t at = 0; at < lanes * std::ssize(list.packets); ++at) {
+        const ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(at % lanes)) continue;
         if (number % list_kinds == halo_list && g.i[l] > g.j[l])
@@ -64,7 +64,7 @@ void ManyBodySolver::give_contacts(const Carried& all, std::vector<Chunk>& old) 
   std::vector<std::vector<std::int32_t>> besides(chunks_.size());
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
     const Kept& k = all.contacts[n];
-    Grips& from = list_of(old, k.list);
+    ContactPackets& from = list_of(old, k.list);
     ++from.leaving;
     if (k.list % list_kinds == wall_list) continue;
     const std::int32_t other = chunk_of(k.j);
@@ -80,7 +80,7 @@ void ManyBodySolver::give_contacts(const Carried& all, std::vector<Chunk>& old) 
     make_room(chunk, {all.contacts.begin() + begin, all.contacts.begin() + end}, beside.size());
     const auto give = [&](std::int32_t n) {
       const Kept& k = all.contacts[static_cast<std::size_t>(n)];
-      Grips& from = list_of(old, k.list);
+      ContactPackets& from = list_of(old, k.list);
       give_contact(chunk, k, from);
       if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // room for the others
     };
@@ -106,26 +106,26 @@ void ManyBodySolver::make_room(Chunk& chunk, std::span<const Kept> kept, std::si
 
 /// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
 /// second.
-void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const Grips& from) {
+void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const ContactPackets& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
   if (k.list % list_kinds == wall_list)
     return give(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
   if (!has(k.i)) return give(chunk.halo, k, from, k.j, k.i, pairs_.balls(other, species), -1);
-  Grips& list = has(k.j) ? chunk.own : chunk.halo;
+  ContactPackets& list = has(k.j) ? chunk.own : chunk.halo;
   give(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
 }
 
 /// A lane for the contact as ball `i` sees it, with all that it remembers.
-void ManyBodySolver::give(Grips& list, const Kept& k, const Grips& from, std::int32_t i,
-                          std::int32_t j, std::int32_t species_pair, double sign) {
+void ManyBodySolver::give(ContactPackets& list, const Kept& k, const ContactPackets& from,
+                          std::int32_t i, std::int32_t j, std::int32_t species_pair, double sign) {
   const std::int32_t at = free_lane(list, species_pair, i);
   const auto n = static_cast<std::size_t>(at / lanes),
              old = static_cast<std::size_t>(k.lane / lanes);
   const int l = at % lanes, m = k.lane % lanes;
-  Grip& g = list.grips[n];
-  const Grip& was = from.grips[old];
+  ContactPacket& g = list.packets[n];
+  const ContactPacket& was = from.packets[old];
   g.touching |= bit(l);
   if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;

@@ -166,8 +166,8 @@ std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
 /// both.
 void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
-  for (const Grips* list : {&chunk.own, &chunk.halo})
-    for (const Grip& g : list->grips)
+  for (const ContactPackets* list : {&chunk.own, &chunk.halo})
+    for (const ContactPacket& g : list->packets)
       for (std::size_t l = 0; l < lanes; ++l) {
         if (!g.touches(static_cast<int>(l))) continue;
         const bool own = list == &chunk.own;
@@ -208,7 +208,7 @@ void ManyBodySolver::find_near(Chunk& chunk) {
 /// Finds a ball that has gone wrong, too.
 ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
-  for (const Grip& g : chunk.wall.grips)
+  for (const ContactPacket& g : chunk.wall.packets)
     for (std::size_t l = 0; l < lanes; ++l)
       if (g.touches(static_cast<int>(l))) touching.emplace_back(g.i[l], g.j[l]);
   std::ranges::sort(touching);

@@ -150,8 +150,8 @@ void ManyBodySolver::share_work() {
   const auto weight = [](const Chunk& c) {
     return c.last - c.first +
            2 * lanes *
-               static_cast<std::int64_t>(c.own.grips.size() + c.halo.grips.size() +
-                                         c.wall.grips.size());
+               static_cast<std::int64_t>(c.own.packets.size() + c.halo.packets.size() +
+                                         c.wall.packets.size());
   };
   std::int64_t all = 0, done = 0;
   for (const Chunk& c : chunks_) all += weight(c);

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/soft/contact_records.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 
 namespace mahlwerk::soft {
@@ -75,7 +75,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   loads_.resize(static_cast<std::size_t>(team_.size()));
   start_moving(balls);
   account_.started_with = 0;
-  const scene::Account now = reckoned();
+  const scene::Account now = account();
   account_.started_with = now.kinetic + now.potential + now.elastic;
   watch_.begin(now);
 }
@@ -228,30 +228,6 @@ bool ManyBodySolver::reach_bounds() {
   return good;
 }
 
-/// Sums of the chunks so far. At fixed steps, for every sum is rounded.
-void ManyBodySolver::settle() {
-  for (Chunk& chunk : chunks_) {
-    add_sums(account_, chunk);
-    chunk.sums = {};
-  }
-}
-
-void ManyBodySolver::add_sums(scene::Account& a, const Chunk& chunk) const {
-  const ChunkSums& d = chunk.sums;
-  for (int l = 0; l < lanes; ++l) {
-    a.lost_normal += d.work.normal[l];
-    a.lost_tangential += d.work.tangential[l];
-    a.lost_rolling += d.work.rolling[l];
-    a.slid += d.work.sliding[l];
-    a.wall_work += d.work.wall[l];
-    a.deepest_overlap = std::max(a.deepest_overlap, d.work.deepest[l]);
-  }
-  a.contact_time += time_of(d.ball_steps);
-  a.collisions += d.collisions;
-  a.lasting_contacts += d.lasting;
-  a.search_steps += d.tests;
-}
-
 std::size_t ManyBodySolver::records() const {
   std::size_t all = ended_.size();
   for (const Chunk& chunk : chunks_) all += chunk.ended.size();
@@ -265,19 +241,6 @@ void ManyBodySolver::gather() {
     chunk.ended.clear();
   }
   std::ranges::stable_sort(ended_, {}, &Ended::step);
-}
-
-void ManyBodySolver::check_energy() {
-  const scene::Account a = reckoned();
-  const double t = clock(step_);
-  const double wall = jar_->fastest(t);
-  const Species& first = pairs_.species(0);
-  const double least = first.mass * norm(jar_->gravity()) * first.radius;
-  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
-  std::size_t fastest = 0;
-  for (std::size_t k = 1; k < now_.size(); ++k)
-    if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
-  stop(fastest, energy_jumped);
 }
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {

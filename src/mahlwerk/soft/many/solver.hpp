@@ -41,20 +41,21 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
   bool reach_bounds();
   void rebuild_neighbour_lists();
-  void check_energy();
-  void settle();
   std::size_t records() const;
-  void add_sums(scene::Account& a, const Chunk& chunk) const;
   void gather();
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
-  // Energy, state (energy.cpp).
-  scene::Account reckoned() const;
+  // Energy (energy.cpp).
   struct Stored {
     double normal = 0, tangential = 0;  // [J]
     double taken = 0;                   // [J] by contacts that go on, since they began
   };
   Stored stored(const Chunk& chunk) const;
+  void check_energy();
+  void settle();
+  void add_sums(scene::Account& a, const Chunk& chunk) const;
+
+  // State (state.cpp).
   Vec3 pulls() const;  // [m/s] half a step of what the body field changes by
   Vec3 velocity(std::size_t row, const Vec3& pulls) const;
   Vec3 spin(std::size_t row) const;
@@ -74,7 +75,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   struct Kept {
     std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
     std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
-    std::int32_t lane = 0;      // lane l of grip g: 8 g + l
+    std::int32_t lane = 0;      // lane l of packet g: 8 g + l
   };
   struct Carried {
     std::vector<Kept> contacts;
@@ -83,9 +84,9 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   Carried take_contacts(const std::vector<std::int32_t>& to);
   void give_contacts(const Carried& all, std::vector<Chunk>& old);
   void make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const;
-  void give_contact(Chunk& chunk, const Kept& kept, const Grips& from);
-  void give(Grips& list, const Kept& kept, const Grips& from, std::int32_t i, std::int32_t j,
-            std::int32_t species_pair, double sign);
+  void give_contact(Chunk& chunk, const Kept& kept, const ContactPackets& from);
+  void give(ContactPackets& list, const Kept& kept, const ContactPackets& from, std::int32_t i,
+            std::int32_t j, std::int32_t species_pair, double sign);
 
   // Neighbour lists (neighbours.cpp).
   void rebuild();
@@ -110,11 +111,11 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   // Contacts that begin and end (contacts.cpp).
   void test_walls(Chunk& chunk) override;
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
-  std::int32_t free_lane(Grips& grips, std::int32_t species_pair, std::int32_t ball);
-  void begin(Chunk& chunk, Grips& grips, std::size_t g, const ContactGeometry& m,
+  std::int32_t free_lane(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
+  void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
              const Bodies& b) override;
-  void end(Chunk& chunk, Grips& grips, std::size_t g, const LaneMask& touching) override;
-  void record(Chunk& chunk, const Grips& grips, std::size_t g, int lane);
+  void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) override;
+  void record(Chunk& chunk, const ContactPackets& list, std::size_t g, int lane);
   void touches(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const MovingWall> jar_;

@@ -16,7 +16,7 @@
 namespace mahlwerk::soft {
 
 /// Lane by lane the parameters of their species pairs.
-[[gnu::always_inline]] inline void gather(const PairParameters* parameters, const Grip& g,
+[[gnu::always_inline]] inline void gather(const PairParameters* parameters, const ContactPacket& g,
                                           PairParameters& out) {
   for (int l = 0; l < lanes; ++l)
     copy_lane(parameters[g.species_pair[static_cast<std::size_t>(l)]], l, out, l);
@@ -27,15 +27,15 @@ template <class Law, bool avx512>
 [[gnu::always_inline]] inline void apply_packets(ChunkStep& s, Chunk& chunk, ContactKind kind,
                                                  VectorPair* loads, PrefetchQueue& ahead,
                                                  ContactWork& sums) {
-  Grips& list = kind == ContactKind::own    ? chunk.own
-                : kind == ContactKind::halo ? chunk.halo
-                                            : chunk.wall;
+  ContactPackets& list = kind == ContactKind::own    ? chunk.own
+                         : kind == ContactKind::halo ? chunk.halo
+                                                     : chunk.wall;
   PairParameters made;
-  for (std::size_t n = 0; n < list.grips.size(); ++n) {
-    Grip& g = list.grips[n];
+  for (std::size_t n = 0; n < list.packets.size(); ++n) {
+    ContactPacket& g = list.packets[n];
     ahead.fetch();
     if (g.touching == 0) continue;
-    if (n + 2 < list.grips.size()) prefetch(s, list.grips[n + 2], kind);
+    if (n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
     const LaneMask touched = mask(g.touching);
     const Bodies b = bodies<avx512>(s, g, touched, kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
@@ -178,11 +178,11 @@ template <bool avx512, bool past_cache>
   ahead.add(&s.rows[c.first], balls);
   ahead.add(&s.spins[c.first], balls);
   ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
-  ahead.add(c.own.grips.data(), c.own.grips.size());
-  ahead.add(c.halo.grips.data(), c.halo.grips.size());
+  ahead.add(c.own.packets.data(), c.own.packets.size());
+  ahead.add(c.halo.packets.data(), c.halo.packets.size());
   ahead.add(&s.half[c.first], balls);
   ahead.add(&s.list_positions[c.first], balls);
-  ahead.divide(chunk.own.grips.size() + chunk.halo.grips.size());
+  ahead.divide(chunk.own.packets.size() + chunk.halo.packets.size());
   return ahead;
 }
 

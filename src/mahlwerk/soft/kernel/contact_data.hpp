@@ -72,18 +72,4 @@ struct alignas(64) History {
   LaneMask pulls{};     ///< where the bodies pulled each other then
 };
 
-/// Eight pairs of bodies that are near each other, side by side, with the history of those that
-/// touch. Free lanes touch nothing.
-struct alignas(64) Packet : PairParameters, History {
-  LaneMask i{}, j{};    ///< bodies; i is always a ball
-  LaneMask touching{};  ///< since the last step
-  Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
-  ContactWork work;
-
-  std::array<std::int32_t, lanes> face{};          ///< of a wall; < 0: balls
-  std::array<std::int32_t, lanes> species_pair{};  ///< which pair of species (SpeciesPairs)
-  std::array<bool, lanes> used{};
-  std::array<Beginning, lanes> began{};
-};
-
 }  // namespace mahlwerk::soft

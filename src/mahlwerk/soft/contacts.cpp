@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/soft/contact_records.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,13 +69,13 @@ bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,
 Frame frame_of(const Rules& rules, const Vec3& periods) {
   const Lanes none{};
   return Frame{.step = rules.time_step,
-          .per_step = 1 / rules.time_step,
-          .jar_speed = {},
-          .rolling = rules.model.rolling,
-          .rolling_damping = rules.model.rolling_damping,
-          .rescaled = rules.model.rescaled_unloading,
-          .periodic = repeats(periods),
-          .periods = {none + periods.x, none + periods.y, none + periods.z}};
+               .per_step = 1 / rules.time_step,
+               .jar_speed = {},
+               .rolling = rules.model.rolling,
+               .rolling_damping = rules.model.rolling_damping,
+               .rescaled = rules.model.rescaled_unloading,
+               .periodic = repeats(periods),
+               .periods = {none + periods.x, none + periods.y, none + periods.z}};
 }
 
 }  // namespace mahlwerk::soft

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/soft/many/solver.hpp"
+
+// Balls, forces, checkpoints.
+namespace mahlwerk::soft {
+
+Vec3 ManyBodySolver::pulls() const {
+  const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
+  return 0.5 * rules_.time_step * (b[1].pull - b[0].pull);
+}
+
+/// At the step reached; the rows know half a step more (dem.26).
+Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& pulls) const {
+  const VectorPair& half = half_[row];
+  const BallRecord& seen = next_[row];
+  return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{seen.u, seen.v, seen.w} + pulls;
+}
+Vec3 ManyBodySolver::spin(std::size_t row) const {
+  const VectorPair& half = half_[row];
+  const SpinRecord& seen = next_spins_[row];
+  return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{seen.x, seen.y, seen.z};
+}
+
+std::vector<scene::Ball> ManyBodySolver::balls() const {
+  std::vector<scene::Ball> all(id_.size());
+  const Vec3 change = pulls();
+  for (std::size_t k = 0; k < id_.size(); ++k) {
+    const Species& s = pairs_.species(species_[k]);
+    all[static_cast<std::size_t>(id_[k])] = {
+        s.radius, s.density, now_[k].position(), velocity(k, change), spin(k), s.kind};
+  }
+  return all;
+}
+
+/// From what the rows know: the velocity seen a step later is that half a step later, half a kick
+/// of the contacts, and half a step of the body field then (dem.26).
+std::vector<Vec3> ManyBodySolver::forces() const {
+  std::vector<Vec3> all(id_.size());
+  const double half_step = 0.5 * rules_.time_step;
+  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().pull;
+  for (std::size_t k = 0; k < id_.size(); ++k) {
+    const VectorPair& half = half_[k];
+    const BallRecord& seen = next_[k];
+    const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
+    all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_step * gained;
+  }
+  return all;
+}
+
+void ManyBodySolver::carry(Archive& archive) {
+  const std::size_t balls = now_.size();
+  archive(step_)(list_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
+  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_);
+  if (now_.size() != balls) throw Archive::broken();
+  archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
+  auto count = static_cast<std::uint64_t>(chunks_.size());
+  archive(count);
+  if (archive.reading()) {
+    if (count > now_.size() + 1) throw Archive::broken();
+    chunks_.assign(count, {});
+  }
+  for (Chunk& c : chunks_) {
+    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.neighbours);
+    for (ContactPackets* list : {&c.own, &c.halo, &c.wall})
+      archive(list->packets)(list->began)(list->memories)(list->parameters)(list->facings)(
+          list->free);
+    for (VerletList* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->separated);
+  }
+  archive(account_)(watch_)(asked_);
+  if (archive.reading()) share_work();
+}
+
+}  // namespace mahlwerk::soft
