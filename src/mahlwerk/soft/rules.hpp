@@ -13,7 +13,7 @@ struct Rules {
   contact::ContactModel model;
   double time_step = 0;          ///< [s]
   bool free_flight_skip = true;  ///< over time in which nothing touches and nothing can
-  std::size_t few = 32;          ///< up to so many balls every pair is looked at; more are a crowd
+  std::size_t few = 32;          ///< largest number of balls for the solver of few
   double most_overlap = 0.01;    ///< of a radius at the start; bodies that overlap more are refused
   int threads = 1;  ///< that share the work of one run; the result is the same for any number
 };

@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t few = 8;  // balls kind pairs are all looked at
+constexpr std::size_t few = 8;  // balls all of whose pairs are tested
 
 }  // namespace
 
@@ -70,7 +70,7 @@ void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
     wanted_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
 }
 
-/// All pairs along a line: sorted by x, only those whose shadows on x are near are looked at. Where
+/// All pairs along a line: sorted by x, only those whose intervals of x are near are tested. Where
 /// the box repeats along x, every pair is.
 void FewBodySolver::near_balls() {
   const bool repeats = std::isfinite(jar_->periods().x);

@@ -5,7 +5,7 @@
 #include "mahlwerk/soft/few/particle_data.hpp"
 #include "mahlwerk/soft/kernel/isa.hpp"
 
-// The innermost loop: one text, compiled for each law and each kind of machine.
+// The innermost loop: one text, compiled for each law and each instruction set.
 namespace mahlwerk::soft {
 
 /// Numbers of a column at the bodies of eight lanes. With AVX-512, two registers hold all

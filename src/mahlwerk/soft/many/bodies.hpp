@@ -6,7 +6,7 @@
 
 #include "mahlwerk/soft/many/chunk_step.hpp"
 
-// From the rows of a crowd to the bodies of eight contacts, and back: what they do to each ball.
+// From ball records to the bodies of eight contacts, and back: what they do to each ball.
 namespace mahlwerk::soft {
 
 enum class ContactKind { own, halo, wall };

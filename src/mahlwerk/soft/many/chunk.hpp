@@ -59,13 +59,13 @@ struct ContactPackets {
 };
 
 /// Pairs that are near and do not touch, by their gap when they were last sorted: those of bin k
-/// had at least k times the width. So few need be looked at until bodies have moved.
+/// had at least k times the width. Only bins that the motion since can close are tested.
 struct VerletList {
   static constexpr int bins = 16;
   static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all wider gaps
   std::vector<NeighbourPair> pairs;
   std::array<std::int32_t, bins + 1> end{};  ///< of each bin
-  std::vector<NeighbourPair> separated;      ///< have touched since, and are looked at always
+  std::vector<NeighbourPair> separated;      ///< have touched since, tested at every step
 
   /// Pairs that may touch where bodies have come nearer by `bound`, bins being `width` wide.
   std::size_t due(double bound, double bin_width) const {
@@ -93,7 +93,7 @@ struct Drift {
 
 /// Sums over the steps of a chunk.
 struct ChunkSums {
-  ContactWork work;  ///< half of those of a pair with another chunk, for both reckon them
+  ContactWork work;  ///< half of those of a pair with another chunk, for both compute them
   std::int64_t ball_steps = 0, collisions = 0, lasting = 0;
   std::int64_t tests = 0;
 };

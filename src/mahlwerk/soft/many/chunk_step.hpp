@@ -49,11 +49,11 @@ struct alignas(64) ChunkStep {
 /// Force and torque on each ball of a chunk.
 using Loads = std::vector<VectorPair>;
 
-/// A step of one chunk; tells how its balls have moved, where `drift` guessed their mean. The
+/// A step of one chunk; sets how its balls have moved, where `drift` guessed their mean. The
 /// memory of the one `following`, if any, is fetched meanwhile.
 using ChunkStepper = void (*)(ChunkStep&, Chunk&, const Chunk* following, Loads&, Drift& drift);
 
-/// The pass of each law, compiled for this machine.
+/// The step of each law, compiled for this machine.
 template <class Law>
 ChunkStepper chunk_stepper();
 

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Contacts of a crowd that begin and end, and the records they leave.
+// Contacts that begin and end, and their records.
 namespace mahlwerk::soft {
 namespace {
 

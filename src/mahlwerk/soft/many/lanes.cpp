@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// The contacts of a crowd move with the balls to a new order, and to other chunks.
+// Contacts move with their balls to a new order, and to other chunks.
 namespace mahlwerk::soft {
 namespace {
 

@@ -9,9 +9,8 @@
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Who is near whom in a crowd: balls are put in order along a curve through space and cut into
-// chunks, contacts move with them, and each chunk looks for pairs that may touch before any ball
-// has moved far.
+// Neighbour lists: balls are sorted along a space-filling curve and cut into chunks, contacts move
+// with them, and each chunk finds the pairs that may touch before any ball has moved far.
 namespace mahlwerk::soft {
 namespace {
 
@@ -53,7 +52,7 @@ void ManyBodySolver::rebuild() {
     if (w.why != nullptr) stop(w.row, w.why);
 }
 
-/// From here on motion is reckoned.
+/// Motion is measured from here on.
 void ManyBodySolver::mark_places() {
   widest_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
@@ -75,7 +74,7 @@ std::int64_t ManyBodySolver::tests() const {
   return all;
 }
 
-/// Looking at pairs has cost what sorting them anew does, after which fewer need be looked at. (7
+/// The distance tests since the last sort have cost what a sort does, after which fewer are due. (7
 /// was found by trial; 4 to 12 make no difference.)
 bool ManyBodySolver::worth_sorting() const {
   std::int64_t pairs = 0;

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// The balls of a crowd are put in order along a curve through space and cut into chunks.
+// Balls are sorted along a space-filling curve and cut into chunks.
 namespace mahlwerk::soft {
 namespace {
 

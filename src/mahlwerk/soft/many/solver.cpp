@@ -152,7 +152,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   }
 }
 
-/// The main loop of a crowd: balls as they are, nearness where it is due, then every chunk.
+/// The main loop: neighbour lists where a rebuild or a sort is due, then every chunk.
 void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   ++step_;
   now_.swap(next_);

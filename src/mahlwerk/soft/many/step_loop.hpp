@@ -11,8 +11,7 @@
 #include "mahlwerk/soft/many/prefetch_queue.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
-// A step of a chunk of a crowd: contacts, then the balls. One text for each law and kind of
-// machine.
+// A step of a chunk: contacts, then the balls. One text for each law and instruction set.
 namespace mahlwerk::soft {
 
 /// Lane by lane the parameters of their species pairs.
@@ -186,7 +185,7 @@ template <bool avx512, bool past_cache>
   return ahead;
 }
 
-/// The main loop's body for a crowd.
+/// One step of a chunk.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline void step_chunk(ChunkStep& s, Chunk& chunk, const Chunk* following,
                                               Loads& loads, Drift& drift) {

@@ -13,8 +13,7 @@
 
 namespace mahlwerk::soft {
 
-/// Balls that may be near to one of a few that lie together, in columns, to be looked at eight at a
-/// time.
+/// Balls that may be neighbours of a few that lie together, in columns, tested eight at a time.
 class Candidates {
  public:
   /// `periods` [m] are infinite where the box does not repeat.
