@@ -14,9 +14,9 @@
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/campaign/sweep/work.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/manifest.hpp"
-#include "mahlwerk/results/ownership.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
+#include "mahlwerk/results/files/ownership.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {

@@ -10,8 +10,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/manifest.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
 
 namespace mahlwerk::app {
 

@@ -10,7 +10,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {

@@ -22,7 +22,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {

@@ -13,7 +13,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
-#include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::app {

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/report/fit.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::app {
 

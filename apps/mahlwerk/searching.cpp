@@ -12,7 +12,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 

@@ -10,7 +10,7 @@
 #include "kept_runs.hpp"
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 #include "mahlwerk/report/optimum.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 // What optimise and match share: settings are looked for, and told.
 namespace mahlwerk::app {

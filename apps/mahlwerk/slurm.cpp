@@ -13,9 +13,9 @@
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/printable.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/manifest.hpp"
-#include "mahlwerk/results/ownership.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
+#include "mahlwerk/results/files/ownership.hpp"
 #include "messages.hpp"
 
 namespace mahlwerk::app {

@@ -10,8 +10,8 @@
 
 #include "commands.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/hdf5.hpp"
 
 namespace mahlwerk::app {
 

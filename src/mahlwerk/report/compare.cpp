@@ -12,8 +12,8 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/csv.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::report {

@@ -18,10 +18,10 @@
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/files/writer.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
 #include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/wear.hpp"
-#include "mahlwerk/results/writer.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -9,15 +9,15 @@
 #include <utility>
 
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/checks.hpp"
-#include "mahlwerk/results/grinding.hpp"
-#include "mahlwerk/results/measure.hpp"
-#include "mahlwerk/results/milling.hpp"
-#include "mahlwerk/results/motion.hpp"
-#include "mahlwerk/results/power.hpp"
-#include "mahlwerk/results/regime.hpp"
-#include "mahlwerk/results/series.hpp"
-#include "mahlwerk/results/wear.hpp"
+#include "mahlwerk/results/quantities/checks.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/milling.hpp"
+#include "mahlwerk/results/quantities/motion.hpp"
+#include "mahlwerk/results/quantities/power.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
+#include "mahlwerk/results/quantities/series.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {

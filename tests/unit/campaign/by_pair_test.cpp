@@ -9,9 +9,9 @@
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/pairs.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::campaign {

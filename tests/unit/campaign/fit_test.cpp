@@ -10,7 +10,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
-#include "mahlwerk/results/measure.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"

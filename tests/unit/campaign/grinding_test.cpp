@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // From the collisions of a run to the sizes of its powder.
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 
 #include <gtest/gtest.h>
 

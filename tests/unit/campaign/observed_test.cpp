@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"

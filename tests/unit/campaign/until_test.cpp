@@ -8,8 +8,8 @@
 #include <string>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/series.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/quantities/series.hpp"
 #include "statement.hpp"
 #include "unit/campaign/observed.hpp"
 

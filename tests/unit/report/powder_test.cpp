@@ -18,7 +18,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 #include "unit/results/fake.hpp"

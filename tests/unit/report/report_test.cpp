@@ -11,7 +11,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 #include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Spread and speed of charges put there by hand.
-#include "mahlwerk/results/motion.hpp"
+#include "mahlwerk/results/quantities/motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {

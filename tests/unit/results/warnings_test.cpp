@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/results/states.hpp"
+#include "mahlwerk/results/quantities/states.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {

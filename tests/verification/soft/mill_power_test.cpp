@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "soft.hpp"
 #include "statement.hpp"

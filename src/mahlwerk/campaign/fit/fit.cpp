@@ -13,7 +13,7 @@
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::campaign {

@@ -18,8 +18,8 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

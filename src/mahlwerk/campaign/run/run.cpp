@@ -11,8 +11,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

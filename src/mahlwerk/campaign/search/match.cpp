@@ -9,8 +9,8 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/measure.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::campaign {
