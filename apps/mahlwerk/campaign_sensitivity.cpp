@@ -6,6 +6,7 @@
 
 #include "campaign_folder.hpp"
 #include "mahlwerk/campaign/sweep/sensitivity.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 
 namespace mahlwerk::app {
 namespace {

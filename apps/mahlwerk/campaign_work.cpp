@@ -15,7 +15,6 @@
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
-#include "mahlwerk/results/quantities/regime.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -149,13 +148,13 @@ class CampaignFolder::Desk {
       finished.hash = owner_.runs_[todo_[i]].hash;
       finished.resolved = cases::write(outcome.what);
       finished.engine = name_of(outcome.engine);
-      finished.regime = results::regime(outcome);
+      finished.regime = outcome.summary.regime;
       finished.folder = mine.folder ? mine.name : "";
       finished.began = mine.began;
       finished.wall_seconds = outcome.wall_seconds;
       finished.cpu_seconds = outcome.cpu_seconds;
       finished.failure = trouble(outcome);
-      finished.quantities = results::summarise(outcome);
+      finished.quantities = outcome.summary.quantities;
       finished.notices = outcome.notices;
       owner_.store_->keep(finished);
       mine.checkpoint->remove();

@@ -14,7 +14,6 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/results/files/writer.hpp"
-#include "mahlwerk/results/summary.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"

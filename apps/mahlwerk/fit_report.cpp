@@ -10,7 +10,6 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/files/json.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::app {
 namespace {

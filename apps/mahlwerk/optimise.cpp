@@ -15,7 +15,8 @@
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/writer.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "searching.hpp"
@@ -24,13 +25,6 @@ namespace mahlwerk::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The quantities that a run of the case will have.
-std::vector<results::Quantity> quantities(const cases::Case& what) {
-  results::Outcome nothing;
-  nothing.what = what;
-  return results::summarise(nothing, results::Replicate(what.observe.threshold));
-}
 
 std::string place_of_quantity(const cases::Case& what, const cases::Optimise& wanted,
                               const std::string& name) {
@@ -48,14 +42,14 @@ std::vector<std::string> longer(const std::string& name, const std::vector<std::
 
 /// What to write instead of a quantity that the case does not have.
 std::string instead_of(const std::string& name, std::vector<std::string> known,
-                       const std::vector<results::Lacking>& lacking) {
+                       const std::vector<results::MissingQuantity>& lacking) {
   const auto section_of = [&](const std::string& of) {
-    const auto at = std::ranges::find(lacking, of, &results::Lacking::name);
+    const auto at = std::ranges::find(lacking, of, &results::MissingQuantity::name);
     return at == lacking.end() ? std::string() : at->section;
   };
   if (const std::string section = section_of(name); !section.empty())
     return fmt::format("it comes with {}: add that to the case", section);
-  for (const results::Lacking& one : lacking) known.push_back(one.name);
+  for (const results::MissingQuantity& one : lacking) known.push_back(one.name);
   std::vector<std::string> meant = longer(name, known);
   if (const std::string near = nearest_word(name, known); !near.empty()) meant = {near};
   if (meant.empty()) return "choose one of summary.json: docs/formats.md lists them";
@@ -69,21 +63,21 @@ std::string instead_of(const std::string& name, std::vector<std::string> known,
 
 /// Those that a search is judged by, in the order of their names here.
 std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wanted) {
-  const std::vector<results::Quantity> known = quantities(what);
+  const std::vector<results::Measure> known = results::measures(what);
   std::vector<std::string> names{wanted.quantity}, all;
   for (const cases::Limit& limit : wanted.limits) names.push_back(limit.quantity);
-  for (const results::Quantity& q : known) all.push_back(q.name);
+  for (const results::Measure& q : known) all.push_back(q.name);
   std::vector<Judged> made;
   std::vector<Fault> wrong;
   for (const std::string& name : names) {
-    const auto q = std::ranges::find(known, name, &results::Quantity::name);
+    const auto q = std::ranges::find(known, name, &results::Measure::name);
     if (q != known.end()) {
       made.push_back({q->name, q->unit, q->about});
       continue;
     }
     wrong.push_back({place_of_quantity(what, wanted, name),
                      fmt::format("a run of this case has no quantity \"{}\"", name),
-                     instead_of(name, all, results::lacking(what)), "no-such-quantity"});
+                     instead_of(name, all, results::missing_quantities(what)), "no-such-quantity"});
   }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   return made;
@@ -123,12 +117,9 @@ SearchJob prepare(const campaign::TrialRuns& runs) {
     job.measure_name += j.name + " ";
   }
   job.measure = [names](const results::Outcome& outcome, const results::Replicate& replicate) {
-    const std::vector<results::Quantity> list = results::summarise(outcome, replicate);
     std::vector<double> values;
-    for (const std::string& name : names) {
-      const auto found = std::ranges::find(list, name, &results::Quantity::name);
-      values.push_back(found == list.end() ? NAN : found->value);  // one that not all settings have
-    }
+    for (const std::string& name : names)
+      values.push_back(results::value_of(outcome, replicate, name));
     return values;
   };
   return job;

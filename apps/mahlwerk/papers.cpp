@@ -19,7 +19,6 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json.hpp"
-#include "mahlwerk/results/quantities/regime.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -102,10 +101,10 @@ report::Campaign numbers_of(const cases::Case& what,
     report::add(made,
                 {.number = i + 1,
                  .values = campaign::said(plan, i, own),
-                 .regime = results::regime(outcome),
+                 .regime = outcome.summary.regime,
                  .warnings = results::warning_codes(outcome.notices),
                  .folder = fmt::format("point-{:03}/", i + 1)},
-                results::summarise(outcome));
+                outcome.summary.quantities);
   }
   for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
   results::sort(made.notices);

@@ -21,7 +21,6 @@
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
-#include "mahlwerk/results/quantities/regime.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -67,13 +66,12 @@ std::string uncalibrated(const cases::Case& what) {
 
 void tell(const RunJob& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
-                        report::table(results::summarise(outcome), job.what.observe.threshold)));
+                        report::table(outcome.summary.quantities, job.what.observe.threshold)));
   to_stdout(report::states_table(outcome));
-  const std::string pairs =
-      report::pair_table(results::by_pair(outcome), job.what.observe.threshold);
+  const std::string pairs = report::pair_table(outcome.summary.pairs, job.what.observe.threshold);
   if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));
-  if (const std::string regime = results::regime(outcome); !regime.empty())
-    to_stdout(fmt::format("{}: {}\n\n", regime, results::regime_reason(outcome)));
+  if (const std::string& regime = outcome.summary.regime; !regime.empty())
+    to_stdout(fmt::format("{}: {}\n\n", regime, outcome.summary.regime_reason));
   to_stdout(fmt::format("{}", uncalibrated(job.what)));
   for (const Notice& one : outcome.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));

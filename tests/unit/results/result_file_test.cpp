@@ -28,7 +28,7 @@ class ResultFileTest : public ScratchTest {
     write_result_file(scratch() / name,
                       {{"spectrum", "by energy", spectrum(o)},
                        {"nothing", "a table without rows", {{{"a", "m", "some length"}}, {}}}},
-                      matrices, summarise(o), "title = \"x\"\n", "1.2.3");
+                      matrices, summarise(o).quantities, "title = \"x\"\n", "1.2.3");
     return read(scratch() / name);
   }
 };

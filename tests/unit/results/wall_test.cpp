@@ -18,7 +18,7 @@
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 
@@ -257,7 +257,7 @@ class Wear : public testing::TestWithParam<cases::Wear::Model> {
     return outcome;
   }
   static double named(const Outcome& outcome, const std::string& name) {
-    const auto list = summarise(outcome);
+    const auto list = summarise(outcome).quantities;
     return std::ranges::find(list, name, &Quantity::name)->value;
   }
 };

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/json.hpp"
 
-#include "mahlwerk/results/quantities/pairs.hpp"
-#include "mahlwerk/results/quantities/regime.hpp"
-#include "mahlwerk/results/quantities/states.hpp"
-
 namespace mahlwerk::results {
 namespace {
 
@@ -48,8 +44,8 @@ Json about(const Outcome& outcome, std::string_view version) {
                        {"title", outcome.what.title},
                        {"seed", outcome.what.seed},
                        {"engine", name_of(outcome.engine)},
-                       {"regime", regime(outcome)},
-                       {"regime_reason", regime_reason(outcome)},
+                       {"regime", outcome.summary.regime},
+                       {"regime_reason", outcome.summary.regime_reason},
                        {"notes", texts(outcome.notices, false)},
                        {"warnings", texts(outcome.notices, true)},
                        {"notices", listed(outcome.notices)},
@@ -104,14 +100,13 @@ Json notices_json(const NoticeCounts& counts) {
   return list;
 }
 
-std::string summary_json(const Outcome& outcome, const std::vector<Quantity>& quantities,
-                         std::string_view version) {
+std::string summary_json(const Outcome& outcome, std::string_view version) {
+  const Summary& summary = outcome.summary;
   Json all;
   all["_about"] = about(outcome, version);
-  for (const Quantity& q : quantities) all[q.name] = object(q);
-  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
-    all["_pairs"] = table_of(pairs);
-  if (const auto found = two_states(outcome)) all["_states"] = states_of(*found);
+  for (const Quantity& q : summary.quantities) all[q.name] = object(q);
+  if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
+  if (summary.two_states) all["_states"] = states_of(*summary.two_states);
   return all.text(2) + '\n';
 }
 

@@ -46,8 +46,9 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
        normal_tangential(outcome)},
       {"timeseries", "the run in equal stretches of its counted time", time_series(outcome)},
       {"replicates", "the quantities of each replicate", replicates(outcome)}};
-  if (const std::vector<PairSummary> pairs = by_pair(outcome); !pairs.empty())
-    all.push_back({"collisions_by_pair", "quantities by kind of pair", collisions_by_pair(pairs)});
+  if (!outcome.summary.pairs.empty())
+    all.push_back({"collisions_by_pair", "quantities by kind of pair",
+                   collisions_by_pair(outcome.summary.pairs)});
   const auto unless_empty = [&](std::string name, std::string about, Table table) {
     if (!table.rows.empty()) all.push_back({std::move(name), std::move(about), std::move(table)});
   };
@@ -102,10 +103,9 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   for (const NamedTable& t : all) put(t.name + ".csv", csv(t.table));
   const std::string case_text =
       write_case(folder, outcome.what, std::string(below) + "case.resolved.toml");
-  const std::vector<Quantity> quantities = summarise(outcome);
-  write_result_file(folder.file(std::string(below) + "result.h5"), all, {}, quantities, case_text,
-                    version);
-  put("summary.json", summary_json(outcome, quantities, version));
+  write_result_file(folder.file(std::string(below) + "result.h5"), all, {},
+                    outcome.summary.quantities, case_text, version);
+  put("summary.json", summary_json(outcome, version));
 }
 
 }  // namespace mahlwerk::results

@@ -10,7 +10,6 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -33,9 +32,9 @@ void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, N
             show_rounded(size, "m"), show_rounded(nip, "m"))));
 }
 
-void more_than_dissipated(const cases::Case& what, const Chosen& chosen, Notices& list) {
-  const double given = mean_over(chosen, [&](const Replicate& r) {
-    return share(caught_rates(what, r.ground->stresses).power, dissipated_power(r));
+void more_than_dissipated(const Chosen& chosen, Notices& list) {
+  const double given = mean_over(chosen, [](const Replicate& r) {
+    return share(r.ground->caught.power, dissipated_power(r));
   });
   if (given > 1)
     list.push_back(warning(
@@ -111,7 +110,7 @@ Notices grinding_warnings(const Outcome& outcome) {
   if (chosen.empty() || !what.capture) return list;
   const powder::StressSpectrum hits = stresses(what, chosen);
   large_grains(what, hits, list);
-  more_than_dissipated(what, chosen, list);
+  more_than_dissipated(chosen, list);
   all_of_the_powder(what, hits, list);
   if (!what.grinding) return list;
   ends_of_the_classes(*what.grinding, chosen, list);

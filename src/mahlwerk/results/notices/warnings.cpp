@@ -11,12 +11,9 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/quantities/checks.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
-#include "mahlwerk/results/quantities/series.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -28,8 +25,8 @@ constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps
 /// Of a ball's radius: far beyond what contact laws are made for.
 constexpr double sunk = 0.2;
 
-double named(const std::vector<Quantity>& list, std::string_view name) {
-  return std::ranges::find(list, name, &Quantity::name)->value;
+double value(const Outcome& outcome, std::string_view name) {
+  return named(outcome.summary.quantities, name).value;
 }
 
 /// [J] What the charges of all replicates have stored since counting began, at the end of each
@@ -66,13 +63,13 @@ double power_imbalance(const std::vector<const Replicate*>& chosen) {
 
 /// What the start of a run does to its means: the settling that its power shows, and energy that
 /// the charge gains or loses meanwhile. Short series show neither.
-void not_steady(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
+void not_steady(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.1, balanced = 0.01;
   constexpr std::size_t fewest = 50;  // windows: ten batches
   const std::vector<const Replicate*> chosen = averaged(outcome);
   const std::vector<double> energy = stored(chosen);
   if (energy.size() < fewest) return;
-  const double settling = settling_time(chosen), time = named(quantities, "simulated_time"),
+  const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
                imbalance = power_imbalance(chosen);
   const double windows = settling / chosen.front()->windows.front().length;
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
@@ -140,9 +137,8 @@ void energy_gained(const Outcome& outcome, Notices& list) {
   }
 }
 
-void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quantities,
-                     Notices& list) {
-  const double collision = named(quantities, "energy_residual");
+void energy_balances(const Outcome& outcome, Notices& list) {
+  const double collision = value(outcome, "energy_residual");
   if (!(collision <= closed_collision))
     list.push_back(warning(
         "energy-residual",
@@ -150,7 +146,7 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
                     "{:.0e} is expected.",
                     collision, closed_collision)));
   const bool soft = outcome.engine == cases::EngineName::soft;
-  const double run = named(quantities, "energy_balance");
+  const double run = value(outcome, "energy_balance");
   const double closed = soft ? closed_run_in_steps : closed_run;
   if (!(run <= closed))
     list.push_back(warning(
@@ -162,8 +158,8 @@ void energy_balances(const Outcome& outcome, const std::vector<Quantity>& quanti
 }
 
 /// What was reached, by bodies as they collided.
-void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, Notices& list) {
-  const double deepest = named(quantities, "deepest_overlap");
+void overlaps(const Outcome& outcome, Notices& list) {
+  const double deepest = value(outcome, "deepest_overlap");
   if (outcome.engine != cases::EngineName::soft || !(deepest > soft_overlap)) return;
   if (deepest > sunk)
     list.push_back(warning(
@@ -187,16 +183,15 @@ void overlaps(const Outcome& outcome, const std::vector<Quantity>& quantities, N
 
 Notices warnings(const Outcome& outcome) {
   Notices list;
-  const std::vector<Quantity> quantities = summarise_checks(outcome);
   cut_short(outcome, list);
   append(list, cases::jar_warnings(outcome.what));
   append(list, cases::unusual_values(outcome.what));
   append(list, cases::ignored_keys(outcome.what, outcome.engine));
   energy_gained(outcome, list);
-  energy_balances(outcome, quantities, list);
-  overlaps(outcome, quantities, list);
-  append(list, state_notices(outcome));
-  not_steady(outcome, quantities, list);
+  energy_balances(outcome, list);
+  overlaps(outcome, list);
+  append(list, state_notices(outcome.summary));
+  not_steady(outcome, list);
   append(list, grinding_warnings(outcome));
   not_certain(outcome, list);
   return list;

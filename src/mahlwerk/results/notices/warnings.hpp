@@ -13,7 +13,8 @@ namespace mahlwerk::results {
 constexpr double soft_overlap = 0.01;
 
 /// What the numbers of a run say of themselves: a run cut short or stopped, an energy balance that
-/// does not close. Made once, when the run ends, and kept in `Outcome::notices`.
+/// does not close. Made from `outcome.summary` once, when the run ends, and kept in
+/// `Outcome::notices`.
 Notices warnings(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -4,11 +4,13 @@
 
 #include <vector>
 
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::results {
 
-/// Of the quantities of summary.json what says how exact a run was, without the cost of the others.
-std::vector<Quantity> summarise_checks(const Outcome& outcome);
+/// Of powder as grains: the same in every replicate.
+std::vector<Measure> grain_measures(const cases::Case& what);
+/// What says how exact a run was.
+std::vector<Measure> check_measures();
 
 }  // namespace mahlwerk::results

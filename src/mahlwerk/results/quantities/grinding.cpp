@@ -156,7 +156,10 @@ void grind(const Case& what, Replicate& replicate, int index) {
   if (!what.powder || (!what.capture && !what.kinetics) || !(replicate.time() > 0)) return;
   Ground ground;
   const std::vector<const Replicate*> alone{&replicate};
-  if (what.capture) ground.stresses = stresses(what, alone);
+  if (what.capture) {
+    ground.stresses = stresses(what, alone);
+    ground.caught = caught_rates(what, ground.stresses);
+  }
   ground.dose_rate = dose_rate(what, alone, ground.stresses);
   using Method = cases::Grinding::Method;
   if (what.grinding && what.grinding->method != Method::statistical)
@@ -182,8 +185,8 @@ double size_at_end(const Replicate& r, double share) {
   });
 }
 
-CaughtRates caught(const Case& c, const Replicate& r) {
-  return r.ground ? caught_rates(c, r.ground->stresses) : CaughtRates{nothing, nothing, nothing};
+CaughtRates caught(const Replicate& r) {
+  return r.ground ? r.ground->caught : CaughtRates{nothing, nothing, nothing};
 }
 
 }  // namespace
@@ -192,21 +195,19 @@ std::vector<Measure> capture_measures(const Case& what) {
   if (!what.capture) return {};
   return {
       {"captured_mass_rate", "kg/s", "powder that collisions catch per second",
-       [](const Case& c, const Replicate& r) { return caught(c, r).mass; }},
+       [](const Case&, const Replicate& r) { return caught(r).mass; }},
       {"captured_share_rate", "1/s", "that over the mass of the powder: how often a grain is hit",
-       [](const Case& c, const Replicate& r) { return caught(c, r).mass / c.powder->mass; }},
+       [](const Case& c, const Replicate& r) { return caught(r).mass / c.powder->mass; }},
       {"captured_grains_mean", "1",
        "grains of the feed's median size in a collision, mean weighted by its energy",
-       [](const Case& c, const Replicate& r) { return caught(c, r).grains; }},
+       [](const Case&, const Replicate& r) { return caught(r).grains; }},
       {"captured_energy_mean", "J/g", "energy that caught powder gets in a collision, by its mass",
-       [](const Case& c, const Replicate& r) {
-         const CaughtRates rates = caught(c, r);
+       [](const Case&, const Replicate& r) {
+         const CaughtRates rates = caught(r);
          return share(rates.power, 1000 * rates.mass);
        }},
       {"captured_dose_rate", "W/g", "power that caught grains get, by mass of the powder",
-       [](const Case& c, const Replicate& r) {
-         return caught(c, r).power / (1000 * c.powder->mass);
-       }},
+       [](const Case& c, const Replicate& r) { return caught(r).power / (1000 * c.powder->mass); }},
   };
 }
 
@@ -231,7 +232,7 @@ std::vector<Measure> grinding_measures(const Case& what) {
        }},
       {"specific_grinding_energy", "J/g", "what caught grains got over the time of milling",
        [](const Case& c, const Replicate& r) {
-         return caught(c, r).power * c.grinding->time / (1000 * c.powder->mass);
+         return caught(r).power * c.grinding->time / (1000 * c.powder->mass);
        }},
   };
   return list;

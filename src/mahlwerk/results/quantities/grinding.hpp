@@ -36,12 +36,7 @@ powder::Beds beds(const cases::Case& what, const powder::StressSpectrum& stresse
 double dose_rate(const cases::Case& what, const std::vector<const Replicate*>& of,
                  const powder::StressSpectrum& stresses);
 
-/// What collisions catch of grains of the median size of the feed, per second.
-struct CaughtRates {
-  double mass = 0;    ///< [kg/s]
-  double power = 0;   ///< [W] that caught grains get
-  double grains = 0;  ///< [1] in a collision, mean by energy
-};
+/// Of grains of the median size of the feed.
 CaughtRates caught_rates(const cases::Case& what, const powder::StressSpectrum& stresses);
 
 /// Fills `replicate.ground` of a case with [capture] or [kinetics].

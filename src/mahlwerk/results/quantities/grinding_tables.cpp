@@ -13,7 +13,6 @@
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -111,9 +110,7 @@ Table grinding(const Outcome& outcome) {
     table.columns.push_back(
         {prefix(first, method) + "specific_surface", "m2/kg", "of spheres of these sizes"});
   }
-  const double power = mean_over(chosen, [&](const Replicate& r) {
-    return caught_rates(outcome.what, r.ground->stresses).power;
-  });
+  const double power = mean_over(chosen, [](const Replicate& r) { return r.ground->caught.power; });
   const std::vector<double>& times = milling(first, methods(first).front()).time;
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<double> row{times[i], power * times[i] / (1000 * outcome.what.powder->mass)};

@@ -19,6 +19,9 @@ struct Measure {
   bool worst = false;  ///< over replicates: the largest instead of the mean
 };
 
+/// All that each replicate of a case has, in the order of summary.json.
+std::vector<Measure> measures(const cases::Case& what);
+
 inline double share(double part, double whole) {
   return whole > 0 ? part / whole : nothing;
 }

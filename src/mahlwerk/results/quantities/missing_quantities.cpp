@@ -4,23 +4,17 @@
 // Quantities that a case would have with more sections than it has.
 #include <set>
 
-#include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/quantities/milling.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::results {
 namespace {
 
 using cases::Case;
 
-/// Of the sections that a case may leave out.
 std::set<std::string> names(const Case& what) {
   std::set<std::string> all;
-  for (const auto& list :
-       {dose_measures(what), wear_measures(what), heat_measures(what), capture_measures(what),
-        grinding_measures(what), kinetics_measures(what)})
-    for (const Measure& m : list) all.emplace(m.name);
+  for (const Measure& m : measures(what)) all.insert(m.name);
   return all;
 }
 
@@ -53,8 +47,8 @@ const std::vector<Addition>& additions() {
 
 }  // namespace
 
-std::vector<Lacking> lacking(const Case& what) {
-  std::vector<Lacking> found;
+std::vector<MissingQuantity> missing_quantities(const Case& what) {
+  std::vector<MissingQuantity> found;
   std::set<std::string> known = names(what);
   for (const Addition& addition : additions()) {
     Case more = what;

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 
 namespace mahlwerk::results {
 namespace {

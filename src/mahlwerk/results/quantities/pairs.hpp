@@ -8,16 +8,9 @@
 
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 // Collisions by kind of pair: ball set with ball set, ball set with jar.
 namespace mahlwerk::results {
-
-/// The quantities of one kind of pair (docs/formats.md, "_pairs").
-struct PairSummary {
-  std::string one, other;  ///< "balls.1", "powder", "jar"
-  std::vector<Quantity> quantities;
-};
 
 /// Every kind of pair there can be; none where there is one only (a single ball) or no time was
 /// counted.

@@ -6,8 +6,8 @@ namespace mahlwerk::results {
 
 using scene::Account;
 
-const std::vector<Measure>& power_measures() {
-  static const std::vector<Measure> list{
+std::vector<Measure> power_measures() {
+  return {
       {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
        [](const cases::Case&, const Replicate& r) { return dissipated_power(r); }},
       {"drawn_power", "W", "work of the jar on the balls per time",
@@ -22,11 +22,11 @@ const std::vector<Measure>& power_measures() {
          return share(static_cast<double>(begun), r.time());
        }},
   };
-  return list;
 }
 
-const std::vector<Measure>& loss_measures() {
-  static const std::vector<Measure> list{
+std::vector<Measure> loss_measures(const cases::Case& what) {
+  if (what.run.engine != cases::EngineName::soft) return {};
+  return {
       {"dissipated_power_normal", "W", "of it along the normal: dampers, hysteresis, cohesion",
        [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_normal); }},
       {"dissipated_power_tangential", "W", "of it across the normal: sliding and dampers",
@@ -38,38 +38,37 @@ const std::vector<Measure>& loss_measures() {
       {"dissipated_power_rolling", "W", "of the dissipated power, by rolling resistance",
        [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_rolling); }},
   };
-  return list;
 }
 
-const std::vector<Measure>& contact_time_measures() {
-  static const std::vector<Measure> list{
-      {"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
-       [](const cases::Case&, const Replicate& r) {
-         return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
-                      static_cast<double>(r.account.collisions - r.at_settled.collisions));
-       }},
-      {"power_share_within_contact_time", "1",
-       "share of the dissipated power in collisions within contact_time of another of the same "
-       "body",
-       [](const cases::Case&, const Replicate& r) {
-         return share(r.account.lost_within - r.at_settled.lost_within,
-                      r.account.lost() - r.at_settled.lost());
-       }},
-      {"hit_share_within_contact_time", "1",
-       "share of the collisions above the threshold within contact_time of another of the same "
-       "body",
-       [](const cases::Case&, const Replicate& r) {
-         return share(static_cast<double>(r.account.hits_within - r.at_settled.hits_within),
-                      static_cast<double>(r.tally.above.count));
-       }},
-      {"withheld_power_share", "1",
-       "power that restitution would have dissipated but for the TC rule, over the dissipated "
-       "power",
-       [](const cases::Case&, const Replicate& r) {
-         return share(r.account.withheld - r.at_settled.withheld,
-                      r.account.lost() - r.at_settled.lost());
-       }}};
-  return list;
+std::vector<Measure> contact_time_measures(const cases::Case& what) {
+  const bool soft = what.run.engine == cases::EngineName::soft;  // which has no such rule
+  if (soft || what.contact.lasting != cases::Lasting::tc) return {};
+  return {{"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
+           [](const cases::Case&, const Replicate& r) {
+             return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
+                          static_cast<double>(r.account.collisions - r.at_settled.collisions));
+           }},
+          {"power_share_within_contact_time", "1",
+           "share of the dissipated power in collisions within contact_time of another of the same "
+           "body",
+           [](const cases::Case&, const Replicate& r) {
+             return share(r.account.lost_within - r.at_settled.lost_within,
+                          r.account.lost() - r.at_settled.lost());
+           }},
+          {"hit_share_within_contact_time", "1",
+           "share of the collisions above the threshold within contact_time of another of the same "
+           "body",
+           [](const cases::Case&, const Replicate& r) {
+             return share(static_cast<double>(r.account.hits_within - r.at_settled.hits_within),
+                          static_cast<double>(r.tally.above.count));
+           }},
+          {"withheld_power_share", "1",
+           "power that restitution would have dissipated but for the TC rule, over the dissipated "
+           "power",
+           [](const cases::Case&, const Replicate& r) {
+             return share(r.account.withheld - r.at_settled.withheld,
+                          r.account.lost() - r.at_settled.lost());
+           }}};
 }
 
 }  // namespace mahlwerk::results

@@ -8,11 +8,13 @@
 
 namespace mahlwerk::results {
 
+// Which there are depends on what the case asks for, not on what ran it.
+
 /// What the mill draws and dissipates, and the time in lasting contact.
-const std::vector<Measure>& power_measures();
+std::vector<Measure> power_measures();
 /// Where the soft engine's power goes. Their sum is the dissipated power.
-const std::vector<Measure>& loss_measures();
+std::vector<Measure> loss_measures(const cases::Case& what);
 /// How far an event run rests on the TC rule (man.8).
-const std::vector<Measure>& contact_time_measures();
+std::vector<Measure> contact_time_measures(const cases::Case& what);
 
 }  // namespace mahlwerk::results

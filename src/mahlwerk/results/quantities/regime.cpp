@@ -10,8 +10,6 @@
 #include <numeric>
 #include <variant>
 
-#include "mahlwerk/results/summary.hpp"
-
 namespace mahlwerk::results {
 namespace {
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "mahlwerk/results/quantities/pairs.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/observe/groups.hpp"
-#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -25,18 +25,6 @@ double rounding_power(const std::vector<const Replicate*>& chosen) {
   return most;
 }
 
-std::vector<Quantity> over(const Outcome& outcome, const std::vector<std::size_t>& numbers) {
-  std::vector<std::vector<Quantity>> each;
-  for (const std::size_t n : numbers) each.push_back(summarise(outcome, outcome.replicates[n - 1]));
-  std::vector<Quantity> list = each.front();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    std::vector<double> values;
-    for (const auto& one : each) values.push_back(one[i].value);
-    combine(list[i], values);
-  }
-  return list;
-}
-
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
@@ -44,7 +32,7 @@ std::string percent(double share) {
 /// "3 of 16 replicates (19 %) dissipate 4.21 W +- 0.3 W".
 std::string words(const TwoStates& found, std::size_t which) {
   const State& state = found.states[which];
-  const Quantity& q = state.named(power);
+  const Quantity& q = named(state.quantities, power);
   const std::size_t all = found.states[0].replicates.size() + found.states[1].replicates.size();
   std::string text = fmt::format("{} of {} replicates ({}) dissipate {}", state.replicates.size(),
                                  all, percent(found.share(state)), show_rounded(q.value, q.unit));
@@ -54,16 +42,13 @@ std::string words(const TwoStates& found, std::size_t which) {
 
 }  // namespace
 
-const Quantity& State::named(std::string_view name) const {
-  return *std::ranges::find(quantities, name, &Quantity::name);
-}
-
 double TwoStates::share(const State& state) const {
   return static_cast<double>(state.replicates.size()) /
          static_cast<double>(states[0].replicates.size() + states[1].replicates.size());
 }
 
-std::optional<TwoStates> two_states(const Outcome& outcome) {
+std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Measure>& measures,
+                                    const std::vector<std::vector<double>>& each) {
   constexpr double much = 0.2;  // of the larger power
   std::vector<double> powers;
   const std::vector<const Replicate*> chosen = averaged(outcome);
@@ -74,16 +59,17 @@ std::optional<TwoStates> two_states(const Outcome& outcome) {
   TwoStates found{.states = {}, .chance = groups->chance};
   for (std::size_t i = 0; i < chosen.size(); ++i)
     found.states[powers[i] > groups->between ? 1 : 0].replicates.push_back(
-        static_cast<std::size_t>(chosen[i] - outcome.replicates.data()) + 1);
-  for (State& state : found.states) state.quantities = over(outcome, state.replicates);
-  const double low = found.states[0].named(power).value, high = found.states[1].named(power).value;
+        number_of(outcome, *chosen[i]));
+  for (State& state : found.states) state.quantities = means(measures, each, state.replicates);
+  const double low = named(found.states[0].quantities, power).value,
+               high = named(found.states[1].quantities, power).value;
   const double larger = std::max(std::abs(low), std::abs(high));
   if (!(high - low > much * larger) || !(larger > rounding_power(chosen))) return std::nullopt;
   return found;
 }
 
-Notices state_notices(const Outcome& outcome) {
-  const auto found = two_states(outcome);
+Notices state_notices(const Summary& summary) {
+  const auto& found = summary.two_states;
   if (!found) return {};
   return {warning(
       "two-states",

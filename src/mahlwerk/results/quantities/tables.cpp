@@ -6,8 +6,6 @@
 #include <array>
 #include <string>
 
-#include "mahlwerk/results/summary.hpp"
-
 namespace mahlwerk::results {
 namespace {
 
@@ -63,11 +61,14 @@ Table replicates(const Outcome& outcome) {
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
     const Replicate& r = outcome.replicates[i];
     if (!(r.time() > 0)) continue;
-    const std::vector<Quantity> quantities = summarise(outcome, r);
+    const std::vector<double>& values = outcome.summary.each[i];
     std::vector<double> row{static_cast<double>(i + 1), r.complete ? 1.0 : 0.0};
-    for (const Quantity& q : quantities) row.push_back(q.value);
+    row.insert(row.end(), values.begin(), values.end());
     if (table.rows.empty())
-      for (const Quantity& q : quantities) table.columns.push_back({q.name, q.unit, q.about});
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const Quantity& q = outcome.summary.quantities[k];
+        table.columns.push_back({q.name, q.unit, q.about});
+      }
     table.rows.push_back(std::move(row));
   }
   return table;

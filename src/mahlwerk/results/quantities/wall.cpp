@@ -16,7 +16,6 @@
 #include "mahlwerk/observe/columns.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {

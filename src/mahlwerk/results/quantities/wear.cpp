@@ -11,7 +11,6 @@
 #include "mahlwerk/powder/wear.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
