@@ -84,7 +84,7 @@ void prepare_place(const std::filesystem::path& place);
 
 /// What there is to tell of a campaign, from its store; where its design tells how much keys
 /// matter, that too, if its case can still be read.
-report::Campaign told(const campaign::Store& store);
+report::Campaign campaign_of(const campaign::Store& store);
 /// Which quantities answer to which keys; `design` holds the places of the points. Nothing for a
 /// design that does not tell.
 void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,

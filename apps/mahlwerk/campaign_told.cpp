@@ -51,7 +51,7 @@ void tell_what_matters(report::Campaign& campaign, const campaign::Store& store)
 
 }  // namespace
 
-report::Campaign told(const campaign::Store& store) {
+report::Campaign campaign_of(const campaign::Store& store) {
   report::Campaign campaign;
   campaign.title = store.title();
   std::vector<std::string> names;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "checked_points.hpp"
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
@@ -183,8 +183,6 @@ results::Json as_json(const Checked& c, const std::filesystem::path& file) {
                        {"runs", c.engine.empty()}});
 }
 
-}  // namespace
-
 int check(const Request& request) {
   const cases::Catalogue known = catalogue();
   results::Json json = results::Json::array();
@@ -204,6 +202,13 @@ int check(const Request& request) {
   if (!wrong.empty()) throw InputError(std::move(wrong));
   if (request.json) json_to_stdout(json);
   return runs ? fine : bad_input;
+}
+
+}  // namespace
+
+Command check_command() {
+  return {"check", "read a case without running it: its faults, or what follows from it",
+          joined({{several_cases()}, changes(), {json()}}), check};
 }
 
 }  // namespace mahlwerk::app

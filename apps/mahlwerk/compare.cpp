@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -86,8 +86,6 @@ void tell(const report::Comparison& comparison, const fs::path& place, double se
   fmt::print("computed in {} s\n", two_digits(seconds));
 }
 
-}  // namespace
-
 int compare(const Request& request) {
   const fs::path file = one_case_file(request.target, "compare");
   const std::vector<cases::Case> cases = both(request, file);
@@ -106,6 +104,13 @@ int compare(const Request& request) {
   if (!request.json && !request.quiet)
     tell(comparison, folder.wanted(), outcomes.front().wall_seconds);
   return how_it_ended(outcomes);
+}
+
+}  // namespace
+
+Command compare_command() {
+  return {"compare", "run a case by both engines and show the results side by side",
+          joined({{one_case()}, changes(), running(", with -compare"), {json()}}), compare};
 }
 
 }  // namespace mahlwerk::app

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -163,8 +163,6 @@ int cut_short(const std::vector<results::Outcome>& mills) {
   return tell_interrupted();
 }
 
-}  // namespace
-
 int fit(const Request& request) {
   const fs::path file = one_case_file(request.target, "fit");
   const FitJob job = prepare(request, file);
@@ -184,6 +182,21 @@ int fit(const Request& request) {
     return tell_interrupted();
   }
   return fine;
+}
+
+}  // namespace
+
+Command fit_command() {
+  return {"fit", "find numbers of a case from what was measured of the powder, with intervals",
+          joined({{one_case(),
+                   {.name = "DATA",
+                    .target = &Request::data,
+                    .about = "a table of measurements: CSV, see docs/formats.md",
+                    .required = true}},
+                  changes(),
+                  running(", with -fit"),
+                  {json()}}),
+          fit};
 }
 
 }  // namespace mahlwerk::app

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -191,8 +191,6 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   return made;
 }
 
-}  // namespace
-
 int match(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<cases::Override> set = overrides(request);
@@ -229,6 +227,25 @@ int match(const Request& request) {
   } catch (const Interrupted&) {
     return kept.tell_interrupted();
   }
+}
+
+}  // namespace
+
+Command match_command() {
+  return {"match", "find the settings of one mill that do to the powder what another mill does",
+          joined({{{.name = "CASE",
+                    .target = &Request::target,
+                    .about = "the mill A that is to be matched: a case file or folder",
+                    .required = true},
+                   {.name = "--in",
+                    .target = &Request::data,
+                    .about = "the mill B whose settings are looked for: a case with [match]",
+                    .type = "CASE",
+                    .required = true}},
+                  changes(),
+                  running(" of mill B, with -match"),
+                  {kept_checkpoint(), json()}}),
+          match};
 }
 
 }  // namespace mahlwerk::app

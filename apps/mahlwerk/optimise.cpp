@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -139,8 +139,6 @@ void tell(const report::OptimumReport& found, const fs::path& place) {
   if (found.best) fmt::print("case:     {}\n", (place / "best.toml").string());
 }
 
-}  // namespace
-
 int optimise(const Request& request) {
   const fs::path file = one_case_file(request.target, "optimise");
   const cases::Catalogue known = catalogue();
@@ -176,6 +174,13 @@ int optimise(const Request& request) {
   } catch (const Interrupted&) {
     return kept.tell_interrupted();
   }
+}
+
+}  // namespace
+
+Command optimise_command() {
+  return {"optimise", "find the settings for which a quantity is best: [optimise] of the case",
+          joined({{one_case()}, changes(), running(", with -optimise"), {json()}}), optimise};
 }
 
 }  // namespace mahlwerk::app

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <map>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "kept_runs.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -204,8 +204,6 @@ results::Json as_json(const PaperJob& job, const report::PaperResult& result) {
                        {"notices", results::notices_json(result.notices)}});
 }
 
-}  // namespace
-
 int papers(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> places = folders(request.target);
@@ -241,6 +239,20 @@ int papers(const Request& request) {
   }
   if (request.json) json_to_stdout(list);
   return ended;
+}
+
+}  // namespace
+
+Command papers_command() {
+  return {
+      "papers", "regenerate every figure of a paper and put its claims to the test",
+      joined({{{.name = "PAPER",
+                .target = &Request::target,
+                .about = "a folder of papers/, or any with a paper.toml (default: all papers)"}},
+              changes(),
+              running("; papers in results/papers"),
+              {kept_checkpoint(), json()}}),
+      papers};
 }
 
 }  // namespace mahlwerk::app

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -25,6 +25,7 @@
 #include "output.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "sweep_case.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -158,8 +159,6 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   return ended;
 }
 
-}  // namespace
-
 int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
@@ -170,6 +169,23 @@ int run(const Request& request) {
     worst = std::max<int>(worst, sweep_case(request, job.file, overrides(request), job.place));
   }
   return worst;
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      "run", "run a case, or every case of a folder, and write its results",
+      joined({{several_cases()},
+              changes(),
+              running(),
+              {checkpoint("keep the state of the run every so many seconds, beside the results, "
+                          "so that --resume can go on from there"),
+               {.name = "--resume",
+                .target = &Request::resume,
+                .about = "go on with a run that was ended, from its last kept state"},
+               json()}}),
+      run};
 }
 
 }  // namespace mahlwerk::app
