@@ -54,7 +54,7 @@ void refuse_strangers(const fs::path& place, bool force) {
 fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
   const fs::path lock = place / (name_of(shard) + ".lock");
   if (is_free(place)) {
-    make_folder(place);
+    results::make_folder(place);
   } else if (!holds_campaign(place) || request.force) {
     if (fs::exists(lock)) const campaign::CampaignLock last(lock);
     results::Folder fresh(place, request.force);
@@ -68,7 +68,7 @@ fs::path opened(const Request& request, const fs::path& place, const Shard& shar
 
 void prepare_place(const fs::path& place) {
   refuse_strangers(place, false);
-  make_folder(place);
+  results::make_folder(place);
 }
 
 CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file,

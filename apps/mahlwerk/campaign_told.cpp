@@ -92,7 +92,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   // Written aside, so that a reader never sees half a file.
   const auto put = [&](const std::string& name, const auto& write) {
     const fs::path file = place / name, aside = file.string() + ".part";
-    make_folder(file.parent_path());
+    results::make_folder(file.parent_path());
     write(aside);
     std::error_code failed;
     fs::rename(aside, file, failed);

@@ -13,11 +13,11 @@
 #include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
+#include "mahlwerk/campaign/run/streams.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -92,7 +92,7 @@ class CampaignFolder::Desk {
     std::string began = now();
     std::int64_t replicates = 1;
     std::unique_ptr<results::Folder> folder;  // or null
-    Streams streams;
+    campaign::Streams streams{version()};
     std::optional<campaign::Checkpoint> checkpoint;
   };
 
@@ -116,7 +116,7 @@ class CampaignFolder::Desk {
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));
     const fs::path place = owner_.place_ / made->name;
     const bool streams = what.observe.frames || what.observe.collisions;
-    make_folder(place.parent_path());
+    results::make_folder(place.parent_path());
     if (owner_.keeps_folders() || streams)
       made->folder = std::make_unique<results::Folder>(place, true);
     if (made->folder) made->streams.add(what, *made->folder, "");

@@ -11,7 +11,6 @@
 #include <string>
 #include <thread>
 
-#include "checked_points.hpp"
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -20,6 +19,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
@@ -60,7 +60,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const std::vector<cases::Override> set = overrides(request);
   Checked c;
   c.what = cases::read(file, known, set);
-  const CheckedPoints points(c.what, file, known, set);
+  const campaign::CheckedPoints points(c.what, file, known, set);
   c.points = points.size();
   c.bad_points = points.bad();
   c.engine = points.faults();
@@ -148,7 +148,7 @@ std::string verdict(const Checked& c) {
   if (c.engine.empty()) return "fine";
   if (c.bad_points == 0) return "this version cannot run it";
   return fmt::format("{} of {} points cannot be run", c.bad_points,
-                     std::min(c.points, CheckedPoints::most));
+                     std::min(c.points, campaign::CheckedPoints::most));
 }
 
 void print(const Checked& c, const std::filesystem::path& file) {

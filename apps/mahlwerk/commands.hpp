@@ -50,9 +50,6 @@ cases::Catalogue catalogue();
 /// folder.
 std::vector<std::filesystem::path> case_files(const std::string& target);
 
-/// Makes a folder and those above it, unless it is there. Throws InputError where it cannot.
-void make_folder(const std::filesystem::path& place);
-
 /// The one case file that is meant, for a command ("fit") that takes no more.
 std::filesystem::path one_case_file(const std::string& target, std::string_view command);
 

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -16,7 +17,6 @@
 #include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -92,7 +92,7 @@ int compare(const Request& request) {
   const fs::path usual = default_place(request.target, file, false).string() + "-compare";
   const fs::path place = request.out.value_or(usual);
   results::Folder folder(place, request.force);
-  Streams streams;
+  campaign::Streams streams(version());
   for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
 
   catch_ctrl_c();

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "command.hpp"
+#include "compute.hpp"
 #include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -17,7 +18,6 @@
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -116,7 +116,7 @@ FitJob prepare(const Request& request, const fs::path& file) {
 /// Each mill, once; what it writes besides is not wanted.
 std::vector<results::Outcome> run_mills(const Request& request, const FitJob& job,
                                         const results::Folder& folder) {
-  Streams streams;
+  campaign::Streams streams(version());
   for (const cases::Case& mill : job.mills) streams.add(mill, folder, "");
   return compute(request, job.mills, streams, nullptr);
 }

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -50,10 +51,10 @@ cases::Case without_streams(cases::Case what) {
 
 /// One case, to its end. Throws Interrupted, or RunError where it does not get there.
 results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
-                       const results::Folder& folder, KeptRuns& kept) {
-  Streams none;
+                       const results::Folder& folder, campaign::KeptRuns& kept) {
+  campaign::Streams none(version());
   none.add(what, folder, "");
-  const results::Outcome outcome = kept.compute(request, {what}, none).front();
+  const results::Outcome outcome = compute(request, {what}, none, kept).front();
   if (stop_wanted()) throw Interrupted();
   for (const results::Replicate& r : outcome.replicates)
     if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));

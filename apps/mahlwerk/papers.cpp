@@ -9,7 +9,7 @@
 #include <map>
 
 #include "command.hpp"
-#include "kept_runs.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
@@ -136,9 +136,9 @@ class Shared {
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const PaperJob& job,
-                                                   KeptRuns& kept) {
+                                                   campaign::KeptRuns& kept) {
   Shared shared;
-  Streams streams;
+  campaign::Streams streams(version());
   std::map<std::string, std::vector<std::size_t>> at;
   for (const auto& [name, points] : job.points)
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -146,7 +146,7 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
       at[name].push_back(shared.add(points[i]));
       if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  const std::vector<results::Outcome> outcomes = kept.compute(request, shared.points, streams);
+  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, kept);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -215,7 +215,7 @@ int papers(const Request& request) {
   results::Json list = results::Json::array();
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
-    KeptRuns kept(job.folder->wanted());
+    campaign::KeptRuns kept(job.folder->wanted());
     const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);
     if (stop_wanted()) {
       ended = interrupted;

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -24,7 +25,6 @@
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 #include "sweep_case.hpp"
 
 namespace mahlwerk::app {
@@ -136,7 +136,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
 int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const auto kept = checkpoint(request, jobs);
   std::vector<cases::Case> points;
-  Streams streams;
+  campaign::Streams streams(version());
   for (const RunJob& job : jobs) {
     points.push_back(job.what);
     streams.add(job.what, *job.folder, "");

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "kept_runs.hpp"
+#include "mahlwerk/campaign/run/kept_runs.hpp"
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 #include "mahlwerk/report/optimum.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
@@ -39,7 +39,7 @@ class KeptSearch {
   KeptSearch(const KeptSearch&) = delete;
   KeptSearch& operator=(const KeptSearch&) = delete;
 
-  KeptRuns& runs() { return runs_; }
+  campaign::KeptRuns& runs() { return runs_; }
   const std::filesystem::path& trials() const { return trials_; }
   int tell_interrupted() const;  ///< what is kept; the exit code
   void remove();                 ///< the results have been written
@@ -48,7 +48,7 @@ class KeptSearch {
   bool has_trials() const;
   bool has_states() const;
 
-  KeptRuns runs_;
+  campaign::KeptRuns runs_;
   std::filesystem::path trials_;
   bool removed_ = false;
 };

@@ -200,4 +200,13 @@ void write_text(const fs::path& file, std::string_view text) {
     throw cannot_write(file, std::strerror(failed));
 }
 
+void make_folder(const std::filesystem::path& place) {
+  std::error_code failed;
+  std::filesystem::create_directories(place, failed);
+  if (failed)
+    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
+                           "check that you may write there, or give another folder with --out",
+                           "cannot-write"});
+}
+
 }  // namespace mahlwerk::results

@@ -54,4 +54,7 @@ InputError cannot_write(const std::filesystem::path& place, const std::string& w
 /// Writes a whole file; throws InputError with the reason if any byte could not be written.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
+/// Makes a folder and those above it, unless it is there. Throws InputError where it cannot.
+void make_folder(const std::filesystem::path& place);
+
 }  // namespace mahlwerk::results

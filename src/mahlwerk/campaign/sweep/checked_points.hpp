@@ -11,7 +11,7 @@
 
 #include "mahlwerk/cases/read.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 /// The points of a case, read without running them, and what is wrong with any: each fault once,
 /// with the first point that has it. A case without [sweep] is a campaign of one point.
@@ -36,4 +36,4 @@ class CheckedPoints {
   std::set<std::pair<std::string, std::string>> known_;  // where and what
 };
 
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

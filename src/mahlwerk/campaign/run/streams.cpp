@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "streams.hpp"
+#include "mahlwerk/campaign/run/streams.hpp"
 
-#include "progress.hpp"
+#include "mahlwerk/cases/read.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 void Streams::add(const cases::Case& point, const results::Folder& folder,
                   const std::string& below) {
   Point made;
   if (point.observe.collisions)
     made.collisions = std::make_unique<results::CollisionFile>(folder.file(below + "collisions.h5"),
-                                                               cases::write(point), version());
+                                                               cases::write(point), version_);
   if (point.observe.frames)
     made.frames = [point, &folder, below](int replicate) {
       return std::make_unique<results::FrameFiles>(
@@ -31,7 +31,7 @@ std::unique_ptr<results::FrameFiles> Streams::frames(std::size_t point, int repl
   return p.frames ? p.frames(replicate) : nullptr;
 }
 
-void Streams::join(campaign::Options& options) const {
+void Streams::join(Options& options) const {
   options.records = [this](std::size_t point, int replicate) { return records(point, replicate); };
   options.frames = [this](std::size_t point, int replicate) { return frames(point, replicate); };
 }
@@ -41,17 +41,4 @@ void Streams::close() {
     if (point.collisions) point.collisions->close();
 }
 
-std::vector<results::Outcome> compute(const Request& request,
-                                      const std::vector<cases::Case>& points,
-                                      const Streams& streams, campaign::Checkpoint* checkpoint) {
-  ProgressLine line(request.quiet);
-  campaign::Options options;
-  options.threads = request.threads;
-  options.stop = &stop_wanted();
-  options.checkpoint = checkpoint;
-  options.progress = [&](const campaign::Progress& p) { line.show(p); };
-  streams.join(options);
-  return campaign::run(points, options);
-}
-
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

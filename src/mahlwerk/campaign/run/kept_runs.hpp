@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "mahlwerk/campaign/run/streams.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
-#include "streams.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 /// Runs that go on where a process was ended: their states stand beside the results they are for,
 /// in a folder of the same name with ".checkpoints" after it, which is this process's alone.
@@ -20,11 +23,17 @@ class KeptRuns {
   explicit KeptRuns(const std::filesystem::path& results);
   const std::filesystem::path& place() const { return place_; }
 
+  struct Keeping {
+    std::string_view version;  ///< of the program: it goes on with its own states only
+    double every = 1;          ///< [s] between two states
+    std::function<void(std::size_t begun)> told = {};  ///< how many points go on, if any
+    std::function<void(const Fault&)> trouble;         ///< states that cannot be kept
+  };
   /// All points computed together, those that have ended before taken as they ended. Points that
   /// keep every collision, or frames, are run anew.
-  std::vector<results::Outcome> compute(const Request& request,
-                                        const std::vector<cases::Case>& points,
-                                        const Streams& streams);
+  std::vector<results::Outcome> compute(const std::vector<cases::Case>& points,
+                                        const Streams& streams, Options options,
+                                        const Keeping& keeping);
   /// The results have been written: forgets what was computed. States of runs with other settings
   /// stay.
   void remove();
@@ -32,7 +41,7 @@ class KeptRuns {
  private:
   std::filesystem::path place_;
   std::vector<std::filesystem::path> files_;  // of states
-  std::optional<campaign::CampaignLock> lock_;
+  std::optional<CampaignLock> lock_;
 };
 
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "checked_points.hpp"
+#include "mahlwerk/campaign/sweep/checked_points.hpp"
 
 #include <fmt/format.h>
 
@@ -11,17 +11,17 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 CheckedPoints::CheckedPoints(const cases::Case& what, const std::filesystem::path& file,
                              const cases::Catalogue& known,
                              const std::vector<cases::Override>& set) {
   if (what.sweep.empty()) {
-    add_faults(campaign::run_faults(what), "");
+    add_faults(run_faults(what), "");
     if (faults_.empty()) good_.push_back(what);
     return;
   }
-  const campaign::Plan plan(what.sweep, what.seed);
+  const Plan plan(what.sweep, what.seed);
   const cases::CaseFile case_file(file);
   size_ = plan.size();
   for (std::size_t i = 0; i < std::min(size_, most); ++i) {
@@ -32,7 +32,7 @@ CheckedPoints::CheckedPoints(const cases::Case& what, const std::filesystem::pat
     try {
       cases::Case point = case_file.read(known, all);
       point.sweep = {};
-      wrong = campaign::run_faults(point);
+      wrong = run_faults(point);
       if (wrong.empty()) good_.push_back(std::move(point));
     } catch (const InputError& e) {
       wrong = e.faults();
@@ -50,4 +50,4 @@ void CheckedPoints::add_faults(std::vector<Fault> more, const std::string& point
   }
 }
 
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

@@ -6,26 +6,29 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "commands.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 /// What runs write while they go, for those of their points that ask for it: every collision, and
 /// frames for replay.
 class Streams {
  public:
+  /// `version` of the program stands in the files.
+  explicit Streams(std::string_view version) : version_(version) {}
+
   /// The next point of the run; its files go into `folder`, under `below`.
   void add(const cases::Case& point, const results::Folder& folder, const std::string& below);
 
   std::unique_ptr<scene::Observer> records(std::size_t point, int replicate) const;
   std::unique_ptr<results::FrameFiles> frames(std::size_t point, int replicate) const;
   /// Lets a run of all points added write its files; it must end before the streams do.
-  void join(campaign::Options& options) const;
+  void join(Options& options) const;
 
   /// Ends the files. Call it before the folders' commit.
   void close();
@@ -36,12 +39,8 @@ class Streams {
     /// Makes the files of frames of a replicate; empty: none is kept.
     std::function<std::unique_ptr<results::FrameFiles>(int replicate)> frames;
   };
+  std::string version_;
   std::vector<Point> points_;
 };
 
-/// All points computed together, with what `request` says of threads and of showing progress.
-std::vector<results::Outcome> compute(const Request& request,
-                                      const std::vector<cases::Case>& points,
-                                      const Streams& streams, campaign::Checkpoint* checkpoint);
-
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign
