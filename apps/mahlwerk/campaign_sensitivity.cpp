@@ -4,7 +4,7 @@
 // How much each key matters, where a campaign's design was made to tell.
 #include <cmath>
 
-#include "campaign_folder.hpp"
+#include "campaign_pages.hpp"
 #include "mahlwerk/campaign/sweep/sensitivity.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
 

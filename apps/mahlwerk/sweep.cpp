@@ -32,7 +32,7 @@ int sweep(const Request& request) {
 
 int sweep_status(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = look_into(place);
+  const campaign::Store store = campaign::look_into(place);
   const campaign::Counts counts = store.counts();
   if (request.json) {
     print_campaign(store, place, nullptr);
@@ -67,7 +67,7 @@ int sweep_status(const Request& request) {
 
 int sweep_export(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = look_into(place);
+  const campaign::Store store = campaign::look_into(place);
   if (request.out) {
     if (fs::exists(*request.out) && !request.force)
       throw InputError(Fault{request.out->string(), "there is such a file already",
@@ -91,7 +91,7 @@ int sweep_retry(const Request& request) {
   fs::path file;
   std::vector<cases::Override> set;
   {
-    const campaign::Store store = look_into(place);
+    const campaign::Store store = campaign::look_into(place);
     file = store.case_file();
     set = store.overrides();
     swept_case(file, set);  // that it can be run, before anything is forgotten

@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <functional>
+#include <optional>
 
-#include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/notices.hpp"
+#include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -21,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// "2/8" is the second of eight.
-Shard shard_of(const std::string& text) {
-  Shard shard;
+campaign::Shard shard_of(const std::string& text) {
+  campaign::Shard shard;
   if (text.empty()) return shard;
   const char* end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), end, shard.number);
@@ -37,8 +39,8 @@ Shard shard_of(const std::string& text) {
 }
 
 /// What there is to say once the work has ended.
-void tell(const CampaignFolder& folder, const campaign::Counts& counts,
-          const report::Campaign& campaign, const Worked& worked) {
+void tell(const campaign::CampaignFolder& folder, const campaign::Counts& counts,
+          const report::Campaign& campaign, const campaign::Worked& worked) {
   to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
   const fs::path& place = folder.place();
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
@@ -50,7 +52,7 @@ void tell(const CampaignFolder& folder, const campaign::Counts& counts,
   fmt::print("\n");
 }
 
-int ending(const Request& request, const Worked& worked, const campaign::Counts& counts,
+int ending(const Request& request, const campaign::Worked& worked, const campaign::Counts& counts,
            const fs::path& place) {
   const bool talks = !request.quiet || request.json;
   if (worked.interrupted) {
@@ -76,8 +78,8 @@ int ending(const Request& request, const Worked& worked, const campaign::Counts&
 }
 
 /// A shard does its part and says so; its numbers are told once all are joined.
-int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard,
-              const Worked& worked) {
+int end_shard(const Request& request, campaign::CampaignFolder& folder,
+              const campaign::Shard& shard, const campaign::Worked& worked) {
   const campaign::Counts counts = folder.store().counts();
   if (!request.quiet && !request.json)
     to_stdout(
@@ -87,6 +89,34 @@ int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard
                     worked.seconds, shell_word(folder.place().string())));
   if (request.json) print_campaign(folder.store(), folder.place(), &worked);
   return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
+}
+
+}  // namespace
+
+namespace {
+
+campaign::CampaignSettings settings_of(const Request& request, std::optional<ProgressLine>& line,
+                                       TroubleTeller& not_kept) {
+  campaign::CampaignSettings made{.version = std::string(version()),
+                                  .catalogue = catalogue(),
+                                  .threads = request.threads,
+                                  .force = request.force,
+                                  .folders = {},
+                                  .stop = &stop_wanted(),
+                                  .write = {},
+                                  .progress = {},
+                                  .trouble = std::ref(not_kept)};
+  if (!request.results.empty()) made.folders = request.results == "all";
+  made.write = [](const results::Folder& folder, const results::Outcome& outcome) {
+    report::write(folder, outcome, version(), "", false);
+  };
+  made.progress = [&](const campaign::WorkProgress& p) {
+    line->show(fmt::format(
+        "{:3.0f} %  {} of {} runs done{}  {}", 100 * p.share, p.done, p.of,
+        p.failed > 0 ? fmt::format(", {} failed", p.failed) : "",
+        p.share > 0 ? fmt::format("{:.0f} s left", p.seconds * (1 - p.share) / p.share) : ""));
+  };
+  return made;
 }
 
 }  // namespace
@@ -105,7 +135,8 @@ std::string counted(std::size_t n, std::string_view what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-void print_campaign(const campaign::Store& store, const fs::path& place, const Worked* worked) {
+void print_campaign(const campaign::Store& store, const fs::path& place,
+                    const campaign::Worked* worked) {
   const campaign::Counts counts = store.counts();
   results::Json said = results::Json::object({{"results", place.string()},
                                               {"points", counts.points},
@@ -125,13 +156,15 @@ std::string table_with_warnings(const report::Campaign& campaign) {
 
 int sweep_case(const Request& request, const fs::path& file,
                const std::vector<cases::Override>& set, const fs::path& place) {
-  const Shard shard = shard_of(request.shard);
+  const campaign::Shard shard = shard_of(request.shard);
   if (!shard.whole() && request.force)
     throw InputError(Fault{"--force", "a shard cannot replace what others may be at work on",
                            "take the folder away before the first shard starts", "bad-shard"});
   const cases::Case what = swept_case(file, set);
   catch_ctrl_c();
-  CampaignFolder folder(request, file, set, place, shard);
+  std::optional<ProgressLine> line;
+  TroubleTeller not_kept;
+  campaign::CampaignFolder folder(settings_of(request, line, not_kept), file, set, place, shard);
   folder.plan(campaign::Plan(what.sweep, what.seed));
   if (stop_wanted()) {
     if (!request.quiet || request.json)
@@ -139,7 +172,10 @@ int sweep_case(const Request& request, const fs::path& file,
                {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
     return interrupted;
   }
-  const Worked worked = folder.work();
+  line.emplace(request.quiet);
+  const campaign::Worked worked = folder.work();
+  not_kept.tell_again();
+  line.reset();  // from the terminal
   if (!shard.whole()) return end_shard(request, folder, shard, worked);
   const campaign::Counts counts = folder.store().counts();
   if (!fs::exists(place / "campaign.sqlite"))

@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign_folder.hpp"
+#include "campaign_pages.hpp"
 #include "commands.hpp"
+#include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 
 // The campaign of a case with [sweep], for the commands that run or tell of one.
 namespace mahlwerk::app {
@@ -25,7 +26,7 @@ std::string counted(std::size_t n, std::string_view what);
 
 /// As JSON: how far it is, and how the work just `worked` went, which may be null.
 void print_campaign(const campaign::Store& store, const std::filesystem::path& place,
-                    const Worked* worked);
+                    const campaign::Worked* worked);
 
 std::string table_with_warnings(const report::Campaign& campaign);
 

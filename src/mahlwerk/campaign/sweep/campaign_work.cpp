@@ -6,20 +6,16 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <functional>
 #include <map>
 #include <mutex>
 
-#include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/streams.hpp"
-#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 #include "mahlwerk/results/files/folder.hpp"
-#include "messages.hpp"
-#include "progress.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,78 +36,78 @@ std::string trouble(const results::Outcome& outcome) {
 }  // namespace
 
 /// What lies open while runs are at work: their folders, streams and states.
-class CampaignFolder::Desk {
+class CampaignFolder::ActiveRuns {
  public:
-  Desk(CampaignFolder& owner, std::vector<std::size_t> todo)
-      : owner_(owner), todo_(std::move(todo)), line_(owner.request_.quiet) {
+  ActiveRuns(CampaignFolder& owner, std::vector<std::size_t> todo)
+      : owner_(owner), todo_(std::move(todo)) {
     for (const std::size_t point : todo_) wanted_ += owner_.runs_[point].work;
   }
 
   Worked work(Worked worked) {
     worked_ = worked;
     const auto begin = std::chrono::steady_clock::now();
-    campaign::Options options;
-    options.threads = campaign::threads_of(owner_.request_.threads);
-    options.stop = &stop_wanted();
-    options.progress = [&](const campaign::Progress& p) { show(p); };
+    Options options;
+    options.threads = threads_of(owner_.settings_.threads);
+    options.stop = owner_.settings_.stop;
+    options.progress = [&](const Progress& p) { show(p); };
     options.records = [&](std::size_t i, int r) {
-      const Paper& mine = paper(i);
+      const ActiveRun& mine = active(i);
       return mine.folder ? mine.streams.records(0, r) : nullptr;
     };
     options.frames = [&](std::size_t i, int r) {
-      const Paper& mine = paper(i);
+      const ActiveRun& mine = active(i);
       return mine.folder ? mine.streams.frames(0, r) : nullptr;
     };
-    campaign::Queue queue;
+    Queue queue;
     queue.size = todo_.size();
     queue.open = [&](std::size_t i) { return open(i); };
     queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
     queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
     queue.kept = [&](std::size_t i) {
-      Paper& mine = paper(i);
-      using Ended = campaign::Kept::Ended;
-      return campaign::Kept{.in = &*mine.checkpoint,
-                            .ended = mine.replicates > 1 ? Ended::noted : Ended::forgotten};
+      ActiveRun& mine = active(i);
+      using Ended = Kept::Ended;
+      return Kept{.in = &*mine.checkpoint,
+                  .ended = mine.replicates > 1 ? Ended::noted : Ended::forgotten};
     };
     queue.wanted = wanted_;
     queue.weight = [&](std::size_t i) {
       const Run& run = owner_.runs_[todo_[i]];
       return run.work / run.seconds;
     };
-    campaign::work_off(queue, options);
-    no_checkpoint_.tell_again();
+    work_off(queue, options);
     worked_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    worked_.interrupted = stop_wanted();
+    worked_.interrupted = owner_.stopped();
     return worked_;
   }
 
  private:
-  struct Paper {
+  struct ActiveRun {
+    explicit ActiveRun(std::string_view version) : streams(version) {}
     std::string name;  // of its folder, below the campaign's
     std::string began = now();
     std::int64_t replicates = 1;
     std::unique_ptr<results::Folder> folder;  // or null
-    campaign::Streams streams{version()};
-    std::optional<campaign::Checkpoint> checkpoint;
+    Streams streams;
+    std::optional<Checkpoint> checkpoint;
   };
 
-  Paper& paper(std::size_t i) {
+  ActiveRun& active(std::size_t i) {
     const std::lock_guard lock(mutex_);
-    return *papers_.at(i);
+    return *active_.at(i);
   }
   void clear(std::size_t i) {
     const std::lock_guard lock(mutex_);
-    papers_.erase(i);
+    active_.erase(i);
   }
 
   cases::Case open(std::size_t i) {
     const std::size_t point = todo_[i];
-    cases::Case what = owner_.file_.read(owner_.catalogue_, owner_.settings(point));
+    cases::Case what = owner_.file_.read(owner_.settings_.catalogue, owner_.settings(point));
     what.sweep = {};
-    auto made = std::make_unique<Paper>();
+    auto made = std::make_unique<ActiveRun>(owner_.settings_.version);
     made->replicates = what.run.replicates;
-    const std::string hash = campaign::hash_text(owner_.runs_[point].hash);
+    const std::string hash = hash_text(owner_.runs_[point].hash);
     made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));
     const fs::path place = owner_.place_ / made->name;
@@ -123,7 +119,7 @@ class CampaignFolder::Desk {
     const fs::path kept = place.string() + ".checkpoint";
     const auto no_state = [&] {
       made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
-                               checkpoint_every, std::ref(no_checkpoint_));
+                               checkpoint_every, owner_.settings_.trouble);
     };
     no_state();
     if (!streams && fs::exists(kept)) try {
@@ -132,19 +128,19 @@ class CampaignFolder::Desk {
         no_state();  // it was another version's, or damaged: the run begins anew
       }
     const std::lock_guard lock(mutex_);
-    papers_[i] = std::move(made);
+    active_[i] = std::move(made);
     return what;
   }
 
   void done(std::size_t i, const results::Outcome& outcome) {
-    Paper& mine = paper(i);
+    ActiveRun& mine = active(i);
     mine.streams.close();
     if (!outcome.interrupted) {
       if (mine.folder) {
-        report::write(*mine.folder, outcome, version(), "", false);
+        owner_.settings_.write(*mine.folder, outcome);
         mine.folder->commit();
       }
-      campaign::Finished finished;
+      Finished finished;
       finished.hash = owner_.runs_[todo_[i]].hash;
       finished.resolved = cases::write(outcome.what);
       finished.engine = name_of(outcome.engine);
@@ -171,24 +167,24 @@ class CampaignFolder::Desk {
     ++worked_.failed;
   }
 
-  void show(const campaign::Progress& p) {
+  void show(const Progress& p) {
     using Seconds = std::chrono::duration<double>;
     const double gone = Seconds(std::chrono::steady_clock::now() - began_).count();
     const double share = p.wanted > 0 ? std::min(1.0, p.simulated / p.wanted) : 0;
     const std::lock_guard lock(mutex_);
-    line_.show(
-        fmt::format("{:3.0f} %  {} of {} runs done{}  {}", 100 * share, worked_.done, todo_.size(),
-                    worked_.failed > 0 ? fmt::format(", {} failed", worked_.failed) : "",
-                    share > 0 ? fmt::format("{:.0f} s left", gone * (1 - share) / share) : ""));
+    if (owner_.settings_.progress)
+      owner_.settings_.progress({.share = share,
+                                 .seconds = gone,
+                                 .done = worked_.done,
+                                 .failed = worked_.failed,
+                                 .of = todo_.size()});
   }
 
   CampaignFolder& owner_;
   std::vector<std::size_t> todo_;
-  ProgressLine line_;
   double wanted_ = 0;  // [s] of work, estimated
-  TroubleTeller no_checkpoint_;
   std::mutex mutex_;
-  std::map<std::size_t, std::unique_ptr<Paper>> papers_;  // by place in todo_
+  std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;  // by place in todo_
   Worked worked_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
@@ -196,7 +192,7 @@ class CampaignFolder::Desk {
 Worked CampaignFolder::work() {
   Worked worked;
   std::vector<std::size_t> todo = to_do(worked);
-  return Desk(*this, std::move(todo)).work(worked);
+  return ActiveRuns(*this, std::move(todo)).work(worked);
 }
 
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
-#include "mahlwerk/report/campaign/campaign.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/outcome.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 
 /// Which part of a campaign a process does: each `of`-th run, from `number`, which is 1 ... of.
 struct Shard {
@@ -29,35 +30,57 @@ struct Worked {
   bool interrupted = false;
 };
 
+/// Where the work on a campaign stands, for the line a user watches.
+struct WorkProgress {
+  double share = 0;                          ///< [1] of the work, estimated
+  double seconds = 0;                        ///< since it began
+  std::size_t done = 0, failed = 0, of = 0;  ///< runs
+};
+
+/// How a campaign is worked on.
+struct CampaignSettings {
+  std::string version;  ///< of the program
+  cases::Catalogue catalogue;
+  int threads = 0;                          ///< 0: as many as the machine has
+  bool force = false;                       ///< what is in the folder is replaced
+  std::optional<bool> folders;              ///< of each run; by default of up to 1000 runs
+  const std::atomic<bool>* stop = nullptr;  ///< set: end cleanly, keep what was computed
+  /// Writes the results of a run.
+  std::function<void(const results::Folder&, const results::Outcome&)> write;
+  std::function<void(const WorkProgress&)> progress;  ///< never from two threads at once
+  std::function<void(const Fault&)> trouble;          ///< states that cannot be kept
+};
+
 /// A campaign in its folder: the store, and the results of runs beside it. It belongs to this
 /// process alone until it is destroyed; what is in it stays, however the process ends.
 class CampaignFolder {
  public:
-  /// Of what is in `place`, or anew there; with request.force always anew. Throws InputError where
+  /// Of what is in `place`, or anew there; with settings.force always anew. Throws InputError where
   /// it holds something else.
-  CampaignFolder(const Request& request, const std::filesystem::path& case_file,
+  CampaignFolder(CampaignSettings settings, const std::filesystem::path& case_file,
                  std::vector<cases::Override> set, std::filesystem::path place,
                  const Shard& shard = {});
 
   /// Reads the cases of all points, then opens the folder. A point whose case has faults fails as
   /// its turn comes; throws InputError if all have, the folder cannot be written to, or another
   /// process is at work there. Does nothing once a stop is wanted.
-  void plan(campaign::Plan plan);
+  void plan(Plan plan);
   /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
   Worked work();
 
-  campaign::Store& store() { return *store_; }  ///< once there is a plan
+  Store& store() { return *store_; }  ///< once there is a plan
   const std::filesystem::path& place() const { return place_; }
   std::size_t size() const { return runs_.size(); }  ///< points
-  campaign::RunHash run(std::size_t point) const { return runs_[point].hash; }
+  RunHash run(std::size_t point) const { return runs_[point].hash; }
 
  private:
   struct Run {
-    campaign::RunHash hash = 0;
+    RunHash hash = 0;
     double work = 0;     // [s], estimated
     double seconds = 0;  // to be simulated
   };
-  class Desk;
+  class ActiveRuns;
+  bool stopped() const { return settings_.stop != nullptr && *settings_.stop; }
   void open();
   void refuse_other_case() const;
   void clear_remains() const;
@@ -66,15 +89,14 @@ class CampaignFolder {
   std::vector<std::size_t> to_do(Worked& worked) const;
   bool keeps_folders() const;
 
-  const Request& request_;
+  CampaignSettings settings_;
   cases::CaseFile file_;
-  cases::Catalogue catalogue_;
   std::vector<cases::Override> set_;
   std::filesystem::path place_, case_file_;
   Shard shard_;
-  std::optional<campaign::CampaignLock> own_lock_, lock_;
-  std::optional<campaign::Store> store_;
-  std::optional<campaign::Plan> plan_;
+  std::optional<CampaignLock> own_lock_, lock_;
+  std::optional<Store> store_;
+  std::optional<Plan> plan_;
   std::vector<Run> runs_;
 };
 
@@ -82,19 +104,7 @@ class CampaignFolder {
 /// else, or cannot be made.
 void prepare_place(const std::filesystem::path& place);
 
-/// What there is to tell of a campaign, from its store; where its design tells how much keys
-/// matter, that too, if its case can still be read.
-report::Campaign campaign_of(const campaign::Store& store);
-/// Which quantities answer to which keys; `design` holds the places of the points. Nothing for a
-/// design that does not tell.
-void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
-                       const std::vector<std::vector<double>>& design);
-
-/// campaign.csv, campaign.html and its pictures, into the folder.
-void write_pages(const campaign::Store& store, const report::Campaign& campaign,
-                 const std::filesystem::path& place);
-
 /// The store of a campaign's folder, for those who only look. Throws InputError if there is none.
-campaign::Store look_into(const std::filesystem::path& place);
+Store look_into(const std::filesystem::path& place);
 
-}  // namespace mahlwerk::app
+}  // namespace mahlwerk::campaign

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // A campaign's store as pages, pictures and tables.
+#include "campaign_pages.hpp"
+
 #include <algorithm>
 #include <fstream>
 #include <map>
 
-#include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
@@ -114,17 +115,6 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   });
   for (const auto& [name, picture] : figures)
     put(name, [&](const fs::path& aside) { results::write_text(aside, picture); });
-}
-
-campaign::Store look_into(const fs::path& place) {
-  const fs::path file = place / "campaign.sqlite";
-  std::error_code none;
-  if (!fs::exists(file, none))
-    throw InputError(Fault{place.string(), "the folder holds no campaign",
-                           "name the folder that `mahlwerk sweep` made; after shards, join them "
-                           "first: mahlwerk sweep merge FOLDER",
-                           "no-campaign"});
-  return {file, campaign::Store::Access::read};
 }
 
 }  // namespace mahlwerk::app

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "campaign_folder.hpp"
+#include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/campaign/run/parallel.hpp"
+#include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/sweep/work.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"
 #include "mahlwerk/results/files/ownership.hpp"
-#include "progress.hpp"
 
-namespace mahlwerk::app {
+namespace mahlwerk::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,13 +51,13 @@ void refuse_strangers(const fs::path& place, bool force) {
 }
 
 /// The lock's file, in a folder that is a campaign's or has been made one.
-fs::path opened(const Request& request, const fs::path& place, const Shard& shard) {
+fs::path opened(const fs::path& place, const Shard& shard, bool force) {
   const fs::path lock = place / (name_of(shard) + ".lock");
   if (is_free(place)) {
     results::make_folder(place);
-  } else if (!holds_campaign(place) || request.force) {
-    if (fs::exists(lock)) const campaign::CampaignLock last(lock);
-    results::Folder fresh(place, request.force);
+  } else if (!holds_campaign(place) || force) {
+    if (fs::exists(lock)) const CampaignLock last(lock);
+    results::Folder fresh(place, force);
     fresh.write(lock.filename().string(), "");
     fresh.commit();
   }
@@ -71,29 +71,27 @@ void prepare_place(const fs::path& place) {
   results::make_folder(place);
 }
 
-CampaignFolder::CampaignFolder(const Request& request, const fs::path& case_file,
+CampaignFolder::CampaignFolder(CampaignSettings settings, const fs::path& case_file,
                                std::vector<cases::Override> set, fs::path place, const Shard& shard)
-    : request_(request),
+    : settings_(std::move(settings)),
       file_(case_file),
-      catalogue_(catalogue()),
       set_(std::move(set)),
       place_(std::move(place)),
       case_file_(fs::weakly_canonical(case_file)),
       shard_(shard) {
-  refuse_strangers(place_, request.force);
+  refuse_strangers(place_, settings_.force);
 }
 
 /// Only once the case is known to be sound: until then nothing is written.
 void CampaignFolder::open() {
-  using campaign::CampaignLock;
-  const fs::path own = opened(request_, place_, shard_);
+  const fs::path own = opened(place_, shard_, settings_.force);
   own_lock_.emplace(own);
   if (!shard_.whole()) lock_.emplace(place_ / "campaign.lock", CampaignLock::Holds::with_others);
   const std::string name = name_of(shard_);
   results::list_campaign_files(place_);
   results::list_files(place_, {"campaign.lock", name + ".lock", name + ".sqlite"});
   store_.emplace(place_ / (name + ".sqlite"),
-                 shard_.whole() ? campaign::Store::Access::write : campaign::Store::Access::shard);
+                 shard_.whole() ? Store::Access::write : Store::Access::shard);
   refuse_other_case();
   clear_remains();
 }
@@ -135,23 +133,23 @@ std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
 }
 
 CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
-  const cases::Case what = file_.read(catalogue_, settings(point));
-  return {campaign::run_hash(what, version()), campaign::work_estimate(what),
+  const cases::Case what = file_.read(settings_.catalogue, settings(point));
+  return {run_hash(what, settings_.version), work_estimate(what),
           (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates)};
 }
 
-void CampaignFolder::plan(campaign::Plan plan) {
+void CampaignFolder::plan(Plan plan) {
   plan_ = std::move(plan);
-  const cases::Case base = file_.read(catalogue_, set_);
+  const cases::Case base = file_.read(settings_.catalogue, set_);
   runs_.assign(plan_->size(), {});
   std::optional<InputError> first;  // of the first point
   std::atomic<std::size_t> faulty = 0;
-  campaign::in_parallel(campaign::threads_of(request_.threads), runs_.size(), [&](std::size_t i) {
-    if (stop_wanted()) return;
+  in_parallel(threads_of(settings_.threads), runs_.size(), [&](std::size_t i) {
+    if (stopped()) return;
     try {
       runs_[i] = read_run(i);
     } catch (const InputError& e) {
-      std::string text(version());
+      std::string text(settings_.version);
       for (const auto& [key, value, swept] : settings(i))
         text += fmt::format("\n{}={}", key, value);
       runs_[i].hash = fingerprint(text);
@@ -159,19 +157,19 @@ void CampaignFolder::plan(campaign::Plan plan) {
       if (i == 0) first = e;
     }
   });
-  if (stop_wanted()) return;
+  if (stopped()) return;
   if (faulty == runs_.size() && first) throw *first;
   open();
-  campaign::Planned planned;
+  Planned planned;
   planned.title = base.title;
-  planned.version = version();
+  planned.version = settings_.version;
   planned.case_file = case_file_;
   planned.overrides = set_;
   planned.keys = plan_->keys();
   planned.follow = plan_->follow();
   for (const Run& run : runs_) planned.runs.push_back(run.hash);
-  planned.values = [&, own = campaign::own_values(*plan_, base)](std::size_t i) {
-    return campaign::said(*plan_, i, own);
+  planned.values = [&, own = own_values(*plan_, base)](std::size_t i) {
+    return said(*plan_, i, own);
   };
   store_->plan(planned);
 }
@@ -185,20 +183,19 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
     if (!name.starts_with("campaign") || entry.path().extension() != ".sqlite") continue;
     if (entry.path() == place_ / (name_of(shard_) + ".sqlite")) continue;
     try {
-      for (const auto& [hash, state] :
-           campaign::Store(entry.path(), campaign::Store::Access::read).states())
-        if (state == campaign::RunState::done) states[hash] = state;
+      for (const auto& [hash, state] : Store(entry.path(), Store::Access::read).states())
+        if (state == RunState::done) states[hash] = state;
     } catch (const InputError&) {
       // another shard's that is being made just now, or cannot be read: it has done nothing for us
     }
   }
-  for (const campaign::RunHash hash : store_->without_folder(place_))
-    states[hash] = campaign::RunState::waiting;  // somebody took its results away
+  for (const RunHash hash : store_->without_folder(place_))
+    states[hash] = RunState::waiting;  // somebody took its results away
   std::vector<std::size_t> points;
-  std::unordered_set<campaign::RunHash> met;
+  std::unordered_set<RunHash> met;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     if (i % shard_.of != shard_.number - 1 || !met.insert(runs_[i].hash).second) continue;
-    if (states.at(runs_[i].hash) == campaign::RunState::waiting)
+    if (states.at(runs_[i].hash) == RunState::waiting)
       points.push_back(i);
     else
       ++worked.there;
@@ -208,7 +205,18 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
 }
 
 bool CampaignFolder::keeps_folders() const {
-  return request_.results.empty() ? runs_.size() <= most_folders : request_.results == "all";
+  return settings_.folders.value_or(runs_.size() <= most_folders);
 }
 
-}  // namespace mahlwerk::app
+Store look_into(const fs::path& place) {
+  const fs::path file = place / "campaign.sqlite";
+  std::error_code none;
+  if (!fs::exists(file, none))
+    throw InputError(Fault{place.string(), "the folder holds no campaign",
+                           "name the folder that `mahlwerk sweep` made; after shards, join them "
+                           "first: mahlwerk sweep merge FOLDER",
+                           "no-campaign"});
+  return {file, Store::Access::read};
+}
+
+}  // namespace mahlwerk::campaign
