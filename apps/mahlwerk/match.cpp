@@ -70,10 +70,10 @@ cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
   return like;
 }
 
-SearchJob search_job(const MatchJob& job) {
+campaign::SearchJob search_job(const MatchJob& job) {
   const cases::Case& base = job.runs->base();
   const campaign::TrialRuns& runs = *job.runs;
-  SearchJob made{
+  campaign::SearchJob made{
       .runs = &runs,
       .goal = {.keys = runs.over().size(),
                .maximise = false,
@@ -165,7 +165,7 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   job.mark = campaign::mill_mark(a, job.by_powder);
   if (job.mark.replicates.empty())
     throw RunError("mill A has no collisions: there is nothing that B could be like");
-  SearchJob search = search_job(job);
+  campaign::SearchJob search = search_job(job);
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
@@ -203,7 +203,7 @@ int match(const Request& request) {
                            "say what may be changed in it: [match] with over = { \"mill.speed\" = "
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
-  check_keys(what, what.match->over, "[match]");
+  campaign::check_keys(what, what.match->over, "[match]");
   const campaign::TrialRuns runs(file_b, known, set, cases::Giver::match);
   MatchJob job{.like = without_streams(read_like(file_a, known)),
                .runs = &runs,
