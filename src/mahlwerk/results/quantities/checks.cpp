@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/quantities/checks.hpp"
-
 #include <cmath>
+
+#include "mahlwerk/results/quantities/groups.hpp"
 
 namespace mahlwerk::results {
 namespace {

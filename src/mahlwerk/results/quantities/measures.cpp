@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The groups of quantities, in the order of summary.json.
-#include "mahlwerk/results/quantities/checks.hpp"
-#include "mahlwerk/results/quantities/collisions.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/quantities/milling.hpp"
-#include "mahlwerk/results/quantities/motion.hpp"
-#include "mahlwerk/results/quantities/power.hpp"
+#include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/quantities/milling.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <variant>
 
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/groups.hpp"
 
 namespace mahlwerk::results {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/quantities/motion.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 
 namespace mahlwerk::results {
@@ -88,8 +87,8 @@ std::vector<Measure> motion_measures(const Case& what) {
   return list;
 }
 
-const std::vector<Measure>& tangential_measures() {
-  static const std::vector<Measure> list{
+std::vector<Measure> tangential_measures() {
+  return {
       {"energy_tangential_mean", "J",
        "mean impact energy of the motion across the normal, m u_t^2/2, spin included",
        [](const Case&, const Replicate& r) { return mean_across(r.tally.all); }},
@@ -109,7 +108,6 @@ const std::vector<Measure>& tangential_measures() {
          return grazing(r.tally.whole().angle_above, r.tally.above.count);
        }},
   };
-  return list;
 }
 
 }  // namespace mahlwerk::results
