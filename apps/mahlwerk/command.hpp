@@ -52,8 +52,8 @@ std::vector<Command> commands();
 Option one_case();       ///< CASE
 Option several_cases();  ///< CASE, or a folder of cases
 Options changes();       ///< --set, --seed
-Options running(
-    std::string_view beside = {});          ///< --out, which is `beside` usual results, --force ...
+/// --out, --force, --jobs, --quiet; the help says that results go to the usual place and `suffix`.
+Options running(std::string_view suffix = {});
 Option threads();                           ///< --jobs
 Option quiet();                             ///< --quiet
 Option json();                              ///< --json

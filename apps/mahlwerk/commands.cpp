@@ -33,21 +33,17 @@ Option several_cases() {
 }
 
 Options changes() {
-  return {{.name = "--set",
-           .target = &Request::set,
-           .about = "change one value: --set mill.frequency=\"12 Hz\"; may be repeated",
-           .type = "KEY=VALUE"},
-          {.name = "--seed",
-           .target = &Request::seed,
-           .about = "seed of the random numbers, instead of the case's"}};
+  return {{"--set", &Request::set,
+           "change one value: --set mill.frequency=\"12 Hz\"; may be repeated", "KEY=VALUE"},
+          {"--seed", &Request::seed, "seed of the random numbers, instead of the case's"}};
 }
 
-Options running(std::string_view beside) {
+Options running(std::string_view suffix) {
   return {{.name = "--out",
            .target = &Request::out,
            .about = fmt::format(
-               "folder for the results (default: results/ and the name of the case{})", beside)},
-          {.name = "--force", .target = &Request::force, .about = "replace results that are there"},
+               "folder for the results (default: results/ and the name of the case{})", suffix)},
+          {"--force", &Request::force, "replace results that are there"},
           threads(),
           quiet()};
 }
@@ -60,12 +56,11 @@ Option threads() {
 }
 
 Option quiet() {
-  return {
-      .name = "--quiet", .target = &Request::quiet, .about = "no progress, no table: only errors"};
+  return {"--quiet", &Request::quiet, "no progress, no table: only errors"};
 }
 
 Option json() {
-  return {.name = "--json", .target = &Request::json, .about = "print JSON instead of a table"};
+  return {"--json", &Request::json, "print JSON instead of a table"};
 }
 
 Option checkpoint(std::string_view about) {

@@ -244,15 +244,13 @@ int papers(const Request& request) {
 }  // namespace
 
 Command papers_command() {
-  return {
-      "papers", "regenerate every figure of a paper and put its claims to the test",
-      joined({{{.name = "PAPER",
-                .target = &Request::target,
-                .about = "a folder of papers/, or any with a paper.toml (default: all papers)"}},
-              changes(),
-              running("; papers in results/papers"),
-              {kept_checkpoint(), json()}}),
-      papers};
+  return {"papers", "regenerate every figure of a paper and put its claims to the test",
+          joined({{{"PAPER", &Request::target,
+                    "a folder of papers/, or any with a paper.toml (default: all papers)"}},
+                  changes(),
+                  running("; papers in results/papers"),
+                  {kept_checkpoint(), json()}}),
+          papers};
 }
 
 }  // namespace mahlwerk::app

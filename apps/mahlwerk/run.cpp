@@ -181,9 +181,8 @@ Command run_command() {
               running(),
               {checkpoint("keep the state of the run every so many seconds, beside the results, "
                           "so that --resume can go on from there"),
-               {.name = "--resume",
-                .target = &Request::resume,
-                .about = "go on with a run that was ended, from its last kept state"},
+               {"--resume", &Request::resume,
+                "go on with a run that was ended, from its last kept state"},
                json()}}),
       run};
 }

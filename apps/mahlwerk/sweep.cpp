@@ -145,9 +145,7 @@ Options sharing() {
            .about = "what is kept of each run: all (default up to 1000 points), or its summary in "
                     "the store alone",
            .values = {"all", "summary"}},
-          {.name = "--shard",
-           .target = &Request::shard,
-           .about = "do only this part of the runs: 2/8 is the second of eight"},
+          {"--shard", &Request::shard, "do only this part of the runs: 2/8 is the second of eight"},
           {.name = "--slurm",
            .target = &Request::slurm,
            .about = "submit the campaign to Slurm as so many shards, and their merge",
@@ -165,18 +163,15 @@ std::vector<Command> parts() {
                       .target = &Request::target,
                       .about = "the campaign's folder",
                       .required = true};
-  return {
-      {"status", "how far a campaign is, and what failed", {folder, json()}, sweep_status},
-      {"export",
-       "the table of a campaign as CSV",
-       {folder,
-        {.name = "--out",
-         .target = &Request::out,
-         .about = "file to write (default: the terminal)"},
-        {.name = "--force", .target = &Request::force, .about = "replace the file if it is there"}},
-       sweep_export},
-      {"retry", "run what failed once more", {folder, threads(), quiet(), json()}, sweep_retry},
-      {"merge", "join the shards of a campaign", {folder, quiet(), json()}, sweep_merge}};
+  return {{"status", "how far a campaign is, and what failed", {folder, json()}, sweep_status},
+          {"export",
+           "the table of a campaign as CSV",
+           {folder,
+            {"--out", &Request::out, "file to write (default: the terminal)"},
+            {"--force", &Request::force, "replace the file if it is there"}},
+           sweep_export},
+          {"retry", "run what failed once more", {folder, threads(), quiet(), json()}, sweep_retry},
+          {"merge", "join the shards of a campaign", {folder, quiet(), json()}, sweep_merge}};
 }
 
 }  // namespace
