@@ -11,7 +11,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/powder/sample.hpp"
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 
 namespace mahlwerk::bench {
 namespace {

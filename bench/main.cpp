@@ -9,7 +9,7 @@
 
 #include "benchmarks.hpp"
 #include "crowd_run.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::bench {
 

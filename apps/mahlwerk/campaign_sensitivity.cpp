@@ -4,8 +4,9 @@
 // How much each key matters, where a campaign's design was made to tell.
 #include <cmath>
 
-#include "campaign_folder.hpp"
+#include "campaign_pages.hpp"
 #include "mahlwerk/campaign/sweep/sensitivity.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 
 namespace mahlwerk::app {
 namespace {

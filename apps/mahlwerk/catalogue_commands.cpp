@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <string>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -52,8 +52,6 @@ Json as_json(const cases::CatalogueEntry& entry) {
   if (!entry.jars.empty()) made["jars"] = entry.jars;
   return made;
 }
-
-}  // namespace
 
 int list(const Request& request) {
   const cases::Catalogue all = catalogue();
@@ -97,6 +95,31 @@ int describe(const Request& request) {
                           check.quantity, cases::derived(entry, check.quantity), check.expected,
                           100 * check.tolerance, check.source));
   return fine;
+}
+
+}  // namespace
+
+Command list_command() {
+  return {"list",
+          "list what the catalogue holds: mills, jars, materials or media",
+          {{.name = "ROOM",
+            .target = &Request::target,
+            .about = "mills, jars, materials or media (default: all)",
+            .offers = "mills jars materials media"},
+           json()},
+          list};
+}
+
+Command describe_command() {
+  return {"describe",
+          "show one catalogue entry: all values with units and sources",
+          {{.name = "NAME",
+            .target = &Request::target,
+            .about = "a name from 'mahlwerk list'",
+            .required = true,
+            .offers = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')"},
+           json()},
+          describe};
 }
 
 }  // namespace mahlwerk::app

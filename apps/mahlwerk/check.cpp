@@ -11,8 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "checked_points.hpp"
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
@@ -20,9 +19,10 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -60,7 +60,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const std::vector<cases::Override> set = overrides(request);
   Checked c;
   c.what = cases::read(file, known, set);
-  const CheckedPoints points(c.what, file, known, set);
+  const campaign::CheckedPoints points(c.what, file, known, set);
   c.points = points.size();
   c.bad_points = points.bad();
   c.engine = points.faults();
@@ -148,7 +148,7 @@ std::string verdict(const Checked& c) {
   if (c.engine.empty()) return "fine";
   if (c.bad_points == 0) return "this version cannot run it";
   return fmt::format("{} of {} points cannot be run", c.bad_points,
-                     std::min(c.points, CheckedPoints::most));
+                     std::min(c.points, campaign::CheckedPoints::most));
 }
 
 void print(const Checked& c, const std::filesystem::path& file) {
@@ -183,8 +183,6 @@ results::Json as_json(const Checked& c, const std::filesystem::path& file) {
                        {"runs", c.engine.empty()}});
 }
 
-}  // namespace
-
 int check(const Request& request) {
   const cases::Catalogue known = catalogue();
   results::Json json = results::Json::array();
@@ -204,6 +202,13 @@ int check(const Request& request) {
   if (!wrong.empty()) throw InputError(std::move(wrong));
   if (request.json) json_to_stdout(json);
   return runs ? fine : bad_input;
+}
+
+}  // namespace
+
+Command check_command() {
+  return {"check", "read a case without running it: its faults, or what follows from it",
+          joined({{several_cases()}, changes(), {json()}}), check};
 }
 
 }  // namespace mahlwerk::app

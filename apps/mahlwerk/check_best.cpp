@@ -58,7 +58,8 @@ void take(const campaign::Told& told, report::OptimumCheck& check) {
 
 }  // namespace
 
-std::optional<report::OptimumCheck> check_best(const Request& request, const SearchJob& job,
+std::optional<report::OptimumCheck> check_best(const Request& request,
+                                               const campaign::SearchJob& job,
                                                const campaign::Optimum& found,
                                                const KeptSearch& kept) {
   if (!found.best || !found.tried[*found.best].invalid()) return std::nullopt;

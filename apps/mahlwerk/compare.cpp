@@ -8,15 +8,15 @@
 
 #include <array>
 
-#include "commands.hpp"
+#include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -86,15 +86,13 @@ void tell(const report::Comparison& comparison, const fs::path& place, double se
   fmt::print("computed in {} s\n", two_digits(seconds));
 }
 
-}  // namespace
-
 int compare(const Request& request) {
   const fs::path file = one_case_file(request.target, "compare");
   const std::vector<cases::Case> cases = both(request, file);
   const fs::path usual = default_place(request.target, file, false).string() + "-compare";
   const fs::path place = request.out.value_or(usual);
   results::Folder folder(place, request.force);
-  Streams streams;
+  campaign::Streams streams(version());
   for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
 
   catch_ctrl_c();
@@ -106,6 +104,13 @@ int compare(const Request& request) {
   if (!request.json && !request.quiet)
     tell(comparison, folder.wanted(), outcomes.front().wall_seconds);
   return how_it_ended(outcomes);
+}
+
+}  // namespace
+
+Command compare_command() {
+  return {"compare", "run a case by both engines and show the results side by side",
+          joined({{one_case()}, changes(), running(", with -compare"), {json()}}), compare};
 }
 
 }  // namespace mahlwerk::app

@@ -2,45 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
-/// What stands after a command that is no option, where that is no file: words, or a command of the
-/// shell that prints them.
-std::string_view arguments(Takes takes) {
-  switch (takes) {
-    case Takes::room:
-      return "mills jars materials media ";
-    case Takes::name:
-      return "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}') ";
-    case Takes::shell:
-      return "bash zsh ";
-    default:
-      return "";
-  }
-}
-
-const Command* command_called(const std::string& path) {
-  const auto is = [&](const Command& c) {
-    return path == (c.of.empty() ? "" : std::string(c.of) + " ") + std::string(c.name);
-  };
-  const auto found = std::ranges::find_if(commands, is);
-  return found == commands.end() ? nullptr : &*found;
-}
-
-/// A branch of the script: what may stand after one command.
-std::string branch(const CommandWords& of) {
-  const Command* command = command_called(of.command);
-  const std::string_view said = command == nullptr ? "test bench " : arguments(command->takes);
-  const bool files = command != nullptr && said.empty();
-  return fmt::format("    '{}') words=\"{}{}\"{} ;;\n", of.command, said, fmt::join(of.words, " "),
-                     files ? " files=yes" : "");
+/// A branch of the script for what may stand after each command: its parts, its options, and what
+/// stands there without one.
+std::string branches(const std::string& path, const Command& command) {
+  std::vector<std::string> words;
+  std::string offers;
+  bool files = false;
+  for (const Command& part : command.parts) words.push_back(part.name);
+  words.push_back("--help");
+  for (const Option& option : command.options)
+    if (option.name.starts_with("-")) {
+      words.push_back(option.name);
+    } else {
+      offers = option.offers.empty() ? "" : option.offers + " ";
+      files = option.offers.empty();
+    }
+  for (std::string& word : words)  // "--jobs,--threads" are two
+    if (const auto comma = word.find(','); comma != std::string::npos) word[comma] = ' ';
+  std::string all = fmt::format("    '{}') words=\"{}{}\"{} ;;\n", path, offers,
+                                fmt::join(words, " "), files ? " files=yes" : "");
+  for (const Command& part : command.parts)
+    all += branches(fmt::format("{} {}", path, part.name), part);
+  return all;
 }
 
 constexpr std::string_view head =
@@ -62,17 +53,36 @@ constexpr std::string_view zsh =
     "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
     "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n";
 
-}  // namespace
-
 int completion(const Request& request) {
+  const std::vector<Command> all = commands();
   std::string parts = " ";  // " sweep status, sweep export,"
-  for (const Command& command : commands)
-    if (!command.of.empty()) parts += fmt::format("{} {}, ", command.of, command.name);
+  std::string names, below;
+  for (const Command& command : all) {
+    for (const Command& part : command.parts)
+      parts += fmt::format("{} {}, ", command.name, part.name);
+    names += command.name + " ";
+    below += branches(command.name, command);
+  }
   std::string script(head);
   script.replace(script.find("@PARTS@"), 7, parts);
-  for (const CommandWords& one : request.commands) script += branch(one);
+  // Two commands are the launcher's own.
+  script += fmt::format("    '') words=\"test bench {}--help --version\" ;;\n", names) + below;
   to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script + std::string(tail));
   return fine;
+}
+
+}  // namespace
+
+Command completion_command() {
+  return {"completion",
+          "print a completion script for your shell: bash or zsh",
+          {{.name = "SHELL",
+            .target = &Request::target,
+            .about = "bash or zsh",
+            .required = true,
+            .values = {"bash", "zsh"},
+            .offers = "bash zsh"}},
+          completion};
 }
 
 }  // namespace mahlwerk::app

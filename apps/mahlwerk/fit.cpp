@@ -9,120 +9,29 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "command.hpp"
+#include "compute.hpp"
 #include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/writer.hpp"
+#include "mahlwerk/results/files/writer.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Overrides = std::vector<cases::Override>;
-
-/// What [fit] leaves open, but for what the command line gives.
-std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
-                                   Overrides& anywhere) {
-  std::vector<std::string> held;
-  for (const auto& [key, range] : cases::fit_ranges(file))
-    if (std::ranges::find(set, key, &cases::Override::key) != set.end())
-      held.push_back(key);
-    else
-      anywhere.push_back({key, range[1]});  // so that the case can be read
-  return held;
-}
-
-/// Faults of a value that stands in for one to be found are told of [fit], too; those of a
-/// condition are the table's.
-std::vector<Fault> told_by(std::vector<Fault> faults, const Overrides& anywhere,
-                           const Overrides& condition, const std::string& data_file) {
-  const auto of = [](const Fault& fault, const Overrides& set) {
-    return std::ranges::any_of(
-        set, [&](const cases::Override& o) { return fault.where == "--set " + o.key; });
-  };
-  for (Fault& fault : faults)
-    if (of(fault, condition))
-      fault.where = fmt::format("{}, column {}", data_file, fault.where.substr(6));
-  std::vector<Fault> left = faults;
-  std::erase_if(left, [&](const Fault& fault) { return of(fault, anywhere); });
-  return left.empty() ? faults : left;
-}
-
-cases::Case read(const fs::path& file, const cases::Catalogue& known, const Overrides& set,
-                 const Overrides& anywhere, const Overrides& condition,
-                 const std::string& data_file) {
-  Overrides all = set;
-  all.insert(all.end(), anywhere.begin(), anywhere.end());
-  all.insert(all.end(), condition.begin(), condition.end());
-  try {
-    return cases::read(file, known, all);
-  } catch (const InputError& error) {
-    throw InputError(told_by(error.faults(), anywhere, condition, data_file));
-  }
-}
-
-/// The case under each condition; each asks for no more than its engine can do.
-std::vector<cases::Case> under_conditions(const FitJob& job, const fs::path& file,
-                                          const cases::Catalogue& known, const Overrides& set,
-                                          const Overrides& anywhere) {
-  std::vector<cases::Case> made;
-  std::vector<Fault> wrong;
-  const auto add = [&](const std::vector<Fault>& faults) {  // conditions may share them
-    for (const Fault& fault : faults)
-      if (std::ranges::none_of(wrong, [&](const Fault& other) {
-            return other.where == fault.where && other.what == fault.what;
-          }))
-        wrong.push_back(fault);
-  };
-  for (const Overrides& condition : job.data.conditions) try {
-      made.push_back(read(file, known, set, anywhere, condition, job.data_file));
-      add(campaign::run_faults(made.back()));
-    } catch (const InputError& error) {
-      add(error.faults());
-    }
-  if (!wrong.empty()) throw InputError(std::move(wrong));
-  return made;
-}
-
-FitJob prepare(const Request& request, const fs::path& file) {
-  const cases::Catalogue known = catalogue();
-  const Overrides set = overrides(request);
-  Overrides anywhere;
-  const std::vector<std::string> held = open_keys(file, set, anywhere);
-  FitJob job;
-  job.base = read(file, known, set, anywhere, {}, request.data);
-  job.data_file = request.data;
-  job.data = campaign::read_measurements(request.data);
-  if (!job.base.sweep.empty())
-    throw InputError(Fault{job.base.file, "the case has a [sweep], fit takes a single case",
-                           "take the section [sweep] away; columns of the data may change the case",
-                           "one-case"});
-  job.numbers = campaign::free_numbers(job.base, held);
-  if (auto wrong = campaign::fit_faults(job.base, job.data, job.numbers, job.data_file);
-      !wrong.empty())
-    throw InputError(std::move(wrong));
-  job.mills = under_conditions(job, file, known, set, anywhere);
-  campaign::fill_times(job.data, job.mills);
-  for (std::size_t i = 0; i < job.mills.size(); ++i)
-    job.mills[i] = campaign::for_fit(std::move(job.mills[i]), i, job.data, job.numbers);
-  return job;
-}
 
 /// Each mill, once; what it writes besides is not wanted.
-std::vector<results::Outcome> run_mills(const Request& request, const FitJob& job,
+std::vector<results::Outcome> run_mills(const Request& request, const campaign::FitJob& job,
                                         const results::Folder& folder) {
-  Streams streams;
+  campaign::Streams streams(version());
   for (const cases::Case& mill : job.mills) streams.add(mill, folder, "");
   return compute(request, job.mills, streams, nullptr);
 }
 
-campaign::Fit find(const Request& request, const FitJob& job,
+campaign::Fit find(const Request& request, const campaign::FitJob& job,
                    const std::vector<results::Outcome>& mills) {
   ProgressLine line(request.quiet);
   return campaign::fit(mills, job.data, job.numbers,
@@ -131,7 +40,7 @@ campaign::Fit find(const Request& request, const FitJob& job,
                         }});
 }
 
-void write(results::Folder& folder, const FitJob& job, const report::FitReport& found) {
+void write(results::Folder& folder, const campaign::FitJob& job, const report::FitReport& found) {
   folder.write("fit.json", fit_json(found, version()).text(2) + '\n');
   folder.write("fit.csv", report::fit_csv(found));
   folder.write("fit.html", report::fit_page(found, version()));
@@ -164,11 +73,10 @@ int cut_short(const std::vector<results::Outcome>& mills) {
   return tell_interrupted();
 }
 
-}  // namespace
-
 int fit(const Request& request) {
   const fs::path file = one_case_file(request.target, "fit");
-  const FitJob job = prepare(request, file);
+  const campaign::FitJob job =
+      campaign::fit_job(file, request.data, catalogue(), overrides(request));
   const fs::path usual = default_place(request.target, file, false).string() + "-fit";
   results::Folder folder(request.out.value_or(usual), request.force);
 
@@ -185,6 +93,21 @@ int fit(const Request& request) {
     return tell_interrupted();
   }
   return fine;
+}
+
+}  // namespace
+
+Command fit_command() {
+  return {"fit", "find numbers of a case from what was measured of the powder, with intervals",
+          joined({{one_case(),
+                   {.name = "DATA",
+                    .target = &Request::data,
+                    .about = "a table of measurements: CSV, see docs/formats.md",
+                    .required = true}},
+                  changes(),
+                  running(", with -fit"),
+                  {json()}}),
+          fit};
 }
 
 }  // namespace mahlwerk::app

@@ -9,8 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/files/json.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -103,7 +102,8 @@ Asked ask(const std::vector<Measurement>& data) {
   return asked;
 }
 
-std::vector<FitCurve> curves(const FitJob& job, const std::vector<results::Outcome>& mills,
+std::vector<FitCurve> curves(const campaign::FitJob& job,
+                             const std::vector<results::Outcome>& mills,
                              const campaign::Fitted& found) {
   Asked asked = ask(job.data.values);
   std::vector<double> values;
@@ -134,7 +134,7 @@ FitPoint point(const Measurement& m, double predicted) {
 
 }  // namespace
 
-FitReport fit_report(const FitJob& job, const std::vector<results::Outcome>& mills,
+FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Outcome>& mills,
                      const campaign::Fit& fit) {
   FitReport made{.title = job.base.title,
                  .case_file = job.base.file,
@@ -192,7 +192,7 @@ results::Json fit_json(const FitReport& fit, std::string_view version) {
                        {"notices", results::notices_json(fit.notices)}});
 }
 
-cases::Case fitted_case(const FitJob& job, const FitReport& fit) {
+cases::Case fitted_case(const campaign::FitJob& job, const FitReport& fit) {
   cases::Case what = job.base;
   what.fit.clear();
   for (const FitNumber& n : fit.numbers) {

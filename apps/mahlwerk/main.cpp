@@ -9,7 +9,7 @@
 #include <span>
 #include <system_error>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "messages.hpp"
@@ -27,159 +27,94 @@ cases::Override override_of(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-/// What a command writes beside results/NAME.
-std::string_view beside(Takes takes) {
-  switch (takes) {
-    case Takes::compare:
-      return ", with -compare";
-    case Takes::fit:
-      return ", with -fit";
-    case Takes::search:
-      return ", with -optimise";
-    case Takes::match:
-      return " of mill B, with -match";
-    case Takes::papers:
-      return "; papers in results/papers";
-    default:
-      return "";
+/// What there is to be said of a number of seconds; empty if it is one.
+std::string no_seconds(const std::string& text) {
+  double seconds = 0;
+  if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
+  return "'" + text + "' is no number of seconds above 0; write for instance --checkpoint 60";
+}
+
+/// Command lines read by what each command says of its options.
+class CommandLine {
+ public:
+  explicit CommandLine(const std::vector<Command>& all) {
+    app_.name("mahlwerk");
+    app_.set_version_flag("--version", "mahlwerk " + std::string(version()));
+    app_.require_subcommand(1);
+    app_.footer(
+        "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 output "
+        "lost, 130 interrupted.");
+    for (const Command& command : all) add(app_, command);
   }
-}
 
-/// The case, or cases, that a command is about.
-void add_target(CLI::App& sub, const Command& command, Request& request) {
-  if (command.takes == Takes::match) {
-    sub.add_option("CASE", request.target,
-                   "the mill A that is to be matched: a case file or folder")
-        ->required();
-    sub.add_option("--in", request.data,
-                   "the mill B whose settings are looked for: a case with [match]")
-        ->type_name("CASE")
-        ->required();
-    return;
+  /// Fills the request; nothing where the program is to end with `ended`.
+  const Command* parse(int argc, char** argv) try {
+    app_.parse(argc, argv);
+    if (!chosen_->parts.empty() && request_.target.empty())
+      throw InputError(Fault{
+          "mahlwerk " + chosen_->name, "no case is named",
+          fmt::format("write mahlwerk {0} case.toml, or see mahlwerk {0} --help", chosen_->name),
+          "no-such-case"});
+    for (const std::string& one : set_) request_.set.push_back(override_of(one));
+    return chosen_;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0 && json_messages())
+      ended = tell_end(bad_input,
+                       {Fault{"mahlwerk", e.what(), "see mahlwerk --help", "bad-command-line"}});
+    else
+      ended = app_.exit(e) == 0 ? fine : bad_input;
+    return nullptr;
   }
-  if (command.takes == Takes::papers) {
-    sub.add_option("PAPER", request.target,
-                   "a folder of papers/, or any with a paper.toml (default: all papers)");
-    return;
+
+  const Request& request() const { return request_; }
+  int ended = fine;
+
+ private:
+  void add(CLI::App& above, const Command& command) {
+    CLI::App* sub = above.add_subcommand(command.name, command.about);
+    for (const Option& option : command.options) add(*sub, option);
+    for (const Command& part : command.parts) add(*sub, part);
+    sub->callback([this, &command] {  // after those of its parts
+      const auto chosen = [this](const Command& part) { return &part == chosen_; };
+      if (std::ranges::none_of(command.parts, chosen)) chosen_ = &command;
+    });
   }
-  const bool one = command.takes == Takes::compare || command.takes == Takes::fit ||
-                   command.takes == Takes::sweep || command.takes == Takes::search;
-  auto* target = sub.add_option("CASE", request.target,
-                                one ? "a case file, or a folder with one case"
-                                    : "a case file, or a folder with a case.toml or several cases");
-  if (command.takes != Takes::sweep) target->required();  // else a part of it may be meant
-}
 
-void add_case_options(CLI::App& sub, const Command& command, Request& request,
-                      std::vector<std::string>& set) {
-  add_target(sub, command, request);
-  if (command.takes == Takes::fit)
-    sub.add_option("DATA", request.data, "a table of measurements: CSV, see docs/formats.md")
-        ->required();
-  sub.add_option("--set", set, "change one value: --set mill.frequency=\"12 Hz\"; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  sub.add_option("--seed", request.seed, "seed of the random numbers, instead of the case's");
-}
-
-void add_run_options(CLI::App& sub, const Command& command, Request& request) {
-  sub.add_option(
-      "--out", request.out,
-      fmt::format("folder for the results (default: results/ and the name of the case{})",
-                  beside(command.takes)));
-  sub.add_flag("--force", request.force, "replace results that are there");
-  sub.add_option("--jobs,--threads", request.threads,
-                 "how many replicates run at a time (default: all cores)")
-      ->check(CLI::Range(1, 4096));
-  sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
-}
-
-void add_checkpoint_options(CLI::App& sub, const Command& command, Request& request) {
-  const bool always = command.takes == Takes::papers || command.takes == Takes::match;
-  sub.add_option("--checkpoint", request.checkpoint,
-                 always
-                     ? "keep the states of runs every so many seconds, for the same command to go "
-                       "on from (default 1)"
-                     : "keep the state of the run every so many seconds, beside the results, so "
-                       "that --resume can go on from there")
-      ->type_name("SECONDS")
-      ->check([](const std::string& text) -> std::string {
-        double seconds = 0;
-        if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
-        return "'" + text + "' is no number of seconds above 0; write for instance --checkpoint 60";
-      });
-  if (always) return;  // it goes on unasked
-  sub.add_flag("--resume", request.resume,
-               "go on with a run that was ended, from its last kept state");
-}
-
-void add_campaign_options(CLI::App& sub, const Command& command, Request& request) {
-  sub.add_option("FOLDER", request.target, "the campaign's folder")->required();
-  if (command.name == "export") {
-    sub.add_option("--out", request.out, "file to write (default: the terminal)");
-    sub.add_flag("--force", request.force, "replace the file if it is there");
+  void add(CLI::App& sub, const Option& option) {
+    CLI::Option* made =
+        std::visit([&](auto member) { return add(sub, option, member); }, option.target);
+    made->required(option.required);
+    if (!option.type.empty()) made->type_name(option.type);
+    if (option.range[1] > 0) made->check(CLI::Range(option.range[0], option.range[1]));
+    if (!option.values.empty()) made->check(CLI::IsMember(option.values));
+    if (!option.excludes.empty()) made->excludes(sub.get_option(option.excludes));
+    if (!option.needs.empty()) made->needs(sub.get_option(option.needs));
   }
-  if (command.name == "retry")
-    sub.add_option("--jobs,--threads", request.threads,
-                   "how many replicates run at a time (default: all cores)")
-        ->check(CLI::Range(1, 4096));
-  if (command.name == "retry" || command.name == "merge")
-    sub.add_flag("--quiet", request.quiet, "no progress, no table: only errors");
-}
 
-void add_sweep_options(CLI::App& sub, Request& request) {
-  sub.add_option("--results", request.results,
-                 "what is kept of each run: all (default up to 1000 points), or its summary in the "
-                 "store alone")
-      ->check(CLI::IsMember({"all", "summary"}));
-  auto* shard = sub.add_option("--shard", request.shard,
-                               "do only this part of the runs: 2/8 is the second of eight");
-  auto* slurm = sub.add_option("--slurm", request.slurm,
-                               "submit the campaign to Slurm as so many shards, and their merge")
-                    ->type_name("SHARDS")
-                    ->check(CLI::Range(1, 10'000));
-  slurm->excludes(shard);
-  sub.add_option("--slurm-option", request.slurm_options,
-                 "a line for sbatch: --slurm-option partition=long; may be repeated")
-      ->allow_extra_args(false)
-      ->needs(slurm);
-}
+  CLI::Option* add(CLI::App& sub, const Option& option, bool Request::*flag) {
+    return sub.add_flag(option.name, request_.*flag, option.about);
+  }
+  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<cases::Override> Request::*) {
+    return sub.add_option(option.name, set_, option.about)->allow_extra_args(false);
+  }
+  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<std::string> Request::*list) {
+    return sub.add_option(option.name, request_.*list, option.about)->allow_extra_args(false);
+  }
+  CLI::Option* add(CLI::App& sub, const Option& option, std::optional<double> Request::*seconds) {
+    return sub.add_option(option.name, request_.*seconds, option.about)->check(no_seconds);
+  }
+  template <class Value>
+  CLI::Option* add(CLI::App& sub, const Option& option, Value Request::*value) {
+    return sub.add_option(option.name, request_.*value, option.about);
+  }
 
-void add_options(CLI::App& sub, const Command& command, Request& request,
-                 std::vector<std::string>& set) {
-  const bool runs = command.takes == Takes::run || command.takes == Takes::sweep ||
-                    command.takes == Takes::compare || command.takes == Takes::fit ||
-                    command.takes == Takes::search || command.takes == Takes::match ||
-                    command.takes == Takes::papers;
-  if (runs || command.takes == Takes::case_file) add_case_options(sub, command, request, set);
-  if (runs) add_run_options(sub, command, request);
-  if (command.takes == Takes::run || command.takes == Takes::papers ||
-      command.takes == Takes::match)
-    add_checkpoint_options(sub, command, request);
-  if (command.takes == Takes::sweep) add_sweep_options(sub, request);
-  if (command.takes == Takes::campaign) add_campaign_options(sub, command, request);
-  if (command.takes == Takes::room)
-    sub.add_option("ROOM", request.target, "mills, jars, materials or media (default: all)");
-  if (command.takes == Takes::name)
-    sub.add_option("NAME", request.target, "a name from 'mahlwerk list'")->required();
-  if (command.takes == Takes::shell)
-    sub.add_option("SHELL", request.target, "bash or zsh")
-        ->required()
-        ->check(CLI::IsMember({"bash", "zsh"}));
-  if (command.takes != Takes::shell && command.name != "export")
-    sub.add_flag("--json", request.json, "print JSON instead of a table");
-}
-
-/// Adds what may be typed after each command, and after its parts.
-void add_words(const CLI::App& app, const std::string& command, std::vector<CommandWords>& all) {
-  CommandWords one{command, {}};
-  for (const CLI::App* part : app.get_subcommands({})) one.words.push_back(part->get_name());
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) one.words.push_back("--" + name);
-  all.push_back(std::move(one));
-  for (const CLI::App* part : app.get_subcommands({}))
-    add_words(*part, command + (command.empty() ? "" : " ") + part->get_name(), all);
-}
+  CLI::App app_{
+      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
+      "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
+  Request request_;
+  std::vector<std::string> set_;
+  const Command* chosen_ = nullptr;
+};
 
 /// Words that users of other programs type.
 constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", "run"},
@@ -192,10 +127,9 @@ constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", 
                                                                    {"campaign", "sweep"}}};
 
 /// Refuses a first word that is no command, with the one that was most likely meant.
-void check_command(std::string_view word) {
+void check_command(std::string_view word, const std::vector<Command>& all) {
   std::vector<std::string> known;
-  for (const Command& command : commands)
-    if (command.of.empty()) known.emplace_back(command.name);
+  for (const Command& command : all) known.push_back(command.name);
   if (word.starts_with("-") || std::ranges::find(known, word) != known.end()) return;
   std::string meant = nearest_word(word, known);
   for (const auto& [other, ours] : synonyms)
@@ -207,41 +141,11 @@ void check_command(std::string_view word) {
 }
 
 int perform(int argc, char** argv) {
-  if (argc > 1) check_command(argv[1]);
-  CLI::App app{
-      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
-      "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
-  app.name("mahlwerk");
-  app.set_version_flag("--version", "mahlwerk " + std::string(version()));
-  app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 output "
-      "lost, 130 interrupted.");
-  Request request;
-  std::vector<std::string> set;
-  const Command* chosen = nullptr;
-  for (const Command& command : commands) {
-    CLI::App* above = command.of.empty() ? &app : app.get_subcommand(std::string(command.of));
-    CLI::App* sub = above->add_subcommand(std::string(command.name), std::string(command.about));
-    add_options(*sub, command, request, set);
-    sub->callback([&chosen, &command] {
-      if (chosen == nullptr || chosen->of != command.name) chosen = &command;
-    });
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0 || !json_messages()) return app.exit(e) == 0 ? fine : bad_input;
-    return tell_end(bad_input,
-                    {Fault{"mahlwerk", e.what(), "see mahlwerk --help", "bad-command-line"}});
-  }
-  if (chosen->takes == Takes::sweep && request.target.empty())
-    throw InputError(Fault{"mahlwerk sweep", "no case is named",
-                           "write mahlwerk sweep case.toml, or see mahlwerk sweep --help",
-                           "no-such-case"});
-  for (const std::string& one : set) request.set.push_back(override_of(one));
-  if (chosen->takes == Takes::shell) add_words(app, "", request.commands);
-  return chosen->perform(request);
+  const std::vector<Command> all = commands();
+  if (argc > 1) check_command(argv[1], all);
+  CommandLine line(all);
+  const Command* command = line.parse(argc, argv);
+  return command == nullptr ? line.ended : command->perform(line.request());
 }
 
 /// The command, and how it ended: whatever goes wrong is said.

@@ -9,16 +9,17 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/match.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/writer.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/files/writer.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "searching.hpp"
@@ -50,10 +51,10 @@ cases::Case without_streams(cases::Case what) {
 
 /// One case, to its end. Throws Interrupted, or RunError where it does not get there.
 results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
-                       const results::Folder& folder, KeptRuns& kept) {
-  Streams none;
+                       const results::Folder& folder, campaign::KeptRuns& kept) {
+  campaign::Streams none(version());
   none.add(what, folder, "");
-  const results::Outcome outcome = kept.compute(request, {what}, none).front();
+  const results::Outcome outcome = compute(request, {what}, none, kept).front();
   if (stop_wanted()) throw Interrupted();
   for (const results::Replicate& r : outcome.replicates)
     if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));
@@ -69,10 +70,10 @@ cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
   return like;
 }
 
-SearchJob search_job(const MatchJob& job) {
+campaign::SearchJob search_job(const MatchJob& job) {
   const cases::Case& base = job.runs->base();
   const campaign::TrialRuns& runs = *job.runs;
-  SearchJob made{
+  campaign::SearchJob made{
       .runs = &runs,
       .goal = {.keys = runs.over().size(),
                .maximise = false,
@@ -164,7 +165,7 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   job.mark = campaign::mill_mark(a, job.by_powder);
   if (job.mark.replicates.empty())
     throw RunError("mill A has no collisions: there is nothing that B could be like");
-  SearchJob search = search_job(job);
+  campaign::SearchJob search = search_job(job);
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
@@ -191,8 +192,6 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   return made;
 }
 
-}  // namespace
-
 int match(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<cases::Override> set = overrides(request);
@@ -204,7 +203,7 @@ int match(const Request& request) {
                            "say what may be changed in it: [match] with over = { \"mill.speed\" = "
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
-  check_keys(what, what.match->over, "[match]");
+  campaign::check_keys(what, what.match->over, "[match]");
   const campaign::TrialRuns runs(file_b, known, set, cases::Giver::match);
   MatchJob job{.like = without_streams(read_like(file_a, known)),
                .runs = &runs,
@@ -229,6 +228,25 @@ int match(const Request& request) {
   } catch (const Interrupted&) {
     return kept.tell_interrupted();
   }
+}
+
+}  // namespace
+
+Command match_command() {
+  return {"match", "find the settings of one mill that do to the powder what another mill does",
+          joined({{{.name = "CASE",
+                    .target = &Request::target,
+                    .about = "the mill A that is to be matched: a case file or folder",
+                    .required = true},
+                   {.name = "--in",
+                    .target = &Request::data,
+                    .about = "the mill B whose settings are looked for: a case with [match]",
+                    .type = "CASE",
+                    .required = true}},
+                  changes(),
+                  running(" of mill B, with -match"),
+                  {kept_checkpoint(), json()}}),
+          match};
 }
 
 }  // namespace mahlwerk::app

@@ -9,7 +9,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/printable.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::app {
 namespace {

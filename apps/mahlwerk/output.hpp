@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 // What is printed on stdout arrives, or its loss is an error with an exit code of its own.
 namespace mahlwerk::app {

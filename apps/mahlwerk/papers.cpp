@@ -8,8 +8,8 @@
 #include <chrono>
 #include <map>
 
-#include "commands.hpp"
-#include "kept_runs.hpp"
+#include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
@@ -17,9 +17,8 @@
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -102,10 +101,10 @@ report::Campaign numbers_of(const cases::Case& what,
     report::add(made,
                 {.number = i + 1,
                  .values = campaign::said(plan, i, own),
-                 .regime = results::regime(outcome),
+                 .regime = outcome.summary.regime,
                  .warnings = results::warning_codes(outcome.notices),
                  .folder = fmt::format("point-{:03}/", i + 1)},
-                results::summarise(outcome));
+                outcome.summary.quantities);
   }
   for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
   results::sort(made.notices);
@@ -137,9 +136,9 @@ class Shared {
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const PaperJob& job,
-                                                   KeptRuns& kept) {
+                                                   campaign::KeptRuns& kept) {
   Shared shared;
-  Streams streams;
+  campaign::Streams streams(version());
   std::map<std::string, std::vector<std::size_t>> at;
   for (const auto& [name, points] : job.points)
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -147,7 +146,7 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
       at[name].push_back(shared.add(points[i]));
       if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  const std::vector<results::Outcome> outcomes = kept.compute(request, shared.points, streams);
+  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, kept);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -205,8 +204,6 @@ results::Json as_json(const PaperJob& job, const report::PaperResult& result) {
                        {"notices", results::notices_json(result.notices)}});
 }
 
-}  // namespace
-
 int papers(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> places = folders(request.target);
@@ -218,7 +215,7 @@ int papers(const Request& request) {
   results::Json list = results::Json::array();
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
-    KeptRuns kept(job.folder->wanted());
+    campaign::KeptRuns kept(job.folder->wanted());
     const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);
     if (stop_wanted()) {
       ended = interrupted;
@@ -242,6 +239,18 @@ int papers(const Request& request) {
   }
   if (request.json) json_to_stdout(list);
   return ended;
+}
+
+}  // namespace
+
+Command papers_command() {
+  return {"papers", "regenerate every figure of a paper and put its claims to the test",
+          joined({{{"PAPER", &Request::target,
+                    "a folder of papers/, or any with a paper.toml (default: all papers)"}},
+                  changes(),
+                  running("; papers in results/papers"),
+                  {kept_checkpoint(), json()}}),
+          papers};
 }
 
 }  // namespace mahlwerk::app

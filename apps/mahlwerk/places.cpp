@@ -46,15 +46,6 @@ std::vector<fs::path> case_files(const std::string& target) {
   return found;
 }
 
-void make_folder(const fs::path& place) {
-  std::error_code failed;
-  fs::create_directories(place, failed);
-  if (failed)
-    throw InputError(Fault{place.string(), "cannot be written: " + failed.message(),
-                           "check that you may write there, or give another folder with --out",
-                           "cannot-write"});
-}
-
 fs::path one_case_file(const std::string& target, std::string_view command) {
   const std::vector<fs::path> files = case_files(target);
   if (files.size() == 1) return files.front();

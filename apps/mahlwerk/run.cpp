@@ -12,20 +12,20 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
+#include "command.hpp"
+#include "compute.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/json_value.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "streams.hpp"
+#include "sweep_case.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -67,13 +67,12 @@ std::string uncalibrated(const cases::Case& what) {
 
 void tell(const RunJob& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
-                        report::table(results::summarise(outcome), job.what.observe.threshold)));
+                        report::table(outcome.summary.quantities, job.what.observe.threshold)));
   to_stdout(report::states_table(outcome));
-  const std::string pairs =
-      report::pair_table(results::by_pair(outcome), job.what.observe.threshold);
+  const std::string pairs = report::pair_table(outcome.summary.pairs, job.what.observe.threshold);
   if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));
-  if (const std::string regime = results::regime(outcome); !regime.empty())
-    to_stdout(fmt::format("{}: {}\n\n", regime, results::regime_reason(outcome)));
+  if (const std::string& regime = outcome.summary.regime; !regime.empty())
+    to_stdout(fmt::format("{}: {}\n\n", regime, outcome.summary.regime_reason));
   to_stdout(fmt::format("{}", uncalibrated(job.what)));
   for (const Notice& one : outcome.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
@@ -137,7 +136,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
 int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const auto kept = checkpoint(request, jobs);
   std::vector<cases::Case> points;
-  Streams streams;
+  campaign::Streams streams(version());
   for (const RunJob& job : jobs) {
     points.push_back(job.what);
     streams.add(job.what, *job.folder, "");
@@ -160,8 +159,6 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   return ended;
 }
 
-}  // namespace
-
 int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
@@ -172,6 +169,22 @@ int run(const Request& request) {
     worst = std::max<int>(worst, sweep_case(request, job.file, overrides(request), job.place));
   }
   return worst;
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      "run", "run a case, or every case of a folder, and write its results",
+      joined({{several_cases()},
+              changes(),
+              running(),
+              {checkpoint("keep the state of the run every so many seconds, beside the results, "
+                          "so that --resume can go on from there"),
+               {"--resume", &Request::resume,
+                "go on with a run that was ended, from its last kept state"},
+               json()}}),
+      run};
 }
 
 }  // namespace mahlwerk::app

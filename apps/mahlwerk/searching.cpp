@@ -12,7 +12,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 
@@ -36,7 +36,8 @@ double number_of(const std::string& text, const std::string& unit) {
   return parse_quantity(text).value / one;
 }
 
-report::OptimumKey key_of(const SearchJob& job, const campaign::Optimum& found, std::size_t key) {
+report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimum& found,
+                          std::size_t key) {
   const cases::SweptKey& range = job.runs->over()[key];
   const campaign::KeyOptimum& k = found.keys[key];
   constexpr int digits = 4;
@@ -68,7 +69,7 @@ report::OptimumKey key_of(const SearchJob& job, const campaign::Optimum& found, 
   return made;
 }
 
-report::OptimumSetting setting_of(const SearchJob& job, const campaign::Tried& tried) {
+report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign::Tried& tried) {
   report::OptimumSetting made{.values = job.runs->values(tried.place),
                               .round = tried.round,
                               .replicates = static_cast<int>(tried.replicates.size()),
@@ -88,7 +89,7 @@ report::OptimumSetting setting_of(const SearchJob& job, const campaign::Tried& t
   return made;
 }
 
-std::string ended(const SearchJob& job, const campaign::Optimum& found) {
+std::string ended(const campaign::SearchJob& job, const campaign::Optimum& found) {
   switch (found.ended) {
     case campaign::Ended::settings:
       return fmt::format("The search ended because {} settings were tried, as many as allowed",
@@ -118,22 +119,6 @@ Json check_json(const report::OptimumReport& found) {
 }
 
 }  // namespace
-
-void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
-                std::string_view section) {
-  constexpr std::size_t most = 8;
-  std::vector<Fault> wrong;
-  if (over.size() > most)
-    wrong.push_back(
-        {fmt::format("{}: {}", what.file, section),
-         fmt::format("{} keys are too many to look for a best setting over", over.size()),
-         fmt::format("give at most {}; design = \"morris\" tells which matter", most),
-         "too-many-keys"});
-  if (!what.sweep.empty())
-    wrong.push_back({what.file, "the case has a [sweep] beside " + std::string(section),
-                     "take the section [sweep] away", "one-case"});
-  if (!wrong.empty()) throw InputError(std::move(wrong));
-}
 
 KeptSearch::KeptSearch(const std::filesystem::path& results)
     : runs_(results), trials_(runs_.place() / "trials.sqlite") {}
@@ -175,7 +160,8 @@ void KeptSearch::remove() {
   runs_.remove();
 }
 
-campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept) {
+campaign::Optimum look(const Request& request, const campaign::SearchJob& job,
+                       const KeptSearch& kept) {
   ProgressLine line(request.quiet);
   campaign::Options options;
   options.threads = request.threads;
@@ -195,8 +181,8 @@ campaign::Optimum look(const Request& request, const SearchJob& job, const KeptS
   return found;
 }
 
-report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found) {
-  const Judged& best = job.outcomes.front();
+report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found) {
+  const campaign::Judged& best = job.outcomes.front();
   report::OptimumReport made{.title = job.runs->base().title,
                              .case_file = job.runs->base().file,
                              .quantity = best.name,

@@ -7,27 +7,13 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "kept_runs.hpp"
-#include "mahlwerk/campaign/search/trial_runs.hpp"
+#include "mahlwerk/campaign/run/kept_runs.hpp"
+#include "mahlwerk/campaign/search/search_job.hpp"
 #include "mahlwerk/report/optimum.hpp"
-#include "mahlwerk/results/json_value.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 // What optimise and match share: settings are looked for, and told.
 namespace mahlwerk::app {
-
-/// An outcome that settings are judged by.
-struct Judged {
-  std::string name, unit, about;  ///< as in summary.json
-};
-
-struct SearchJob {
-  const campaign::TrialRuns* runs = nullptr;
-  campaign::Goal goal;
-  std::vector<Judged> outcomes;      ///< what is to be best, then what is limited
-  std::vector<cases::Limit> limits;  ///< of the latter
-  campaign::TrialRuns::Measure measure;
-  std::string measure_name = {};  ///< tells it apart from others
-};
 
 /// What a search keeps beside its results until these are written: what it was told, and states of
 /// runs. It is this process's alone; where nothing was kept, nothing stays.
@@ -39,7 +25,7 @@ class KeptSearch {
   KeptSearch(const KeptSearch&) = delete;
   KeptSearch& operator=(const KeptSearch&) = delete;
 
-  KeptRuns& runs() { return runs_; }
+  campaign::KeptRuns& runs() { return runs_; }
   const std::filesystem::path& trials() const { return trials_; }
   int tell_interrupted() const;  ///< what is kept; the exit code
   void remove();                 ///< the results have been written
@@ -48,25 +34,23 @@ class KeptSearch {
   bool has_trials() const;
   bool has_states() const;
 
-  KeptRuns runs_;
+  campaign::KeptRuns runs_;
   std::filesystem::path trials_;
   bool removed_ = false;
 };
 
-/// Throws InputError if there are more keys than can be looked over, or the case has a [sweep].
-void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
-                std::string_view section);
-
 /// Looks for the best settings. Throws Interrupted.
-campaign::Optimum look(const Request& request, const SearchJob& job, const KeptSearch& kept);
+campaign::Optimum look(const Request& request, const campaign::SearchJob& job,
+                       const KeptSearch& kept);
 
 /// Runs the best setting by the soft engine where its own runs are invalid, unless that takes too
 /// long. Throws Interrupted.
-std::optional<report::OptimumCheck> check_best(const Request& request, const SearchJob& job,
+std::optional<report::OptimumCheck> check_best(const Request& request,
+                                               const campaign::SearchJob& job,
                                                const campaign::Optimum& found,
                                                const KeptSearch& kept);
 
-report::OptimumReport report_of(const SearchJob& job, const campaign::Optimum& found);
+report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found);
 results::Json optimum_json(const report::OptimumReport& found, std::string_view version);
 
 }  // namespace mahlwerk::app

@@ -10,12 +10,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "campaign_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/printable.hpp"
-#include "mahlwerk/results/folder.hpp"
-#include "mahlwerk/results/manifest.hpp"
-#include "mahlwerk/results/ownership.hpp"
+#include "mahlwerk/campaign/sweep/campaign_folder.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
+#include "mahlwerk/results/files/ownership.hpp"
 #include "messages.hpp"
 
 namespace mahlwerk::app {
@@ -118,7 +118,7 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
 int submit_to_slurm(const Request& request, const fs::path& case_file, const fs::path& place) {
   const fs::path script = place / "campaign.slurm";
   const std::string text = slurm_script(request, case_file, place);
-  prepare_place(place);
+  campaign::prepare_place(place);
   results::list_campaign_files(place);
   results::list_files(place, {script.filename().string()});
   results::write_text(script, text);

@@ -1,162 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// sweep: the campaign of a case with [sweep], in its folder, again and again until all is done.
+// sweep: the campaign of a case with [sweep]; how far it is, as a table, what failed, its shards.
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 
-#include "campaign_folder.hpp"
+#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/notices.hpp"
-#include "mahlwerk/results/csv.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "messages.hpp"
 #include "output.hpp"
-#include "progress.hpp"
 #include "slurm.hpp"
+#include "sweep_case.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// "2/8" is the second of eight.
-Shard shard_of(const std::string& text) {
-  Shard shard;
-  if (text.empty()) return shard;
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, shard.number);
-  const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
-  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
-  const bool sound = slash && second.ec == std::errc{} && second.ptr == end && shard.of >= 1 &&
-                     shard.of <= 100'000 && shard.number >= 1 && shard.number <= shard.of;
-  if (!sound)
-    throw InputError(Fault{"--shard " + text, "this is no part of a whole",
-                           "write --shard 1/4 for the first of four", "bad-shard"});
-  return shard;
-}
-
-cases::Case swept_case(const fs::path& file, const std::vector<cases::Override>& set) {
-  cases::Case what = cases::read(file, catalogue(), set);
-  if (what.sweep.empty())
-    throw InputError(Fault{file.generic_string(), "the case has no [sweep]: nothing varies",
-                           "add for instance [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
-                           "rpm\"] below it, or use `mahlwerk run`",
-                           "no-sweep"});
-  return what;
-}
-
-std::string counted(std::size_t n, std::string_view what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
-
-void print_json(const campaign::Store& store, const fs::path& place, const Worked* worked) {
-  const campaign::Counts counts = store.counts();
-  results::Json said = results::Json::object({{"results", place.string()},
-                                              {"points", counts.points},
-                                              {"done", counts.done},
-                                              {"failed", counts.failed},
-                                              {"waiting", counts.waiting},
-                                              {"notices", results::notices_json(store.notices())}});
-  if (worked != nullptr) said["seconds"] = worked->seconds;
-  json_to_stdout(said);
-}
-
-std::string table_with_warnings(const report::Campaign& campaign) {
-  const std::string warned =
-      report::notice_lines(campaign.notices, campaign.points.size(), "point");
-  return report::campaign_table(campaign) + '\n' + warned + (warned.empty() ? "" : "\n");
-}
-
-/// What there is to say once the work has ended.
-void tell(const CampaignFolder& folder, const campaign::Counts& counts,
-          const report::Campaign& campaign, const Worked& worked) {
-  to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
-  const fs::path& place = folder.place();
-  fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
-             (place / "campaign.html").string(), (place / "campaign.csv").string(),
-             (place / "campaign.sqlite").string());
-  if (worked.there > 0) fmt::print("{} had been run before\n", counted(worked.there, "run"));
-  fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
-  if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
-  fmt::print("\n");
-}
-
-int ending(const Request& request, const Worked& worked, const campaign::Counts& counts,
-           const fs::path& place) {
-  const bool talks = !request.quiet || request.json;
-  if (worked.interrupted) {
-    const std::string kept =
-        fmt::format("{} of {} runs are done and kept; the same command goes on", counts.done,
-                    counts.done + counts.failed + counts.waiting);
-    if (talks)
-      tell_end(interrupted, "interrupted: " + kept,
-               {Fault{"", "interrupted", kept, "interrupted"}});
-    return interrupted;
-  }
-  if (counts.failed == 0) return fine;
-  const std::string failed = counted(counts.failed, "run") + " failed",
-                    word = shell_word(place.string()),
-                    remedy = fmt::format(
-                        "`mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries them "
-                        "again",
-                        word, word);
-  if (talks)
-    tell_end(stopped_by_physics, failed + ": " + remedy,
-             {Fault{place.string(), failed, remedy, "runs-failed"}});
-  return stopped_by_physics;
-}
-
-/// A shard does its part and says so; its numbers are told once all are joined.
-int end_shard(const Request& request, CampaignFolder& folder, const Shard& shard,
-              const Worked& worked) {
-  const campaign::Counts counts = folder.store().counts();
-  if (!request.quiet && !request.json)
-    to_stdout(
-        fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
-                    "mahlwerk sweep merge {}\n",
-                    shard.number, shard.of, worked.done, worked.failed, worked.there,
-                    worked.seconds, shell_word(folder.place().string())));
-  if (request.json) print_json(folder.store(), folder.place(), &worked);
-  return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
-}
-
-}  // namespace
-
-int sweep_case(const Request& request, const fs::path& file,
-               const std::vector<cases::Override>& set, const fs::path& place) {
-  const Shard shard = shard_of(request.shard);
-  if (!shard.whole() && request.force)
-    throw InputError(Fault{"--force", "a shard cannot replace what others may be at work on",
-                           "take the folder away before the first shard starts", "bad-shard"});
-  const cases::Case what = swept_case(file, set);
-  catch_ctrl_c();
-  CampaignFolder folder(request, file, set, place, shard);
-  folder.plan(campaign::Plan(what.sweep, what.seed));
-  if (stop_wanted()) {
-    if (!request.quiet || request.json)
-      tell_end(interrupted, "interrupted: nothing was run yet",
-               {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
-    return interrupted;
-  }
-  const Worked worked = folder.work();
-  if (!shard.whole()) return end_shard(request, folder, shard, worked);
-  const campaign::Counts counts = folder.store().counts();
-  if (!fs::exists(place / "campaign.sqlite"))
-    throw InputError(Fault{place.string(), "the folder was taken away while the campaign ran",
-                           "start it again", "cannot-write"});
-  const report::Campaign campaign = told(folder.store());
-  write_pages(folder.store(), campaign, place);
-  if (request.json) print_json(folder.store(), place, &worked);
-  if (!request.quiet && !request.json) tell(folder, counts, campaign, worked);
-  return ending(request, worked, counts, place);
-}
 
 int sweep(const Request& request) {
   const fs::path file = one_case_file(request.target, "sweep");
@@ -170,10 +32,10 @@ int sweep(const Request& request) {
 
 int sweep_status(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = look_into(place);
+  const campaign::Store store = campaign::look_into(place);
   const campaign::Counts counts = store.counts();
   if (request.json) {
-    print_json(store, place, nullptr);
+    print_campaign(store, place, nullptr);
     return fine;
   }
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
@@ -205,7 +67,7 @@ int sweep_status(const Request& request) {
 
 int sweep_export(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = look_into(place);
+  const campaign::Store store = campaign::look_into(place);
   if (request.out) {
     if (fs::exists(*request.out) && !request.force)
       throw InputError(Fault{request.out->string(), "there is such a file already",
@@ -229,7 +91,7 @@ int sweep_retry(const Request& request) {
   fs::path file;
   std::vector<cases::Override> set;
   {
-    const campaign::Store store = look_into(place);
+    const campaign::Store store = campaign::look_into(place);
     file = store.case_file();
     set = store.overrides();
     swept_case(file, set);  // that it can be run, before anything is forgotten
@@ -263,10 +125,10 @@ int sweep_merge(const Request& request) {
   std::size_t taken = 0;
   for (const fs::path& shard : shards) taken += store.merge(shard);
   const campaign::Counts counts = store.counts();
-  const report::Campaign campaign = told(store);
+  const report::Campaign campaign = campaign_of(store);
   write_pages(store, campaign, place);
   if (request.json) {
-    print_json(store, place, nullptr);
+    print_campaign(store, place, nullptr);
   } else if (!request.quiet) {
     to_stdout(fmt::format(
         "{}\n\n{}{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
@@ -275,6 +137,50 @@ int sweep_merge(const Request& request) {
         counts.failed, counts.waiting, (place / "campaign.html").string()));
   }
   return counts.failed > 0 ? stopped_by_physics : fine;
+}
+
+Options sharing() {
+  return {{.name = "--results",
+           .target = &Request::results,
+           .about = "what is kept of each run: all (default up to 1000 points), or its summary in "
+                    "the store alone",
+           .values = {"all", "summary"}},
+          {"--shard", &Request::shard, "do only this part of the runs: 2/8 is the second of eight"},
+          {.name = "--slurm",
+           .target = &Request::slurm,
+           .about = "submit the campaign to Slurm as so many shards, and their merge",
+           .type = "SHARDS",
+           .range = {1, 10'000},
+           .excludes = "--shard"},
+          {.name = "--slurm-option",
+           .target = &Request::slurm_options,
+           .about = "a line for sbatch: --slurm-option partition=long; may be repeated",
+           .needs = "--slurm"}};
+}
+
+std::vector<Command> parts() {
+  const Option folder{.name = "FOLDER",
+                      .target = &Request::target,
+                      .about = "the campaign's folder",
+                      .required = true};
+  return {{"status", "how far a campaign is, and what failed", {folder, json()}, sweep_status},
+          {"export",
+           "the table of a campaign as CSV",
+           {folder,
+            {"--out", &Request::out, "file to write (default: the terminal)"},
+            {"--force", &Request::force, "replace the file if it is there"}},
+           sweep_export},
+          {"retry", "run what failed once more", {folder, threads(), quiet(), json()}, sweep_retry},
+          {"merge", "join the shards of a campaign", {folder, quiet(), json()}, sweep_merge}};
+}
+
+}  // namespace
+
+Command sweep_command() {
+  Option target = one_case();
+  target.required = false;  // a part may be meant
+  return {"sweep", "run the campaign of a case with [sweep], or go on with it",
+          joined({{target}, changes(), running(), sharing(), {json()}}), sweep, parts()};
 }
 
 }  // namespace mahlwerk::app

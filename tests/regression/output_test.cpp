@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "mahlwerk/results/hdf5.hpp"
+#include "mahlwerk/results/files/hdf5.hpp"
 #include "program.hpp"
 
 namespace mahlwerk::tests {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -21,7 +21,7 @@ struct Curve {
 };
 
 double quantity(const results::Outcome& outcome, const std::string& name) {
-  for (const results::Quantity& q : results::summarise(outcome))
+  for (const results::Quantity& q : results::summarise(outcome).quantities)
     if (q.name == name) return q.value;
   throw std::runtime_error("no " + name);
 }

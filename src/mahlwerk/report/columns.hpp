@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 
 // Columns of tables, to be drawn.
 namespace mahlwerk::report {

@@ -12,9 +12,9 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/csv.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 7> left_out{
 
 std::vector<Compared> quantities(const Outcome& event, const Outcome& soft) {
   std::vector<Compared> list;
-  const std::vector<Quantity> others = results::summarise(soft);
-  for (const Quantity& q : results::summarise(event)) {
+  const std::vector<Quantity>& others = soft.summary.quantities;
+  for (const Quantity& q : event.summary.quantities) {
     if (std::find(left_out.begin(), left_out.end(), q.name) != left_out.end()) continue;
     const auto twin = std::find_if(others.begin(), others.end(),
                                    [&](const Quantity& o) { return o.name == q.name; });

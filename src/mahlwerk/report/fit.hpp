@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 // What was found by fitting, for the terminal, as a table and as a page.
 namespace mahlwerk::report {

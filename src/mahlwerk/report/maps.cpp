@@ -14,9 +14,9 @@
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/wall.hpp"
+#include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/quantities/wall.hpp"
 
 namespace mahlwerk::report {
 namespace {

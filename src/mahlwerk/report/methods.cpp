@@ -14,7 +14,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 // Notices of many runs, counted by code, as pages and terminals show them. `what` is the name of
 // one of the `of` runs: "point", "setting".

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/report/plot/svg_plot.hpp"
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 // The best settings of a mill as they were looked for: terminal, table, page.
 namespace mahlwerk::report {

@@ -10,9 +10,9 @@
 
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/tables.hpp"
-#include "mahlwerk/results/wear.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::report {
 

@@ -132,7 +132,7 @@ std::string by_dose(const Outcome& outcome, const Quantities& list) {
 std::string powder_sections(const Outcome& outcome) {
   const std::vector<const results::Replicate*> chosen = results::averaged(outcome);
   if (std::ranges::none_of(chosen, [](const auto* r) { return r->ground.has_value(); })) return "";
-  const Quantities list = results::summarise(outcome);
+  const Quantities& list = outcome.summary.quantities;
   std::string text;
   if (outcome.what.capture) text += what_is_caught(outcome, list);
   if (outcome.what.grinding) text += how_fine(outcome, list);

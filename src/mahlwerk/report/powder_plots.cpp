@@ -12,7 +12,7 @@
 
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 
 namespace mahlwerk::report {
 namespace {

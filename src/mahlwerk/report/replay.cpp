@@ -18,7 +18,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
-#include "mahlwerk/results/jar_surface.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
 
 namespace mahlwerk::report {
 namespace {

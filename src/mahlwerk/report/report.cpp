@@ -18,20 +18,16 @@
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/files/writer.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
 #include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/wear.hpp"
-#include "mahlwerk/results/writer.hpp"
 
 namespace mahlwerk::report {
 namespace {
 
+using results::named;
 using results::Outcome;
 using results::Quantity;
-
-const Quantity& named(const std::vector<Quantity>& list, std::string_view name) {
-  return *std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
-}
 
 std::string text_of(const std::vector<Quantity>& list, std::string_view name) {
   return readable(named(list, name)).text();
@@ -74,7 +70,7 @@ struct QuantityTables {
   std::string above, below;
 };
 
-QuantityTables quantity_tables(const Outcome& outcome, const std::vector<Quantity>& list) {
+QuantityTables quantity_tables(const Outcome& outcome) {
   constexpr int most = 40;
   const std::string threshold = threshold_text(outcome.what.observe.threshold);
   const auto table = [&](const std::string& body) {
@@ -86,7 +82,7 @@ QuantityTables quantity_tables(const Outcome& outcome, const std::vector<Quantit
   };
   std::string above, below;
   int count = 0;
-  for (const RowGroup& group : row_groups(list)) {
+  for (const RowGroup& group : row_groups(outcome.summary.quantities)) {
     count += group.rows;
     (count <= most ? above : below) += group.lines;
   }
@@ -99,7 +95,7 @@ QuantityTables quantity_tables(const Outcome& outcome, const std::vector<Quantit
 
 /// Collisions by kind of pair; empty where there is one kind.
 std::string pairs_table(const Outcome& outcome) {
-  const auto lines = pair_rows(results::by_pair(outcome));
+  const auto lines = pair_rows(outcome.summary.pairs);
   if (lines.empty()) return "";
   std::string head, body;
   for (const std::string& cell : pair_heading(outcome.what.observe.threshold))
@@ -168,9 +164,9 @@ std::string where(const Outcome& outcome) {
                   "as colour, its velocity as arrows. fields.csv has the numbers.");
   if (text.empty()) return "";
   std::string words;
-  if (const std::string regime = results::regime(outcome); !regime.empty())
+  if (const std::string& regime = outcome.summary.regime; !regime.empty())
     words = fmt::format("<p>The charge is <strong>{}</strong>: {}.</p>\n", regime,
-                        escaped(results::regime_reason(outcome)));
+                        escaped(outcome.summary.regime_reason));
   return "<h2>Where, and how it moves</h2>\n" + words + text;
 }
 
@@ -215,7 +211,7 @@ std::string warning_box(const Outcome& outcome) {
 }  // namespace
 
 std::string sentence(const Outcome& outcome) {
-  const std::vector<Quantity> list = results::summarise(outcome);
+  const std::vector<Quantity>& list = outcome.summary.quantities;
   const double count = named(list, "replicates").value;
   if (count == 0) return "No time was counted.";
   const Quantity& rate = named(list, "collision_rate_above_threshold");
@@ -233,7 +229,6 @@ std::string sentence(const Outcome& outcome) {
 }
 
 std::string report_page(const Outcome& outcome, std::string_view version, bool film) {
-  const std::vector<Quantity> list = results::summarise(outcome);
   const std::string& given = outcome.what.title;
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
   body += warning_box(outcome);
@@ -242,7 +237,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
       body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(one.text));
   if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
-  const QuantityTables tables = quantity_tables(outcome, list);
+  const QuantityTables tables = quantity_tables(outcome);
   body += tables.above;
   body += states_section(outcome);
   body += pairs_table(outcome);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::report {

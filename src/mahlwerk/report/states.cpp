@@ -28,20 +28,21 @@ std::vector<Line> lines(const results::TwoStates& found) {
         fmt::format("{} of {} replicates ({:.0f} %)", found.states[i].replicates.size(), all,
                     100 * found.share(found.states[i]));
   for (const char* name : state_quantities)
-    list.push_back({label(one->named(name)), readable(one->named(name)).text(),
-                    readable(other->named(name)).text()});
+    list.push_back({label(named(one->quantities, name)),
+                    readable(named(one->quantities, name)).text(),
+                    readable(named(other->quantities, name)).text()});
   return list;
 }
 
 }  // namespace
 
 std::string states_table(const results::Outcome& outcome) {
-  const auto found = results::two_states(outcome);
+  const auto& found = outcome.summary.two_states;
   return found ? aligned(lines(*found)) + '\n' : "";
 }
 
 std::string states_section(const results::Outcome& outcome) {
-  const auto found = results::two_states(outcome);
+  const auto& found = outcome.summary.two_states;
   if (!found) return "";
   const std::vector<Line> all = lines(*found);
   std::string rows;

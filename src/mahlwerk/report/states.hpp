@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mahlwerk/results/states.hpp"
+#include "mahlwerk/results/outcome.hpp"
 
 // Two states of a mill side by side. Empty where the replicates show one.
 namespace mahlwerk::report {

@@ -114,12 +114,10 @@ std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairS
       "collision_power_normal", "collision_power_tangential"};
   std::vector<std::vector<std::string>> list;
   for (const results::PairSummary& pair : pairs) {
-    const auto named = [&](std::string_view name) -> const results::Quantity& {
-      return *std::ranges::find(pair.quantities, name, &results::Quantity::name);
-    };
-    if (named("collision_rate").value == 0) continue;
+    const auto quantity = [&](std::string_view name) { return named(pair.quantities, name); };
+    if (quantity("collision_rate").value == 0) continue;
     std::vector<std::string> row{pair.one + " with " + pair.other};
-    for (const std::string_view name : shown) row.push_back(readable(named(name)).text());
+    for (const std::string_view name : shown) row.push_back(readable(quantity(name)).text());
     list.push_back(std::move(row));
   }
   return list;

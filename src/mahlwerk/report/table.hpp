@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/pairs.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::report {

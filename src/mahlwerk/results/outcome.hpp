@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "mahlwerk/observe/stress_stream.hpp"
 #include "mahlwerk/observe/tally.hpp"
 #include "mahlwerk/powder/milling.hpp"
+#include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
@@ -34,9 +36,17 @@ struct Window {
   double kinetic = 0;               ///< [J] at its end
 };
 
+/// What collisions catch of grains of the median size of the feed, per second.
+struct CaughtRates {
+  double mass = 0;    ///< [kg/s]
+  double power = 0;   ///< [W] that caught grains get
+  double grains = 0;  ///< [1] in a collision, mean by energy
+};
+
 /// What a replicate's collisions do to the powder.
 struct Ground {
   powder::StressSpectrum stresses;
+  CaughtRates caught;                      ///< with [capture]
   double dose_rate = 0;                    ///< [W/kg] of [kinetics], or of what is caught
   std::optional<powder::Milling> balance;  ///< with [grinding] method = "balance" or "both"
   std::optional<powder::Milling> sample;   ///< with "statistical" or "both"
@@ -71,10 +81,36 @@ struct Outcome {
   cases::Case what;
   std::vector<Replicate> replicates;
   cases::EngineName engine = cases::EngineName::event;  ///< that ran it: event or soft
-  /// What a reader should know besides the numbers: made once, when the run ends.
-  Notices notices;
+  // Made once, when the run ends:
+  Summary summary = {};  ///< its numbers (results/summarise.hpp)
+  Notices notices;       ///< what a reader should know besides
   double wall_seconds = 0, cpu_seconds = 0;
   bool interrupted = false;
 };
+
+/// The number of one of its replicates, from 1.
+inline std::size_t number_of(const Outcome& outcome, const Replicate& replicate) {
+  return static_cast<std::size_t>(&replicate - outcome.replicates.data()) + 1;
+}
+
+/// The value of a quantity of its summary in one of its replicates; NaN where it has none.
+double value_of(const Outcome& outcome, const Replicate& replicate, std::string_view quantity);
+
+/// The replicates that means are taken over: those that ran to their end if there are at least two,
+/// else all that counted any time.
+std::vector<const Replicate*> averaged(const Outcome& outcome);
+/// Those of them that have ground.
+std::vector<const Replicate*> ground_replicates(const Outcome& outcome);
+
+/// Mean of what `of` says of each replicate; NaN of none.
+template <class Of>
+double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) {
+  double sum = 0;
+  for (const Replicate* r : replicates) sum += of(*r);
+  return sum / static_cast<double>(replicates.size());
+}
+
+/// True if every replicate was run, and to its end.
+bool complete(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/outcome.hpp"
-
+// What a run comes to: the numbers that files, tables and pages show.
 namespace mahlwerk::results {
 
 /// One number of a result, under its plain name in summary.json.
@@ -25,38 +28,39 @@ struct Quantity {
   double half_width() const { return std::isfinite(ci95) ? ci95 : ci95_time; }
 };
 
-/// The quantities of summary.json, in their order (docs/formats.md).
-std::vector<Quantity> summarise(const Outcome& outcome);
+/// The quantity of that name. Throws std::out_of_range where there is none.
+const Quantity& named(const std::vector<Quantity>& list, std::string_view name);
 
-/// The same of one replicate alone, in the same order; ci95 is NaN.
-std::vector<Quantity> summarise(const Outcome& outcome, const Replicate& replicate);
-
-/// A quantity that a case does not have, and the section it comes with: "[wear]".
-struct Lacking {
-  std::string name, section;
+/// The quantities of one kind of pair (docs/formats.md, "_pairs").
+struct PairSummary {
+  std::string one, other;  ///< "balls.1", "powder", "jar"
+  std::vector<Quantity> quantities;
 };
-/// Those that the case would have with another section.
-std::vector<Lacking> lacking(const cases::Case& what);
 
-/// The mean of a quantity and its half-width; a replicate in which it does not exist (no collision)
-/// is left out.
-void combine(Quantity& q, const std::vector<double>& values);
+/// Some of the replicates, and the quantities of summary.json over them alone.
+struct State {
+  std::vector<std::size_t> replicates;  ///< their numbers, from 1
+  std::vector<Quantity> quantities;
+};
 
-/// The replicates that means are taken over: those that ran to their end if there are at least two,
-/// else all that counted any time.
-std::vector<const Replicate*> averaged(const Outcome& outcome);
-/// Those of them that have ground.
-std::vector<const Replicate*> ground_replicates(const Outcome& outcome);
+/// Replicates that fall into two states by their dissipated power
+/// (docs/theory/statistics.md, "Two states").
+struct TwoStates {
+  std::array<State, 2> states;  ///< less power first
+  double chance = 0;            ///< (sta.7)
 
-/// Mean of what `of` says of each replicate; NaN of none.
-template <class Of>
-double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) {
-  double sum = 0;
-  for (const Replicate* r : replicates) sum += of(*r);
-  return sum / static_cast<double>(replicates.size());
-}
+  /// [1] of the replicates that means are taken over.
+  double share(const State& state) const;
+};
 
-/// True if every replicate was run, and to its end.
-bool complete(const Outcome& outcome);
+/// All numbers of an outcome.
+struct Summary {
+  std::vector<Quantity> quantities;  ///< of summary.json, in their order (docs/formats.md)
+  /// Their values in each replicate, but for the last ones, which only all together have.
+  std::vector<std::vector<double>> each;
+  std::vector<PairSummary> pairs;  ///< none where there is one kind of pair only
+  std::optional<TwoStates> two_states;
+  std::string regime, regime_reason;  ///< (results/quantities/regime.hpp)
+};
 
 }  // namespace mahlwerk::results

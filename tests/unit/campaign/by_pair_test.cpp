@@ -9,9 +9,9 @@
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/pairs.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::campaign {
@@ -70,7 +70,7 @@ TEST_P(ByPairOfARun, sums_to_the_totals) {
   EXPECT_EQ(pairs.size(), 9U);
   double rate = 0;
   for (const results::PairSummary& pair : pairs) rate += pair.quantities.front().value;
-  const auto whole = results::summarise(outcome);
+  const std::vector<results::Quantity>& whole = outcome.summary.quantities;
   states("collisions per second", rate / whole.front().value, 1, 1e-12, "collision_rate");
   EXPECT_EQ(pairs.front().one, "balls.1");
   EXPECT_EQ(pairs.back().one, "powder");
@@ -112,7 +112,7 @@ TEST(ByPairOfARun, print_report_and_summary_tell_it) {
   const std::string printed = report::pair_table(results::by_pair(outcome), 0.1);
   EXPECT_NE(printed.find("\nballs.1 with powder  "), std::string::npos) << printed;
   EXPECT_NE(report::report_page(outcome, "1").find("Who hits whom"), std::string::npos);
-  const std::string summary = results::summary_json(outcome, results::summarise(outcome), "1");
+  const std::string summary = results::summary_json(outcome, "1");
   for (const char* words :
        {"\"_pairs\": [", "\"coarse_graining_ratio\": {", "Powder as grains: 40"})
     EXPECT_NE(summary.find(words), std::string::npos) << words;

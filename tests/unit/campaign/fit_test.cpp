@@ -10,8 +10,8 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
-#include "mahlwerk/results/measure.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -148,7 +148,7 @@ std::vector<double> run_says(const std::vector<cases::Override>& set) {
   const results::Outcome outcome = run(read(mill + grinding, set));
   std::vector<double> told;
   for (const char* name : {"d10", "d50", "d90", "specific_surface"})
-    for (const results::Quantity& q : results::summarise(outcome))
+    for (const results::Quantity& q : results::summarise(outcome).quantities)
       if (q.name == name) told.push_back(q.value);
   const powder::Milling& milling = outcome.replicates[0].ground->milling();
   told.push_back(powder::finer(milling.grid, milling.shares.back(), 400e-6));

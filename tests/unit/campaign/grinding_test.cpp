@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // From the collisions of a run to the sizes of its powder.
-#include "mahlwerk/results/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"
 
@@ -41,7 +41,7 @@ cases::Case grinding_case(const std::string& engine = "event") {
 }
 
 double named(const Outcome& outcome, std::string_view name) {
-  for (const results::Quantity& q : results::summarise(outcome))
+  for (const results::Quantity& q : results::summarise(outcome).quantities)
     if (q.name == name) return q.value;
   ADD_FAILURE() << "no quantity " << name;
   return 0;

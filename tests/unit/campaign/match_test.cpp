@@ -10,7 +10,7 @@
 
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"
 
@@ -115,7 +115,7 @@ TEST(MillMark, IsWhatTheSummarySays) {
   const results::Outcome outcome = shaken_mill(20, 1);
   const MillMark mark = mill_mark(outcome, false);
   ASSERT_EQ(mark.replicates.size(), 6U);
-  for (const results::Quantity& q : results::summarise(outcome)) {
+  for (const results::Quantity& q : results::summarise(outcome).quantities) {
     if (q.name == "dissipated_power")
       states("power", mark.mean.dose, q.value, 1e-12 * q.value, "summary.json");
     if (q.name == "energy_lost_mean")

@@ -11,8 +11,8 @@
 #include <memory>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 #include "unit/results/scratch.hpp"
@@ -120,7 +120,7 @@ TEST_F(ObservedFrames, frames_change_no_bit_of_a_run) {
 /// Every number of a summary, as bits: those that do not exist are equal, too.
 std::vector<std::uint64_t> bits(const results::Outcome& outcome) {
   std::vector<std::uint64_t> found;
-  for (const results::Quantity& q : results::summarise(outcome))
+  for (const results::Quantity& q : results::summarise(outcome).quantities)
     for (const double v : {q.value, q.ci95, q.ci95_time})
       found.push_back(std::bit_cast<std::uint64_t>(v));
   return found;

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/spectra.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 

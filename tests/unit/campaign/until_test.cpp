@@ -8,8 +8,9 @@
 #include <string>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/series.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/quantities/series.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "statement.hpp"
 #include "unit/campaign/observed.hpp"
 
@@ -37,6 +38,7 @@ bool warned(const cases::Case& what, const results::Replicate& r) {
   results::Outcome outcome;
   outcome.what = what;
   outcome.replicates = {r};
+  outcome.summary = results::summarise(outcome);
   return std::ranges::any_of(results::warnings(outcome), [](const Notice& one) {
     return one.code == "not-certain" &&
            one.text.find("dissipated_power is not known within") != std::string::npos;

@@ -124,6 +124,7 @@ TEST(Compare, SaysWhereTheCaseMeansAnotherThingToEachEngine) {
 TEST(Compare, OfNothingIsStillAPage) {
   auto none = fake_outcome();
   none.replicates.assign(2, results::Replicate(0.1));
+  none = ended(std::move(none));
   const Comparison c = compare(none, none);
   EXPECT_TRUE(c.speeds.empty());
   EXPECT_TRUE(has(compare_page(c, "1"), "</html>"));

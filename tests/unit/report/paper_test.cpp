@@ -107,7 +107,7 @@ TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
   for (const int hits : {100, 300}) {
     c.outcomes.push_back(results::fake_outcome({hits, hits, hits + 1}));
     add(c.numbers, {.number = c.outcomes.size(), .values = {hits == 100 ? "10 Hz" : "20 Hz"}},
-        results::summarise(c.outcomes.back()));
+        results::summarise(c.outcomes.back()).quantities);
   }
   c.numbers.swept = swept({"mill.frequency"}, c.numbers.points);
   c.outcomes[1].notices = {warning("two-states", "They are two.")};

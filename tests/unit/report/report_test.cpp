@@ -11,7 +11,7 @@
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 #include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 
@@ -71,7 +71,7 @@ TEST(Readable, KnowsTheWidthOnATerminal) {
 }
 
 TEST(Table, ShowsTwinsBesideEachOther) {
-  const auto quantities = results::summarise(fake_outcome());
+  const auto quantities = results::summarise(fake_outcome()).quantities;
   const std::string text = table(quantities, 0.1);
   EXPECT_TRUE(has(text, "u_n >= 0.1 m/s"));
   EXPECT_TRUE(has(text, "12.0 ± 5.0 /s"));
@@ -86,7 +86,7 @@ TEST(Table, ShowsTwinsBesideEachOther) {
 TEST(Table, WhatIsCountedAboveTheThresholdStandsInItsColumn) {
   auto o = fake_outcome();
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
-  const auto quantities = results::summarise(o);
+  const auto quantities = results::summarise(o).quantities;
   for (const char* name : {"collision_rate_in_flight", "stress_energy"}) {
     const auto all = rows(quantities);
     const auto row = std::ranges::find_if(all, [&](const Row& r) { return r.all->name == name; });
@@ -94,7 +94,7 @@ TEST(Table, WhatIsCountedAboveTheThresholdStandsInItsColumn) {
     EXPECT_EQ(row->all_text(), "") << name;
     EXPECT_EQ(row->above_text(), readable(*row->all).text()) << name;
   }
-  const std::string html = report_page(o, "1");
+  const std::string html = report_page(ended(o), "1");
   const auto at = html.find("data-quantity=\"collision_rate_in_flight\"");
   ASSERT_NE(at, std::string::npos);
   EXPECT_TRUE(html.substr(0, at).ends_with("<td class=\"n\"></td><td class=\"n\" "));
@@ -104,12 +104,12 @@ TEST(Report, NamesTwoStatesInsteadOfTheirMeanAlone) {
   EXPECT_EQ(states_table(fake_outcome()), "");
   EXPECT_FALSE(has(report_page(fake_outcome(), "1"), "Two states"));
   auto o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
-  o.notices = results::warnings(o);
+  o.notices = warnings(ended(o));
   const std::string text = states_table(o);
   EXPECT_TRUE(has(text, "6 of 8 replicates (75 %)")) << text;
   EXPECT_TRUE(has(text, "2 of 8 replicates (25 %)")) << text;
   EXPECT_TRUE(has(text, "90.2 ± 2.5 mW")) << text;
-  const std::string html = report_page(o, "1");
+  const std::string html = report_page(ended(o), "1");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "<h2>Two states</h2>"));
   EXPECT_TRUE(has(html, "describes neither"));
@@ -142,21 +142,21 @@ TEST(Report, WarnsOfWhatMakesItDoubtful) {
   o.replicates[1].stopped = "too many bounces";
   o.replicates[0].account.kinetic = 1;
   o.replicates[0].account.worst_collision = 1e-3;
-  EXPECT_EQ(warnings(o).size(), 4U);
+  EXPECT_EQ(warnings(ended(o)).size(), 4U);
   auto steps = fake_outcome();
   steps.replicates[0].account.kinetic = 1e-3;
-  EXPECT_EQ(warnings(steps).size(), 1U);
+  EXPECT_EQ(warnings(ended(steps)).size(), 1U);
   steps.engine = cases::EngineName::soft;  // follows contacts in steps
-  EXPECT_TRUE(warnings(steps).empty());
-  o.notices = warnings(o);
-  EXPECT_TRUE(has(report_page(o, "1"), "too many bounces"));
+  EXPECT_TRUE(warnings(ended(steps)).empty());
+  o.notices = warnings(ended(o));
+  EXPECT_TRUE(has(report_page(ended(o), "1"), "too many bounces"));
 }
 
 TEST(Report, OfNothingIsStillAPage) {
   auto o = fake_outcome();
   o.replicates.assign(2, results::Replicate(0.1));
-  o.notices = warnings(o);
-  const std::string html = report_page(o, "1.2.3");
+  o.notices = warnings(ended(o));
+  const std::string html = report_page(ended(o), "1.2.3");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "there is no result"));
   EXPECT_TRUE(well_formed(report_page(fake_outcome({0}), "1.2.3")));
@@ -166,7 +166,7 @@ Campaign campaign() {
   Campaign c{.title = "Speeds"};
   const auto point = [&](const char* speed, const char* wall, int hits) {
     add(c, {.number = c.points.size() + 1, .values = {speed, wall}, .folder = "point-1/"},
-        results::summarise(fake_outcome({hits, hits + 10})));
+        results::summarise(fake_outcome({hits, hits + 10})).quantities);
   };
   point("400 rpm", "steel", 200);
   point("200 rpm", "steel", 100);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/summarise.hpp"
 
 // An outcome made by hand, whose every number can be worked out on paper.
 namespace mahlwerk::results {
@@ -62,6 +64,12 @@ inline Replicate fake_replicate(int hits) {
   return r;
 }
 
+/// The outcome as a run that has ended leaves it.
+inline Outcome ended(Outcome outcome) {
+  outcome.summary = summarise(outcome);
+  return outcome;
+}
+
 inline Outcome fake_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   Outcome o;
   o.what.title = "A <fake> case & more";
@@ -78,7 +86,7 @@ inline Outcome fake_outcome(const std::vector<int>& hits = {100, 120, 140}) {
                     {"jar.diameter", "12 mm", "catalogue jars/some", false, true}};
   for (const int n : hits) o.replicates.push_back(fake_replicate(n));
   o.cpu_seconds = 0.5;
-  return o;
+  return ended(std::move(o));
 }
 
 }  // namespace mahlwerk::results

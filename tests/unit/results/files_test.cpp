@@ -7,12 +7,12 @@
 #include <sstream>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/results/hdf5.hpp"
-#include "mahlwerk/results/json.hpp"
-#include "mahlwerk/results/pairs.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/tables.hpp"
-#include "mahlwerk/results/writer.hpp"
+#include "mahlwerk/results/files/hdf5.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/files/writer.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 

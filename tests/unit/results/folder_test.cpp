@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/files/folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -13,10 +13,10 @@
 #include <optional>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/results/file_lock.hpp"
-#include "mahlwerk/results/hdf5.hpp"
-#include "mahlwerk/results/manifest.hpp"
-#include "mahlwerk/results/result_file.hpp"
+#include "mahlwerk/results/files/file_lock.hpp"
+#include "mahlwerk/results/files/hdf5.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
+#include "mahlwerk/results/files/result_file.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 

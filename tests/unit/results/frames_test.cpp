@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/frames.hpp"
+#include "mahlwerk/results/files/frames.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The surface that is drawn is the wall that balls meet, of every shape of the register.
-#include "mahlwerk/results/jar_surface.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/json.hpp"
+#include "mahlwerk/results/files/json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ namespace mahlwerk::results {
 namespace {
 
 nlohmann::json parsed(const Outcome& o) {
-  return nlohmann::json::parse(summary_json(o, summarise(o), "1.2.3"));
+  return nlohmann::json::parse(summary_json(o, "1.2.3"));
 }
 
 TEST(SummaryJson, HoldsEveryQuantityToTheBit) {
   const Outcome o = fake_outcome();
   const nlohmann::json all = parsed(o);
-  for (const Quantity& q : summarise(o)) {
+  for (const Quantity& q : o.summary.quantities) {
     const auto& entry = all.at(q.name);
     EXPECT_EQ(entry.size(), 5U);
     EXPECT_EQ(entry.at("unit"), q.unit);

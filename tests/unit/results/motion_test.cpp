@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Spread and speed of charges put there by hand.
-#include "mahlwerk/results/motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +9,8 @@
 #include <stdexcept>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/nips.hpp"
+#include "mahlwerk/results/quantities/nips.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "mahlwerk/results/jar_surface.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::results {

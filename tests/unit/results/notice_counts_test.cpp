@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 #include <gtest/gtest.h>
 

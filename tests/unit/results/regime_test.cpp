@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Toe, shoulder and regime of charges that were put there by hand.
-#include "mahlwerk/results/regime.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 // Tables of result.h5 are read by the tests in tests/opening; here, its matrices, and how it is
 // written.
-#include "mahlwerk/results/result_file.hpp"
+#include "mahlwerk/results/files/result_file.hpp"
 
 #include <hdf5.h>
 
@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/results/hdf5_handle.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/files/hdf5_handle.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
@@ -28,7 +28,7 @@ class ResultFileTest : public ScratchTest {
     write_result_file(scratch() / name,
                       {{"spectrum", "by energy", spectrum(o)},
                        {"nothing", "a table without rows", {{{"a", "m", "some length"}}, {}}}},
-                      matrices, summarise(o), "title = \"x\"\n", "1.2.3");
+                      matrices, summarise(o).quantities, "title = \"x\"\n", "1.2.3");
     return read(scratch() / name);
   }
 };

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/summary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,23 +7,18 @@
 #include <set>
 
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {
 namespace {
 
-const Quantity& named(const std::vector<Quantity>& list, const std::string& name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
-  if (found == list.end()) throw std::out_of_range(name);
-  return *found;
-}
 double value(const Outcome& o, const std::string& name) {
-  return named(summarise(o), name).value;
+  return named(summarise(o).quantities, name).value;
 }
 
 TEST(Summary, RatesAreMeansOverReplicates) {
-  const std::vector<Quantity> list = summarise(fake_outcome());
+  const std::vector<Quantity> list = summarise(fake_outcome()).quantities;
   const Quantity& rate = named(list, "collision_rate");
   EXPECT_DOUBLE_EQ(rate.value, 12);                             // 10, 12, 14
   EXPECT_NEAR(rate.ci95, 4.30265273 * 2 / std::sqrt(3), 1e-6);  // their spread is 2
@@ -63,11 +56,11 @@ TEST(Summary, ResidualsAreThoseOfTheWorstReplicate) {
   o.replicates[1].account.kinetic = 0.1;  // from nowhere
   const scene::Account& a = o.replicates[1].account;
   EXPECT_NEAR(value(o, "energy_balance"), 0.1 / (a.wall_work + a.lost()), 1e-12);
-  EXPECT_TRUE(std::isnan(named(summarise(o), "energy_balance").ci95));
+  EXPECT_TRUE(std::isnan(named(summarise(o).quantities, "energy_balance").ci95));
 }
 
 TEST(Summary, OneReplicateHasNoInterval) {
-  const std::vector<Quantity> list = summarise(fake_outcome({100}));
+  const std::vector<Quantity> list = summarise(fake_outcome({100})).quantities;
   EXPECT_DOUBLE_EQ(named(list, "collision_rate").value, 10);
   EXPECT_TRUE(std::isnan(named(list, "collision_rate").ci95));
 }
@@ -132,7 +125,7 @@ TEST(Summary, EveryQuantityIsNamedOnceAndExplained) {
   Outcome o = fake_outcome();
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
   std::set<std::string> names;
-  for (const Quantity& q : summarise(o)) {
+  for (const Quantity& q : summarise(o).quantities) {
     EXPECT_TRUE(names.insert(q.name).second) << q.name;
     EXPECT_FALSE(q.unit.empty()) << q.name;
     EXPECT_FALSE(q.about.empty()) << q.name;

@@ -3,7 +3,7 @@
 
 // Every hit is in one cell of the wall, every piece of wall too, and what wears off the cells is
 // what wears off the jar.
-#include "mahlwerk/results/wall.hpp"
+#include "mahlwerk/results/quantities/wall.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/observe/columns.hpp"
-#include "mahlwerk/results/jar_surface.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/results/wear.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 
@@ -257,7 +257,7 @@ class Wear : public testing::TestWithParam<cases::Wear::Model> {
     return outcome;
   }
   static double named(const Outcome& outcome, const std::string& name) {
-    const auto list = summarise(outcome);
+    const auto list = summarise(outcome).quantities;
     return std::ranges::find(list, name, &Quantity::name)->value;
   }
 };

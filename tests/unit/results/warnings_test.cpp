@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/results/states.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results {
@@ -45,16 +45,16 @@ Outcome run_of(int windows, const Power& power, const Drawn& drawn) {
 TEST(NotSettled, IsToldOfAStartThatStandsOutAndGainsEnergy) {
   const auto power = [](int i) { return i < 40 ? 0.5 + 0.0125 * i : 1.0; };
   const auto drawn = [](int i) { return 1.0 + 1e-4 * (i % 7); };
-  const Notices notices = warnings(run_of(200, power, drawn));
+  const Notices notices = warnings(ended(run_of(200, power, drawn)));
   EXPECT_TRUE(has(notices, "not-settled"));
-  EXPECT_FALSE(has(warnings(run_of(200, drawn, drawn)), "not-settled"));
+  EXPECT_FALSE(has(warnings(ended(run_of(200, drawn, drawn))), "not-settled"));
 }
 
 TEST(NotSettled, IsNotToldOfAShortSeries) {
   const auto power = [](int i) { return i < 4 ? 0.5 : 1.0; };
   const auto drawn = [](int) { return 1.0; };
   for (const int windows : {1, 2, 10, 12, 40})
-    EXPECT_FALSE(has(warnings(run_of(windows, power, drawn)), "not-settled")) << windows;
+    EXPECT_FALSE(has(warnings(ended(run_of(windows, power, drawn))), "not-settled")) << windows;
 }
 
 TEST(NotSettled, IsNotToldWhereTheStoredEnergyGoesUpAndDown) {
@@ -73,7 +73,7 @@ TEST(NotSettled, IsNotToldWhereTheStoredEnergyGoesUpAndDown) {
       before = now;
     }
     o.replicates[0].account.wall_work += 0.5;  // 5 % of what is lost
-    told += has(warnings(o), "not-settled") ? 1 : 0;
+    told += has(warnings(ended(o)), "not-settled") ? 1 : 0;
   }
   EXPECT_EQ(told, 0) << "of 40 runs";
 }
@@ -82,29 +82,31 @@ TEST(Overlap, IsWarnedOfByWhatWasReached) {
   Outcome o = fake_outcome();
   o.engine = cases::EngineName::soft;
   o.replicates[1].account.deepest_overlap = 0.009;
-  EXPECT_TRUE(warnings(o).empty());
+  EXPECT_TRUE(warnings(ended(o)).empty());
   o.replicates[1].account.deepest_overlap = 0.03;
-  ASSERT_EQ(warnings(o).size(), 1U);
-  EXPECT_EQ(warnings(o)[0].code, "soft-contacts");
-  EXPECT_NE(warnings(o)[0].text.find("overlapped by 3 %"), std::string::npos);
+  ASSERT_EQ(warnings(ended(o)).size(), 1U);
+  EXPECT_EQ(warnings(ended(o))[0].code, "soft-contacts");
+  EXPECT_NE(warnings(ended(o))[0].text.find("overlapped by 3 %"), std::string::npos);
   o.replicates[1].account.deepest_overlap = 0.3;
-  ASSERT_EQ(warnings(o).size(), 1U);
-  EXPECT_EQ(warnings(o)[0].code, "deep-overlap");
+  ASSERT_EQ(warnings(ended(o)).size(), 1U);
+  EXPECT_EQ(warnings(ended(o))[0].code, "deep-overlap");
 }
 
 TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
-  EXPECT_FALSE(two_states(fake_outcome({100, 101, 99, 102, 98, 100, 101, 99})));
+  EXPECT_FALSE(summarise(fake_outcome({100, 101, 99, 102, 98, 100, 101, 99})).two_states);
   const Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
-  const auto found = two_states(o);
+  const auto found = summarise(o).two_states;
   ASSERT_TRUE(found);
   EXPECT_EQ(found->states[0].replicates, (std::vector<std::size_t>{1, 3, 4, 6, 7, 8}));
   EXPECT_EQ(found->states[1].replicates, (std::vector<std::size_t>{2, 5}));
   EXPECT_DOUBLE_EQ(found->share(found->states[1]), 0.25);
-  EXPECT_NEAR(found->states[0].named("dissipated_power").value, 0.01, 1e-12);  // 1 mJ each, 10 s
-  EXPECT_NEAR(found->states[1].named("dissipated_power").value, 0.0902, 1e-12);
-  EXPECT_NEAR(found->states[1].named("collision_rate_above_threshold").value, 45.1, 1e-9);
+  EXPECT_NEAR(named(found->states[0].quantities, "dissipated_power").value, 0.01,
+              1e-12);  // 1 mJ each, 10 s
+  EXPECT_NEAR(named(found->states[1].quantities, "dissipated_power").value, 0.0902, 1e-12);
+  EXPECT_NEAR(named(found->states[1].quantities, "collision_rate_above_threshold").value, 45.1,
+              1e-9);
   EXPECT_LE(found->chance, 0.01);
-  const Notices notices = warnings(o);
+  const Notices notices = warnings(ended(o));
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices[0].code, "two-states");
   EXPECT_NE(notices[0].text.find("6 of 8 replicates (75 %) dissipate 10 mW"), std::string::npos)
@@ -112,22 +114,23 @@ TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
 }
 
 TEST(TwoStates, ThatHardlyDifferAreOne) {
-  EXPECT_FALSE(two_states(fake_outcome({1000, 1200, 1000, 1200, 1000, 1200, 1000, 1200})));
-  EXPECT_TRUE(two_states(fake_outcome({1000, 1300, 1000, 1300, 1000, 1300, 1000, 1300})));
+  EXPECT_FALSE(
+      summarise(fake_outcome({1000, 1200, 1000, 1200, 1000, 1200, 1000, 1200})).two_states);
+  EXPECT_TRUE(summarise(fake_outcome({1000, 1300, 1000, 1300, 1000, 1300, 1000, 1300})).two_states);
 }
 
 TEST(TwoStates, AreNoneWhereNothingIsLostButByRounding) {
   Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
   for (Replicate& r : o.replicates)
     r.windows[0].kinetic = 1e6;  // J: a power below 1e-4 W is rounding
-  EXPECT_TRUE(two_states(o));
+  EXPECT_TRUE(summarise(o).two_states);
   for (Replicate& r : o.replicates) r.windows[0].kinetic = 1e12;
-  EXPECT_FALSE(two_states(o));
+  EXPECT_FALSE(summarise(o).two_states);
 }
 
 TEST(TwoStates, NeedFourReplicates) {
-  EXPECT_FALSE(two_states(fake_outcome({100, 100, 900})));
-  EXPECT_FALSE(two_states(fake_outcome({})));
+  EXPECT_FALSE(summarise(fake_outcome({100, 100, 900})).two_states);
+  EXPECT_FALSE(summarise(fake_outcome({})).two_states);
 }
 
 }  // namespace

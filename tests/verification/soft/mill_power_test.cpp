@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/results/regime.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
+#include "mahlwerk/results/summarise.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -55,7 +55,7 @@ cases::Case planetary() {
 }
 
 double named(const results::Outcome& outcome, const std::string& name) {
-  const auto list = results::summarise(outcome);
+  const auto list = results::summarise(outcome).quantities;
   return std::ranges::find(list, name, &results::Quantity::name)->value;
 }
 

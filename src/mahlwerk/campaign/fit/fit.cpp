@@ -13,8 +13,8 @@
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/grinding.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

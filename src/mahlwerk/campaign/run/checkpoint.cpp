@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
-#include "mahlwerk/results/folder.hpp"
+#include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -18,8 +18,9 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -203,6 +204,7 @@ class Crew {
     point.outcome.wall_seconds = seconds_since(point.began);
     for (const results::Replicate& r : point.outcome.replicates)
       point.outcome.cpu_seconds += r.cpu_seconds;
+    point.outcome.summary = results::summarise(point.outcome);
     point.outcome.notices = notices(point);
     queue_.done(point.index, std::move(point.outcome));
   }

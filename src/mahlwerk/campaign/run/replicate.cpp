@@ -13,10 +13,10 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
-#include "mahlwerk/results/grinding.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/series.hpp"
-#include "mahlwerk/results/tables.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/series.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

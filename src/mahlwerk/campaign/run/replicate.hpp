@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/results/frames.hpp"
+#include "mahlwerk/results/files/frames.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/engine.hpp"
 

@@ -10,8 +10,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
-#include "mahlwerk/results/measure.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -11,8 +11,9 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/making.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -42,6 +43,7 @@ results::Outcome nothing_yet(const cases::Case& what) {
   results::Outcome outcome{
       .what = what, .replicates = {count, results::empty_replicate(what)}, .notices = {}};
   outcome.interrupted = true;
+  outcome.summary = results::summarise(outcome);
   outcome.notices = results::warnings(outcome);
   return outcome;
 }

@@ -12,7 +12,7 @@
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/results/warnings.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 
 namespace mahlwerk::campaign {

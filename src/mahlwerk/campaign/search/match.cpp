@@ -9,9 +9,9 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/observe/statistics.hpp"
-#include "mahlwerk/results/measure.hpp"
-#include "mahlwerk/results/spectra.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -11,7 +11,7 @@
 #include "mahlwerk/campaign/search/optimum.hpp"
 #include "mahlwerk/campaign/search/surrogate.hpp"
 #include "mahlwerk/campaign/sweep/designs.hpp"
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

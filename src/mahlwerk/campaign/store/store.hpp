@@ -16,8 +16,8 @@
 
 #include "mahlwerk/campaign/store/sqlite.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/results/file_lock.hpp"
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/files/file_lock.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // What a campaign has done and has still to do, in one SQLite file (docs/formats.md).

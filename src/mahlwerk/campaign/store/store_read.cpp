@@ -11,7 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
-#include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

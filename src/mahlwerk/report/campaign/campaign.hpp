@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/notice_counts.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // What is told of a campaign: its page, pictures and tables.

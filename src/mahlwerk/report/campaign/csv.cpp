@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/csv.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/report/campaign/campaign.hpp"

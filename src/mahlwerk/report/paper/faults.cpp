@@ -9,7 +9,7 @@
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
-#include "mahlwerk/results/summary.hpp"
+#include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -43,7 +43,7 @@ class Looking {
     results::Outcome none;
     none.what = case_;
     none.engine = case_.run.engine;
-    for (const results::Quantity& q : results::summarise(none)) names.push_back(q.name);
+    for (const results::Quantity& q : results::summarise(none).quantities) names.push_back(q.name);
     if (std::ranges::find(names, name) != names.end()) return;
     const std::string near = nearest_word(name, names);
     fault(fmt::format("a result of {}.toml has no quantity {}", campaign_, name),

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A campaign's store as pages, pictures and tables.
+#include "campaign_pages.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
+
+namespace mahlwerk::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of more points a page shows the usual quantities alone, and its table has not all points.
+constexpr std::size_t many = 5000;
+
+/// Whether the points are those of this plan, by the first and the last: the case may have changed.
+bool made(const report::Campaign& campaign, const campaign::Plan& plan, const cases::Case& what) {
+  if (campaign.points.empty() || plan.size() != campaign.points.size()) return false;
+  const std::vector<std::string> own = campaign::own_values(plan, what);
+  for (const std::size_t i : {std::size_t{0}, plan.size() - 1}) {
+    const std::vector<std::string>&kept = campaign.points[i].values,
+          said = campaign::said(plan, i, own);
+    const bool same = std::ranges::equal(kept, said, [](const auto& a, const auto& b) {
+      const NumberText x = number_text(a), y = number_text(b);
+      return a == b || (x.number == y.number && x.rest == y.rest);
+    });
+    if (!same) return false;
+  }
+  return true;
+}
+
+void tell_what_matters(report::Campaign& campaign, const campaign::Store& store) {
+  try {
+    const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
+    if (what.sweep.empty()) return;
+    const campaign::Plan plan(what.sweep, what.seed);
+    if (made(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.places());
+  } catch (const InputError&) {
+    // the case has gone or changed since: its numbers are told without
+  }
+}
+
+}  // namespace
+
+report::Campaign campaign_of(const campaign::Store& store) {
+  report::Campaign campaign;
+  campaign.title = store.title();
+  std::vector<std::string> names;
+  const bool all = store.counts().points <= many;
+  const std::vector<std::string>& usual = report::usual_quantities();
+  for (const results::Quantity& q : store.quantities()) {
+    // Errors hang on the number of replicates.
+    const bool wanted = q.name == "replicates" || std::ranges::find(usual, q.name) != usual.end();
+    if (!all && !wanted) continue;
+    names.push_back(q.name);
+    campaign.columns.push_back({q.name, q.unit, q.about});
+  }
+  store.read(names, [&](const campaign::StoredPoint& stored) {
+    report::Point point{.number = stored.number,
+                        .values = stored.values,
+                        .value = stored.value,
+                        .ci95 = stored.ci95,
+                        .regime = stored.regime,
+                        .warnings = stored.warnings,
+                        .folder = stored.folder};
+    if (stored.state == campaign::RunState::failed) point.failure = stored.message;
+    point.waiting = stored.state == campaign::RunState::waiting;
+    campaign.points.push_back(std::move(point));
+  });
+  campaign.notices = store.notices();
+  campaign.swept = report::swept(store.keys(), campaign.points);
+  for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
+  tell_what_matters(campaign, store);
+  return campaign;
+}
+
+void write_pages(const campaign::Store& store, const report::Campaign& campaign,
+                 const fs::path& place) {
+  const std::map<std::string, std::string> figures = report::campaign_figures(campaign);
+  std::vector<std::string> names{"campaign.csv", "campaign.html"};
+  for (const auto& [name, picture] : figures) names.push_back(name);
+  results::list_files(place, names);
+  // Written aside, so that a reader never sees half a file.
+  const auto put = [&](const std::string& name, const auto& write) {
+    const fs::path file = place / name, aside = file.string() + ".part";
+    results::make_folder(file.parent_path());
+    write(aside);
+    std::error_code failed;
+    fs::rename(aside, file, failed);
+    if (failed)
+      throw InputError(Fault{file.string(), "cannot be written: " + failed.message(),
+                             "check that you may write there", "cannot-write"});
+  };
+  put("campaign.csv", [&](const fs::path& aside) {
+    std::ofstream out(aside, std::ios::binary);
+    store.write_csv(out);
+    out.close();
+    if (!out)
+      throw InputError(Fault{aside.string(), "cannot be written",
+                             "make room on the disk, then start again: what is finished is kept",
+                             "cannot-write"});
+  });
+  put("campaign.html", [&](const fs::path& aside) {
+    results::write_text(aside, report::campaign_page(campaign, version()));
+  });
+  for (const auto& [name, picture] : figures)
+    put(name, [&](const fs::path& aside) { results::write_text(aside, picture); });
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The commands, and options that several of them take.
+#include <fmt/format.h>
+
+#include "command.hpp"
+
+namespace mahlwerk::app {
+
+Command run_command(), sweep_command(), compare_command(), fit_command(), optimise_command(),
+    match_command(), papers_command(), check_command(), list_command(), describe_command(),
+    completion_command();
+
+std::vector<Command> commands() {
+  return {run_command(),      sweep_command(),    compare_command(),   fit_command(),
+          optimise_command(), match_command(),    papers_command(),    check_command(),
+          list_command(),     describe_command(), completion_command()};
+}
+
+Option one_case() {
+  return {.name = "CASE",
+          .target = &Request::target,
+          .about = "a case file, or a folder with one case",
+          .required = true};
+}
+
+Option several_cases() {
+  return {.name = "CASE",
+          .target = &Request::target,
+          .about = "a case file, or a folder with a case.toml or several cases",
+          .required = true};
+}
+
+Options changes() {
+  return {{"--set", &Request::set,
+           "change one value: --set mill.frequency=\"12 Hz\"; may be repeated", "KEY=VALUE"},
+          {"--seed", &Request::seed, "seed of the random numbers, instead of the case's"}};
+}
+
+Options running(std::string_view suffix) {
+  return {{.name = "--out",
+           .target = &Request::out,
+           .about = fmt::format(
+               "folder for the results (default: results/ and the name of the case{})", suffix)},
+          {"--force", &Request::force, "replace results that are there"},
+          threads(),
+          quiet()};
+}
+
+Option threads() {
+  return {.name = "--jobs,--threads",
+          .target = &Request::threads,
+          .about = "how many replicates run at a time (default: all cores)",
+          .range = {1, 4096}};
+}
+
+Option quiet() {
+  return {"--quiet", &Request::quiet, "no progress, no table: only errors"};
+}
+
+Option json() {
+  return {"--json", &Request::json, "print JSON instead of a table"};
+}
+
+Option checkpoint(std::string_view about) {
+  return {.name = "--checkpoint",
+          .target = &Request::checkpoint,
+          .about = std::string(about),
+          .type = "SECONDS"};
+}
+
+Option kept_checkpoint() {
+  return checkpoint(
+      "keep the states of runs every so many seconds, for the same command to go on from (default "
+      "1)");
+}
+
+Options joined(std::initializer_list<Options> lists) {
+  Options all;
+  for (const Options& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+}  // namespace mahlwerk::app

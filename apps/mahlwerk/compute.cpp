@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compute.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "messages.hpp"
+#include "progress.hpp"
+
+namespace mahlwerk::app {
+
+campaign::Options options_of(const Request& request, ProgressLine& line) {
+  campaign::Options options;
+  options.threads = request.threads;
+  options.stop = &stop_wanted();
+  options.progress = [&](const campaign::Progress& p) { line.show(p); };
+  return options;
+}
+
+std::vector<results::Outcome> compute(const Request& request,
+                                      const std::vector<cases::Case>& points,
+                                      const campaign::Streams& streams,
+                                      campaign::Checkpoint* checkpoint) {
+  ProgressLine line(request.quiet);
+  campaign::Options options = options_of(request, line);
+  options.checkpoint = checkpoint;
+  streams.join(options);
+  return campaign::run(points, options);
+}
+
+std::vector<results::Outcome> compute(const Request& request,
+                                      const std::vector<cases::Case>& points,
+                                      const campaign::Streams& streams, campaign::KeptRuns& kept) {
+  ProgressLine line(request.quiet);
+  TroubleTeller not_kept;
+  const auto told = [&](std::size_t begun) {
+    const bool alone = points.size() == 1;
+    if (!request.quiet && !request.json)
+      to_stderr(fmt::format(
+          "{} where {} ended\n",
+          alone ? "a run goes on" : fmt::format("{} of {} settings go on", begun, points.size()),
+          alone ? "it was" : "they were"));
+  };
+  std::vector<results::Outcome> outcomes = kept.compute(points, streams, options_of(request, line),
+                                                        {.version = version(),
+                                                         .every = request.checkpoint.value_or(1),
+                                                         .told = told,
+                                                         .trouble = std::ref(not_kept)});
+  not_kept.tell_again();
+  return outcomes;
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep_case.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <functional>
+#include <optional>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/report/notices.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "messages.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "2/8" is the second of eight.
+campaign::Shard shard_of(const std::string& text) {
+  campaign::Shard shard;
+  if (text.empty()) return shard;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.number);
+  const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
+  const bool sound = slash && second.ec == std::errc{} && second.ptr == end && shard.of >= 1 &&
+                     shard.of <= 100'000 && shard.number >= 1 && shard.number <= shard.of;
+  if (!sound)
+    throw InputError(Fault{"--shard " + text, "this is no part of a whole",
+                           "write --shard 1/4 for the first of four", "bad-shard"});
+  return shard;
+}
+
+/// What there is to say once the work has ended.
+void tell(const campaign::CampaignFolder& folder, const campaign::Counts& counts,
+          const report::Campaign& campaign, const campaign::Worked& worked) {
+  to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
+  const fs::path& place = folder.place();
+  fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
+             (place / "campaign.html").string(), (place / "campaign.csv").string(),
+             (place / "campaign.sqlite").string());
+  if (worked.there > 0) fmt::print("{} had been run before\n", counted(worked.there, "run"));
+  fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
+  if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
+  fmt::print("\n");
+}
+
+int ending(const Request& request, const campaign::Worked& worked, const campaign::Counts& counts,
+           const fs::path& place) {
+  const bool talks = !request.quiet || request.json;
+  if (worked.interrupted) {
+    const std::string kept =
+        fmt::format("{} of {} runs are done and kept; the same command goes on", counts.done,
+                    counts.done + counts.failed + counts.waiting);
+    if (talks)
+      tell_end(interrupted, "interrupted: " + kept,
+               {Fault{"", "interrupted", kept, "interrupted"}});
+    return interrupted;
+  }
+  if (counts.failed == 0) return fine;
+  const std::string failed = counted(counts.failed, "run") + " failed",
+                    word = shell_word(place.string()),
+                    remedy = fmt::format(
+                        "`mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries them "
+                        "again",
+                        word, word);
+  if (talks)
+    tell_end(stopped_by_physics, failed + ": " + remedy,
+             {Fault{place.string(), failed, remedy, "runs-failed"}});
+  return stopped_by_physics;
+}
+
+/// A shard does its part and says so; its numbers are told once all are joined.
+int end_shard(const Request& request, campaign::CampaignFolder& folder,
+              const campaign::Shard& shard, const campaign::Worked& worked) {
+  const campaign::Counts counts = folder.store().counts();
+  if (!request.quiet && !request.json)
+    to_stdout(
+        fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
+                    "mahlwerk sweep merge {}\n",
+                    shard.number, shard.of, worked.done, worked.failed, worked.there,
+                    worked.seconds, shell_word(folder.place().string())));
+  if (request.json) print_campaign(folder.store(), folder.place(), &worked);
+  return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
+}
+
+}  // namespace
+
+namespace {
+
+campaign::CampaignSettings settings_of(const Request& request, std::optional<ProgressLine>& line,
+                                       TroubleTeller& not_kept) {
+  campaign::CampaignSettings made{.version = std::string(version()),
+                                  .catalogue = catalogue(),
+                                  .threads = request.threads,
+                                  .force = request.force,
+                                  .folders = {},
+                                  .stop = &stop_wanted(),
+                                  .write = {},
+                                  .progress = {},
+                                  .trouble = std::ref(not_kept)};
+  if (!request.results.empty()) made.folders = request.results == "all";
+  made.write = [](const results::Folder& folder, const results::Outcome& outcome) {
+    report::write(folder, outcome, version(), "", false);
+  };
+  made.progress = [&](const campaign::WorkProgress& p) {
+    line->show(fmt::format(
+        "{:3.0f} %  {} of {} runs done{}  {}", 100 * p.share, p.done, p.of,
+        p.failed > 0 ? fmt::format(", {} failed", p.failed) : "",
+        p.share > 0 ? fmt::format("{:.0f} s left", p.seconds * (1 - p.share) / p.share) : ""));
+  };
+  return made;
+}
+
+}  // namespace
+
+cases::Case swept_case(const fs::path& file, const std::vector<cases::Override>& set) {
+  cases::Case what = cases::read(file, catalogue(), set);
+  if (what.sweep.empty())
+    throw InputError(Fault{file.generic_string(), "the case has no [sweep]: nothing varies",
+                           "add for instance [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
+                           "rpm\"] below it, or use `mahlwerk run`",
+                           "no-sweep"});
+  return what;
+}
+
+std::string counted(std::size_t n, std::string_view what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+void print_campaign(const campaign::Store& store, const fs::path& place,
+                    const campaign::Worked* worked) {
+  const campaign::Counts counts = store.counts();
+  results::Json said = results::Json::object({{"results", place.string()},
+                                              {"points", counts.points},
+                                              {"done", counts.done},
+                                              {"failed", counts.failed},
+                                              {"waiting", counts.waiting},
+                                              {"notices", results::notices_json(store.notices())}});
+  if (worked != nullptr) said["seconds"] = worked->seconds;
+  json_to_stdout(said);
+}
+
+std::string table_with_warnings(const report::Campaign& campaign) {
+  const std::string warned =
+      report::notice_lines(campaign.notices, campaign.points.size(), "point");
+  return report::campaign_table(campaign) + '\n' + warned + (warned.empty() ? "" : "\n");
+}
+
+int sweep_case(const Request& request, const fs::path& file,
+               const std::vector<cases::Override>& set, const fs::path& place) {
+  const campaign::Shard shard = shard_of(request.shard);
+  if (!shard.whole() && request.force)
+    throw InputError(Fault{"--force", "a shard cannot replace what others may be at work on",
+                           "take the folder away before the first shard starts", "bad-shard"});
+  const cases::Case what = swept_case(file, set);
+  catch_ctrl_c();
+  std::optional<ProgressLine> line;
+  TroubleTeller not_kept;
+  campaign::CampaignFolder folder(settings_of(request, line, not_kept), file, set, place, shard);
+  folder.plan(campaign::Plan(what.sweep, what.seed));
+  if (stop_wanted()) {
+    if (!request.quiet || request.json)
+      tell_end(interrupted, "interrupted: nothing was run yet",
+               {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
+    return interrupted;
+  }
+  line.emplace(request.quiet);
+  const campaign::Worked worked = folder.work();
+  not_kept.tell_again();
+  line.reset();  // from the terminal
+  if (!shard.whole()) return end_shard(request, folder, shard, worked);
+  const campaign::Counts counts = folder.store().counts();
+  if (!fs::exists(place / "campaign.sqlite"))
+    throw InputError(Fault{place.string(), "the folder was taken away while the campaign ran",
+                           "start it again", "cannot-write"});
+  const report::Campaign campaign = campaign_of(folder.store());
+  write_pages(folder.store(), campaign, place);
+  if (request.json) print_campaign(folder.store(), place, &worked);
+  if (!request.quiet && !request.json) tell(folder, counts, campaign, worked);
+  return ending(request, worked, counts, place);
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/cases/read.hpp"
+
+namespace mahlwerk::campaign {
+
+/// A case with what was measured of it, and the mills that stand for it.
+struct FitJob {
+  cases::Case base;  ///< as the case file says, free numbers anywhere in their ranges
+  std::string data_file;
+  Measurements data;
+  std::vector<FreeParameter> numbers;
+  std::vector<cases::Case> mills;  ///< of each condition
+};
+
+/// Of a case file with [fit] and a table of measurements. Throws InputError with the faults of all
+/// conditions.
+FitJob fit_job(const std::filesystem::path& file, const std::string& data_file,
+               const cases::Catalogue& known, const std::vector<cases::Override>& set);
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A campaign's runs at work: from the queue into folders and the store.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/queue.hpp"
+#include "mahlwerk/campaign/run/streams.hpp"
+#include "mahlwerk/campaign/sweep/campaign_folder.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double checkpoint_every = 60;  // [s]
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// Why physics stopped a run; empty if it did not.
+std::string trouble(const results::Outcome& outcome) {
+  for (const results::Replicate& r : outcome.replicates)
+    if (!r.stopped.empty()) return r.stopped;
+  return "";
+}
+
+}  // namespace
+
+/// What lies open while runs are at work: their folders, streams and states.
+class CampaignFolder::ActiveRuns {
+ public:
+  ActiveRuns(CampaignFolder& owner, std::vector<std::size_t> todo)
+      : owner_(owner), todo_(std::move(todo)) {
+    for (const std::size_t point : todo_) wanted_ += owner_.runs_[point].work;
+  }
+
+  Worked work(Worked worked) {
+    worked_ = worked;
+    const auto begin = std::chrono::steady_clock::now();
+    Options options;
+    options.threads = threads_of(owner_.settings_.threads);
+    options.stop = owner_.settings_.stop;
+    options.progress = [&](const Progress& p) { show(p); };
+    options.records = [&](std::size_t i, int r) {
+      const ActiveRun& mine = active(i);
+      return mine.folder ? mine.streams.records(0, r) : nullptr;
+    };
+    options.frames = [&](std::size_t i, int r) {
+      const ActiveRun& mine = active(i);
+      return mine.folder ? mine.streams.frames(0, r) : nullptr;
+    };
+    Queue queue;
+    queue.size = todo_.size();
+    queue.open = [&](std::size_t i) { return open(i); };
+    queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
+    queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
+    queue.kept = [&](std::size_t i) {
+      ActiveRun& mine = active(i);
+      using Ended = Kept::Ended;
+      return Kept{.in = &*mine.checkpoint,
+                  .ended = mine.replicates > 1 ? Ended::noted : Ended::forgotten};
+    };
+    queue.wanted = wanted_;
+    queue.weight = [&](std::size_t i) {
+      const Run& run = owner_.runs_[todo_[i]];
+      return run.work / run.seconds;
+    };
+    work_off(queue, options);
+    worked_.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    worked_.interrupted = owner_.stopped();
+    return worked_;
+  }
+
+ private:
+  struct ActiveRun {
+    explicit ActiveRun(std::string_view version) : streams(version) {}
+    std::string name;  // of its folder, below the campaign's
+    std::string began = now();
+    std::int64_t replicates = 1;
+    std::unique_ptr<results::Folder> folder;  // or null
+    Streams streams;
+    std::optional<Checkpoint> checkpoint;
+  };
+
+  ActiveRun& active(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    return *active_.at(i);
+  }
+  void clear(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    active_.erase(i);
+  }
+
+  cases::Case open(std::size_t i) {
+    const std::size_t point = todo_[i];
+    cases::Case what = owner_.file_.read(owner_.settings_.catalogue, owner_.settings(point));
+    what.sweep = {};
+    auto made = std::make_unique<ActiveRun>(owner_.settings_.version);
+    made->replicates = what.run.replicates;
+    const std::string hash = hash_text(owner_.runs_[point].hash);
+    made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
+                             std::to_string(owner_.size()).size(), hash.substr(0, 8));
+    const fs::path place = owner_.place_ / made->name;
+    const bool streams = what.observe.frames || what.observe.collisions;
+    results::make_folder(place.parent_path());
+    if (owner_.keeps_folders() || streams)
+      made->folder = std::make_unique<results::Folder>(place, true);
+    if (made->folder) made->streams.add(what, *made->folder, "");
+    const fs::path kept = place.string() + ".checkpoint";
+    const auto no_state = [&] {
+      made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
+                               checkpoint_every, owner_.settings_.trouble);
+    };
+    no_state();
+    if (!streams && fs::exists(kept)) try {
+        made->checkpoint->load();
+      } catch (const InputError&) {
+        no_state();  // it was another version's, or damaged: the run begins anew
+      }
+    const std::lock_guard lock(mutex_);
+    active_[i] = std::move(made);
+    return what;
+  }
+
+  void done(std::size_t i, const results::Outcome& outcome) {
+    ActiveRun& mine = active(i);
+    mine.streams.close();
+    if (!outcome.interrupted) {
+      if (mine.folder) {
+        owner_.settings_.write(*mine.folder, outcome);
+        mine.folder->commit();
+      }
+      Finished finished;
+      finished.hash = owner_.runs_[todo_[i]].hash;
+      finished.resolved = cases::write(outcome.what);
+      finished.engine = name_of(outcome.engine);
+      finished.regime = outcome.summary.regime;
+      finished.folder = mine.folder ? mine.name : "";
+      finished.began = mine.began;
+      finished.wall_seconds = outcome.wall_seconds;
+      finished.cpu_seconds = outcome.cpu_seconds;
+      finished.failure = trouble(outcome);
+      finished.quantities = outcome.summary.quantities;
+      finished.notices = outcome.notices;
+      owner_.store_->keep(finished);
+      mine.checkpoint->remove();
+      const std::lock_guard lock(mutex_);
+      ++(finished.failure.empty() ? worked_.done : worked_.failed);
+    }
+    clear(i);
+  }
+
+  void failed(std::size_t i, const std::exception& why) {
+    owner_.store_->fail(owner_.runs_[todo_[i]].hash, why.what());
+    clear(i);
+    const std::lock_guard lock(mutex_);
+    ++worked_.failed;
+  }
+
+  void show(const Progress& p) {
+    using Seconds = std::chrono::duration<double>;
+    const double gone = Seconds(std::chrono::steady_clock::now() - began_).count();
+    const double share = p.wanted > 0 ? std::min(1.0, p.simulated / p.wanted) : 0;
+    const std::lock_guard lock(mutex_);
+    if (owner_.settings_.progress)
+      owner_.settings_.progress({.share = share,
+                                 .seconds = gone,
+                                 .done = worked_.done,
+                                 .failed = worked_.failed,
+                                 .of = todo_.size()});
+  }
+
+  CampaignFolder& owner_;
+  std::vector<std::size_t> todo_;
+  double wanted_ = 0;  // [s] of work, estimated
+  std::mutex mutex_;
+  std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;  // by place in todo_
+  Worked worked_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+Worked CampaignFolder::work() {
+  Worked worked;
+  std::vector<std::size_t> todo = to_do(worked);
+  return ActiveRuns(*this, std::move(todo)).work(worked);
+}
+
+}  // namespace mahlwerk::campaign

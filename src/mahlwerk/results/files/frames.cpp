@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/files/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "mahlwerk/cases/build.hpp"
+
+namespace mahlwerk::results {
+
+InputError cannot_write_frames(const std::filesystem::path& file) {
+  return InputError(Fault{file.string(), std::string("cannot be written: ") + std::strerror(errno),
+                          "free some space, or keep fewer frames: a longer [observe] frames",
+                          "cannot-write"});
+}
+
+FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& what)
+    : chamber_(cases::chamber(what)) {
+  using cases::FramesFormat;
+  const auto with = [&](const char* ending) { return stem.string() + ending; };
+  if (what.observe.frames_format != FramesFormat::vtk) xyz_.emplace(with(".xyz"), chamber_.shape);
+  if (what.observe.frames_format != FramesFormat::xyz)
+    vtk_.emplace(with(".pvd"), chamber_.shape, cases::looks_still(what));
+}
+
+void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
+                     const std::vector<Vec3>& forces) {
+  const Frame frame = std::visit(
+      [&](const auto& m) {
+        return Frame{time, balls, forces, m.ride(time).centre, m.turn(time) * chamber_.mount};
+      },
+      chamber_.motion);
+  if (xyz_) xyz_->add(frame);
+  if (vtk_) vtk_->add(frame);
+}
+
+std::string frames_name(int replicate) {
+  return fmt::format("frames-{}", replicate + 1);
+}
+
+FrameTimes::FrameTimes(const cases::Case& what)
+    : settle_(what.run.settle),
+      end_(what.run.settle + what.run.time),
+      every_(what.observe.frames.value_or(0)) {
+  if (every_ > 0) count_ = 1 + static_cast<std::int64_t>(what.run.time / every_ * (1 + 1e-12));
+}
+
+double FrameTimes::next() const {
+  if (done_ == count_) return std::numeric_limits<double>::infinity();
+  return std::min(end_, settle_ + every_ * static_cast<double>(done_));
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/files/json.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
+
+Json origins(const cases::Case& what, bool cases::Origin::*chosen) {
+  Json list = Json::array();
+  for (const cases::Origin& o : what.origins) {
+    if (o.*chosen)
+      list.push_back(Json::object({{"key", o.key}, {"value", o.value}, {"source", o.source}}));
+  }
+  return list;
+}
+
+Json texts(const Notices& notices, bool warnings) {
+  Json list = Json::array();
+  for (const Notice& one : notices)
+    if (one.warns() == warnings) list.push_back(one.text);
+  return list;
+}
+
+Json listed(const Notices& notices) {
+  Json list = Json::array();
+  for (const Notice& one : notices)
+    list.push_back(Json::object(
+        {{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}}));
+  return list;
+}
+
+Json about(const Outcome& outcome, std::string_view version) {
+  Json runs = Json::array();
+  for (const Replicate& r : outcome.replicates) {
+    Json run = Json::object({{"complete", r.complete && r.time() > 0}, {"time", r.time()}});
+    if (!r.stopped.empty()) run["stopped"] = r.stopped;
+    runs.push_back(std::move(run));
+  }
+  const bool whole = complete(outcome);
+  return Json::object({{"mahlwerk", version},
+                       {"schema", schema},
+                       {"title", outcome.what.title},
+                       {"seed", outcome.what.seed},
+                       {"engine", name_of(outcome.engine)},
+                       {"regime", outcome.summary.regime},
+                       {"regime_reason", outcome.summary.regime_reason},
+                       {"notes", texts(outcome.notices, false)},
+                       {"warnings", texts(outcome.notices, true)},
+                       {"notices", listed(outcome.notices)},
+                       {"threshold", outcome.what.observe.threshold},
+                       {"complete", whole},
+                       {"interrupted", outcome.interrupted && !whole},
+                       {"replicates", std::move(runs)},
+                       {"assumed", origins(outcome.what, &cases::Origin::assumed)},
+                       {"unverified", origins(outcome.what, &cases::Origin::unverified)},
+                       {"wall_seconds", outcome.wall_seconds},
+                       {"cpu_seconds", outcome.cpu_seconds}});
+}
+
+Json object(const Quantity& q) {
+  return Json::object({{"value", q.value},
+                       {"ci95", q.ci95},
+                       {"ci95_time", q.ci95_time},
+                       {"unit", q.unit},
+                       {"about", q.about}});
+}
+
+Json table_of(const std::vector<PairSummary>& pairs) {
+  Json list = Json::array();
+  for (const PairSummary& pair : pairs) {
+    Json row = Json::object({{"between", Json::array({pair.one, pair.other})}});
+    for (const Quantity& q : pair.quantities) row[q.name] = object(q);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json states_of(const TwoStates& found) {
+  Json states = Json::array();
+  for (const State& state : found.states) {
+    Json one = Json::object({{"replicates", state.replicates}, {"share", found.share(state)}});
+    for (const Quantity& q : state.quantities)
+      one[q.name] = Json::object({{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}});
+    states.push_back(std::move(one));
+  }
+  return Json::object({{"chance", found.chance}, {"states", std::move(states)}});
+}
+
+}  // namespace
+
+Json notices_json(const NoticeCounts& counts) {
+  Json list = Json::array();
+  for (const NoticeCount& one : counts)
+    list.push_back(Json::object({{"code", one.first.code},
+                                 {"severity", name_of(one.first.severity)},
+                                 {"count", one.runs},
+                                 {"text", one.first.text}}));
+  return list;
+}
+
+std::string summary_json(const Outcome& outcome, std::string_view version) {
+  const Summary& summary = outcome.summary;
+  Json all;
+  all["_about"] = about(outcome, version);
+  for (const Quantity& q : summary.quantities) all[q.name] = object(q);
+  if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
+  if (summary.two_states) all["_states"] = states_of(*summary.two_states);
+  return all.text(2) + '\n';
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/files/json_value.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace mahlwerk::results {
+namespace {
+
+using Library = nlohmann::ordered_json;
+
+Library of_library(const Json& json);
+
+Library of_library(const Json::Array& values) {
+  Library::array_t made;
+  made.reserve(values.size());
+  for (const Json& value : values) made.push_back(of_library(value));
+  return made;
+}
+
+Library of_library(const Json::Object& members) {
+  Library::object_t made;
+  for (const auto& [key, value] : members) made.emplace(key, of_library(value));
+  return made;
+}
+
+Library of_library(const Json& json) {
+  const auto made = [](const auto& value) -> Library {
+    using Kind = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Kind, Json::Array> || std::is_same_v<Kind, Json::Object>)
+      return of_library(value);
+    else
+      return value;
+  };
+  return std::visit(made, json.value());
+}
+
+}  // namespace
+
+Json::Json() : value_(nullptr) {}
+Json::Json(std::nullptr_t) : value_(nullptr) {}
+Json::Json(bool truth) : value_(truth) {}
+Json::Json(int number) : value_(std::int64_t{number}) {}
+Json::Json(long number) : value_(std::int64_t{number}) {}
+Json::Json(long long number) : value_(std::int64_t{number}) {}
+Json::Json(unsigned number) : value_(std::uint64_t{number}) {}
+Json::Json(unsigned long number) : value_(std::uint64_t{number}) {}
+Json::Json(unsigned long long number) : value_(std::uint64_t{number}) {}
+Json::Json(double number) : value_(number) {}
+Json::Json(const char* text) : value_(std::string(text)) {}
+Json::Json(std::string_view text) : value_(std::string(text)) {}
+Json::Json(std::string text) : value_(std::move(text)) {}
+
+Json::Json(const Json&) = default;
+Json::Json(Json&&) noexcept = default;
+Json& Json::operator=(const Json&) = default;
+Json& Json::operator=(Json&&) noexcept = default;
+Json::~Json() = default;
+
+Json Json::array(std::initializer_list<Json> values) {
+  Json made;
+  made.value_ = Array(values);
+  return made;
+}
+
+Json Json::object(std::initializer_list<Member> members) {
+  Json made;
+  made.value_ = Object(members);
+  return made;
+}
+
+Json& Json::operator[](std::string_view key) {
+  if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Object();
+  Object& members = std::get<Object>(value_);
+  const auto there = std::ranges::find(members, key, &Member::key);
+  if (there != members.end()) return there->value;
+  members.push_back({std::string(key), Json()});
+  return members.back().value;
+}
+
+void Json::push_back(Json value) {
+  if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Array();
+  std::get<Array>(value_).push_back(std::move(value));
+}
+
+Json& Json::back() {
+  return std::get<Array>(value_).back();
+}
+
+std::string Json::text(int indent) const {
+  return of_library(*this).dump(indent, ' ', false, Library::error_handler_t::replace);
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/files/writer.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/files/result_file.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/quantities/tables.hpp"
+#include "mahlwerk/results/quantities/wall.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
+
+/// A measured motion travels with the result: its samples, as a case can read them again.
+Table samples(const kinematics::Tabulated& motion) {
+  Table table{{{"time", "s", "of the sample"},
+               {"x", "m", "the jar's centre in the laboratory"},
+               {"y", "m", "likewise"},
+               {"z", "m", "likewise"},
+               {"angle", "rad", "by which the jar has turned"}},
+              {}};
+  for (const kinematics::Sample& s : motion.samples())
+    table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
+  return table;
+}
+
+/// Those of every result first; each is a CSV file, too.
+std::vector<NamedTable> tables(const Outcome& outcome) {
+  std::vector<NamedTable> all{
+      {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
+      {"speeds", "collisions per bin of normal speed", speeds(outcome)},
+      {"angles", "collisions per degree of impact angle", angles(outcome)},
+      {"normal_tangential", "collisions per bin of normal and of tangential energy",
+       normal_tangential(outcome)},
+      {"timeseries", "the run in equal stretches of its counted time", time_series(outcome)},
+      {"replicates", "the quantities of each replicate", replicates(outcome)}};
+  if (!outcome.summary.pairs.empty())
+    all.push_back({"collisions_by_pair", "quantities by kind of pair",
+                   collisions_by_pair(outcome.summary.pairs)});
+  const auto unless_empty = [&](std::string name, std::string about, Table table) {
+    if (!table.rows.empty()) all.push_back({std::move(name), std::move(about), std::move(table)});
+  };
+  unless_empty("spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
+               spectra_by_pair(outcome));
+  unless_empty("durations", "contacts per bin of how long they lasted", durations(outcome));
+  unless_empty("flashes", "collisions per bin of the rise of the temperature", flashes(outcome));
+  unless_empty("wall_map", "where the jar is hit and worn", wall_map(outcome));
+  unless_empty("fields", "where the charge is and how it moves", fields(outcome));
+  unless_empty("wear", "what balls and jar lose", wear(outcome));
+  unless_empty("temperature", "of balls and jar over milling and pauses", temperatures(outcome));
+  unless_empty("capture", "powder caught per bin of energy, by kind of pair", capture(outcome));
+  unless_empty("captured_grains", "collisions by grains caught", captured_grains(outcome));
+  unless_empty("grinding", "sizes of the powder over the time of milling", grinding(outcome));
+  unless_empty("size_distribution", "sizes of the powder at some times",
+               size_distribution(outcome));
+  unless_empty("conversion", "what the dose has done", conversion(outcome));
+  unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&outcome.what.mill.motion))
+    all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
+    if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
+      all.push_back({stopped_name(static_cast<int>(i)),
+                     "the balls of a replicate where physics stopped it", balls_at_stop(r)});
+  return all;
+}
+
+}  // namespace
+
+std::string write_case(const Folder& folder, cases::Case what, std::string_view name) {
+  const std::string below(name.substr(0, name.find_last_of('/') + 1));
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&what.mill.motion)) {
+    folder.write(below + std::string(motion_file), csv(samples(*measured)));
+    what.mill.motion_file = motion_file;
+  }
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&what.jar.shape)) {
+    folder.write(below + std::string(jar_file),
+                 cases::stl_text(mesh->surface()));  // in m, as moved
+    what.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
+  }
+  std::string text = cases::write(what);
+  folder.write(name, text);
+  return text;
+}
+
+void write(const Folder& folder, const Outcome& outcome, std::string_view version,
+           std::string_view below) {
+  const auto put = [&](std::string_view name, const std::string& text) {
+    folder.write(std::string(below) + std::string(name), text);
+  };
+  const std::vector<NamedTable> all = tables(outcome);
+  for (const NamedTable& t : all) put(t.name + ".csv", csv(t.table));
+  const std::string case_text =
+      write_case(folder, outcome.what, std::string(below) + "case.resolved.toml");
+  write_result_file(folder.file(std::string(below) + "result.h5"), all, {},
+                    outcome.summary.quantities, case_text, version);
+  put("summary.json", summary_json(outcome, version));
+}
+
+}  // namespace mahlwerk::results

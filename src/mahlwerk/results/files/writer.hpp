@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/outcome.hpp"
+
+namespace mahlwerk::results {
+
+/// Writes summary.json, result.h5, case.resolved.toml and the tables of a result (docs/formats.md)
+/// into `folder`, under `below` if that is given ("" or "point-03/").
+void write(const Folder& folder, const Outcome& outcome, std::string_view version,
+           std::string_view below = "");
+
+/// Writes the case as `name` ("case.resolved.toml", perhaps in a folder), with its jar's mesh and a
+/// measured motion beside it; the text.
+std::string write_case(const Folder& folder, cases::Case what, std::string_view name);
+
+}  // namespace mahlwerk::results

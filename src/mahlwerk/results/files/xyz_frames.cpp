@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/files/xyz_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <iterator>
+#include <utility>
+#include <variant>
+
+#include "mahlwerk/base/units.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+/// Each as the shortest text that reads back as the same double: at most 17 digits.
+std::string numbers(const Vec3& a) {
+  return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
+}
+
+/// The jar's box: a cube that it fits into however it turns, or the periods of a periodic box.
+std::string cell_of(const geometry::AnyShape& shape) {
+  const auto* periodic = std::get_if<geometry::PeriodicBox>(&shape);
+  const double reach = std::visit([](const auto& s) { return s.reach(); }, shape);
+  const Vec3 size = periodic != nullptr ? periodic->periods() : 2 * reach * Vec3{1, 1, 1};
+  return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{}\"", shortest(size.x),
+                     shortest(size.y), shortest(size.z), numbers(-0.5 * size),
+                     periodic != nullptr ? "T T T" : "F F F");
+}
+
+}  // namespace
+
+XyzFrames::XyzFrames(std::filesystem::path file, const geometry::AnyShape& shape)
+    : path_(std::move(file)), file_(std::fopen(path_.c_str(), "wb")), cell_(cell_of(shape)) {
+  if (!file_) throw cannot_write_frames(path_);
+}
+
+void XyzFrames::add(const Frame& frame) {
+  const bool forces = !frame.forces.empty();
+  std::string text = fmt::format(
+      "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{} "
+      "Time={} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "
+      "jar_x=\"{}\" jar_y=\"{}\" jar_z=\"{}\"\n",
+      frame.balls.size(), cell_, forces ? ":forces:R:3" : "", shortest(frame.time),
+      numbers(frame.centre), numbers(frame.turn.ex), numbers(frame.turn.ey),
+      numbers(frame.turn.ez));
+  for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+    const scene::Ball& b = frame.balls[i];
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", i + 1, b.kind + 1,
+                   numbers(b.position), shortest(b.radius), numbers(b.velocity), numbers(b.spin));
+    if (forces) text += ' ' + numbers(frame.forces[i]);
+    text += '\n';
+  }
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
+      std::fflush(file_.get()) != 0)
+    throw cannot_write_frames(path_);
+}
+
+}  // namespace mahlwerk::results

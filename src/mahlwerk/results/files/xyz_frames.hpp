@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/results/files/frame.hpp"
+
+namespace mahlwerk::results {
+
+/// frames-1.xyz: frames one behind the other, in extended XYZ, which OVITO and other viewers read.
+class XyzFrames {
+ public:
+  XyzFrames(std::filesystem::path file, const geometry::AnyShape& shape);
+  void add(const Frame& frame);
+
+ private:
+  std::filesystem::path path_;
+  OpenFile file_;
+  std::string cell_;  // keys of the box drawn around the jar
+};
+
+}  // namespace mahlwerk::results

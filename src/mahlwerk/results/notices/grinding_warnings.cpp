@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Where the models of grinding are asked beyond their range.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using Chosen = std::vector<const Replicate*>;
+
+void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
+  const double size = *what.powder->size;
+  double nip = INFINITY;  // the narrowest where anything collides
+  for (const powder::Stress& s : hits.stresses)
+    nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
+  constexpr double large = 0.25;
+  if (std::holds_alternative<powder::Barrios>(what.capture->model) && size > large * nip)
+    list.push_back(warning(
+        "large-grains",
+        fmt::format(
+            "Grains of {} are large beside the balls: the bed one grain high is made for grains "
+            "far "
+            "smaller than the nip's radius, here {}. How many are caught is a rough estimate.",
+            show_rounded(size, "m"), show_rounded(nip, "m"))));
+}
+
+void more_than_dissipated(const Chosen& chosen, Notices& list) {
+  const double given = mean_over(chosen, [](const Replicate& r) {
+    return share(r.ground->caught.power, dissipated_power(r));
+  });
+  if (given > 1)
+    list.push_back(warning(
+        "more-than-dissipated",
+        fmt::format("Caught grains get {} times the power that the mill dissipates, more than "
+                    "there is: a "
+                    "mill with powder between its balls loses more in each collision. Give a "
+                    "restitution as "
+                    "with powder, choose [capture] energy = \"lost\", or lower energy_share.",
+                    two_digits(given))));
+}
+
+void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
+  const powder::Process process = cases::process(what);
+  const powder::Grain grain = process.grain(*what.powder->size);
+  constexpr double nearly = 0.999, often = 0.01;
+  double whole = 0, all = 0;
+  for (const powder::Stress& s : hits.stresses) {
+    const powder::Catch c =
+        process.caught(hits.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    if (c.grains * grain.mass() >= nearly * what.powder->mass) whole += s.rate * s.energy;
+    all += s.rate * s.energy;
+  }
+  if (whole > often * all)
+    list.push_back(warning("catch-cut", fmt::format("Collisions that carry {} % of the power "
+                                                    "would catch more powder than there is: their "
+                                                    "catch was cut to all of it.",
+                                                    two_digits(100 * whole / all))));
+}
+
+void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
+  constexpr double much = 0.05, often = 0.01;
+  const double finest = mean_over(
+      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().back(); });
+  if (finest > much)
+    list.push_back(warning(
+        "finest-class",
+        fmt::format(
+            "{} % of the powder are as fine as is told apart, below {}, where nothing breaks "
+            "any "
+            "further: a smaller grinding.smallest shows more, if the models still hold there.",
+            two_digits(100 * finest), show_rounded(grinding.smallest, "m"))));
+  const double coarsest = mean_over(
+      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
+  if (grinding.welding > 0 && coarsest > often)
+    list.push_back(
+        warning("coarsest-class", fmt::format("{} % of the powder welded into grains sixteen "
+                                              "times as large as the feed, the largest "
+                                              "told apart.",
+                                              two_digits(100 * coarsest))));
+}
+
+void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
+  constexpr std::int64_t close = 12;
+  const bool binary = std::holds_alternative<powder::BinaryFragments>(grinding.fragments);
+  if (binary && chosen.front()->ground->balance && grinding.classes_per_octave < close)
+    list.push_back(warning(
+        "wide-classes",
+        fmt::format("Two pieces cut anywhere are nearly as large as the grain: with {} classes an "
+                    "octave the "
+                    "balance grinds too slowly, by shares of up to {} %. "
+                    "grinding.classes_per_octave = 12, or "
+                    "method = \"statistical\", is closer.",
+                    grinding.classes_per_octave, grinding.classes_per_octave < 6 ? 13 : 3)));
+}
+
+}  // namespace
+
+Notices grinding_warnings(const Outcome& outcome) {
+  const Chosen chosen = ground_replicates(outcome);
+  const cases::Case& what = outcome.what;
+  Notices list;
+  if (chosen.empty() || !what.capture) return list;
+  const powder::StressSpectrum hits = stresses(what, chosen);
+  large_grains(what, hits, list);
+  more_than_dissipated(chosen, list);
+  all_of_the_powder(what, hits, list);
+  if (!what.grinding) return list;
+  ends_of_the_classes(*what.grinding, chosen, list);
+  wide_classes(*what.grinding, chosen, list);
+  return list;
+}
+
+}  // namespace mahlwerk::results

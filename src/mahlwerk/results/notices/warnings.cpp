@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/notices/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/states.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+/// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
+/// allow; where contacts are followed in steps, to what the step allows.
+constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
+
+/// Of a ball's radius: far beyond what contact laws are made for.
+constexpr double sunk = 0.2;
+
+double value(const Outcome& outcome, std::string_view name) {
+  return named(outcome.summary.quantities, name).value;
+}
+
+/// [J] What the charges of all replicates have stored since counting began, at the end of each
+/// window.
+std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
+  std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
+  for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
+  std::vector<double> sums(windows, 0);
+  for (std::size_t i = 0; i < windows; ++i) {
+    if (i > 0) sums[i] = sums[i - 1];
+    for (const Replicate* r : chosen) sums[i] += r->windows[i].wall_work - r->windows[i].lost;
+  }
+  return sums;
+}
+
+/// Whether the charge stored more or less energy when counting began, which is zero here, than it
+/// does at any time after the first windows (sta.8).
+bool start_differs(const std::vector<double>& stored, std::size_t first) {
+  constexpr double far = 3;  // standard deviations
+  if (first == 0 || first + 1 >= stored.size()) return false;
+  const std::vector<double> rest(stored.begin() + static_cast<std::ptrdiff_t>(first), stored.end());
+  const double mean = observe::estimate(rest).mean;
+  double squares = 0;
+  for (const double s : rest) squares += (s - mean) * (s - mean);
+  return std::abs(mean) > far * std::sqrt(squares / static_cast<double>(rest.size() - 1));
+}
+
+double power_imbalance(const std::vector<const Replicate*>& chosen) {
+  double sum = 0;
+  for (const Replicate* r : chosen)
+    sum += per_time(*r, &scene::Account::wall_work) / dissipated_power(*r) - 1;
+  return sum / static_cast<double>(chosen.size());
+}
+
+/// What the start of a run does to its means: the settling that its power shows, and energy that
+/// the charge gains or loses meanwhile. Short series show neither.
+void not_steady(const Outcome& outcome, Notices& list) {
+  constexpr double much = 0.1, balanced = 0.01;
+  constexpr std::size_t fewest = 50;  // windows: ten batches
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<double> energy = stored(chosen);
+  if (energy.size() < fewest) return;
+  const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
+               imbalance = power_imbalance(chosen);
+  const double windows = settling / chosen.front()->windows.front().length;
+  if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
+      !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
+    return;
+  list.push_back(warning(
+      "not-settled",
+      fmt::format("The charge had not settled when counting began: the first {} of {} "
+                  "counted stand out, and {} % {} power was drawn than dissipated. A longer "
+                  "run.settle helps.",
+                  show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
+                  two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
+}
+
+void cut_short(const Outcome& outcome, Notices& list) {
+  if (averaged(outcome).empty())
+    list.push_back(warning("no-result", "No time was counted: there is no result."));
+  if (outcome.interrupted && !complete(outcome))
+    list.push_back(
+        warning("interrupted",
+                "The run was interrupted: these numbers come from the part that was computed."));
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
+    if (!outcome.replicates[i].stopped.empty())
+      list.push_back(warning("stopped", fmt::format("Replicate {} was stopped: {}", i + 1,
+                                                    outcome.replicates[i].stopped)));
+}
+
+void not_certain(const Outcome& outcome, Notices& list) {
+  if (std::ranges::all_of(averaged(outcome), &Replicate::sure)) return;
+  list.push_back(warning(
+      "not-certain",
+      fmt::format(
+          "{} is not known within {:.3g} % at the longest time allowed: a longer run.longest "
+          "helps.",
+          outcome.what.run.until->quantity, 100 * outcome.what.run.until->within)));
+}
+
+/// Whether the largest residual is of energy that came from nowhere.
+bool appeared(const Outcome& outcome) {
+  double worst = 0;
+  for (const Replicate& r : outcome.replicates)
+    if (std::abs(r.account.residual()) > std::abs(worst)) worst = r.account.residual();
+  return worst > 0;
+}
+
+/// Collisions that gain energy stop a run; this finds what a sum of them would hide.
+void energy_gained(const Outcome& outcome, Notices& list) {
+  const bool soft = outcome.engine == cases::EngineName::soft;
+  const double rounding = soft ? closed_run_in_steps : 1e-9;
+  for (const Replicate& r : outcome.replicates) {
+    const scene::Account& a = r.account;
+    const double turned_over = a.kinetic + std::abs(a.started_with) + std::abs(a.wall_work);
+    const double lost = std::min(a.lost(), a.lost() - r.at_settled.lost());
+    if (!(lost < -rounding * turned_over)) continue;
+    const char* const why =
+        soft
+            ? "Under this contact law a tangential spring stiffens while it is stretched, which "
+              "adds energy; where dampers are strong, at a restitution near 0, that is more than "
+              "they take. A larger restitution, or law = \"linear-spring\", has less of it."
+            : "This is an error of Mahlwerk, not of the case: please report it with the case file.";
+    list.push_back(
+        invalid("energy-gained",
+                fmt::format("Collisions dissipated {:.3g} J, less than nothing. {}", lost, why)));
+    return;
+  }
+}
+
+void energy_balances(const Outcome& outcome, Notices& list) {
+  const double collision = value(outcome, "energy_residual");
+  if (!(collision <= closed_collision))
+    list.push_back(warning(
+        "energy-residual",
+        fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
+                    "{:.0e} is expected.",
+                    collision, closed_collision)));
+  const bool soft = outcome.engine == cases::EngineName::soft;
+  const double run = value(outcome, "energy_balance");
+  const double closed = soft ? closed_run_in_steps : closed_run;
+  if (!(run <= closed))
+    list.push_back(warning(
+        "energy-balance",
+        fmt::format("The energy balance of a run does not close: energy {}, a residual of {:.1e}; "
+                    "at most {:.0e} is expected.{}",
+                    appeared(outcome) ? "appeared" : "was lost", run, closed,
+                    soft ? " A shorter run.time_step or stiffer contacts may close it." : "")));
+}
+
+/// What was reached, by bodies as they collided.
+void overlaps(const Outcome& outcome, Notices& list) {
+  const double deepest = value(outcome, "deepest_overlap");
+  if (outcome.engine != cases::EngineName::soft || !(deepest > soft_overlap)) return;
+  if (deepest > sunk)
+    list.push_back(warning(
+        "deep-overlap",
+        fmt::format(
+            "Two bodies overlapped by {} of a ball's radius. Where balls are squeezed so, "
+            "forces are no longer those of the contact law: a larger contact.softening, stiffer "
+            "contacts or a shorter run.time_step help.",
+            two_digits(deepest))));
+  else
+    list.push_back(warning(
+        "soft-contacts",
+        fmt::format(
+            "Two bodies overlapped by {} % of a ball's radius, more than {:.0f} %. Forces and "
+            "contact times are those of softer bodies; a larger contact.softening or stiffness "
+            "makes them harder.",
+            two_digits(100 * deepest), 100 * soft_overlap)));
+}
+
+}  // namespace
+
+Notices warnings(const Outcome& outcome) {
+  Notices list;
+  cut_short(outcome, list);
+  append(list, cases::jar_warnings(outcome.what));
+  append(list, cases::unusual_values(outcome.what));
+  append(list, cases::ignored_keys(outcome.what, outcome.engine));
+  energy_gained(outcome, list);
+  energy_balances(outcome, list);
+  overlaps(outcome, list);
+  append(list, state_notices(outcome.summary));
+  not_steady(outcome, list);
+  append(list, grinding_warnings(outcome));
+  not_certain(outcome, list);
+  return list;
+}
+
+}  // namespace mahlwerk::results

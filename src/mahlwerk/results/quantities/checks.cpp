@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "mahlwerk/results/quantities/groups.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using scene::Account;
+
+double energy_balance(const cases::Case&, const Replicate& r) {
+  const Account& a = r.account;
+  const double scale = std::abs(a.wall_work) + std::abs(a.lost()) + std::abs(a.started_with);
+  const double residual = std::abs(a.residual());
+  return residual == 0 ? 0 : residual / scale;
+}
+
+double ratio(const cases::Case& c) {
+  return *c.powder->grain_size / *c.powder->size;  // (chg.9)
+}
+
+}  // namespace
+
+std::vector<Measure> grain_measures(const cases::Case& what) {
+  if (!what.powder || !what.powder->grain_size) return {};
+  std::vector<Measure> list{
+      {"grain_count", "1", "spheres that stand for the powder",
+       [](const cases::Case& c, const Replicate&) {
+         return static_cast<double>(c.balls.back().count);
+       },
+       true},
+      {"coarse_graining_ratio", "1", "size of a grain over the powder's size",
+       [](const cases::Case& c, const Replicate&) { return ratio(c); }, true},
+      {"particles_per_grain", "1", "particles of the powder that each grain stands for",
+       [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); }, true},
+  };
+  if (!what.powder->size) list.resize(1);
+  return list;
+}
+
+std::vector<Measure> check_measures() {
+  return {
+      {"energy_residual", "1",
+       "largest relative residual of one collision's energy balance, of all replicates",
+       [](const cases::Case&, const Replicate& r) { return r.account.worst_collision; }, true},
+      {"energy_balance", "1",
+       "residual of a whole run's energy balance over wall work + losses + energy at the start, of "
+       "the "
+       "worst replicate",
+       energy_balance, true},
+      {"deepest_overlap", "1",
+       "deepest overlap of two bodies as they collided over the ball's radius, of all replicates",
+       [](const cases::Case&, const Replicate& r) { return r.account.deepest_overlap; }, true},
+      {"simulated_time", "s", "counted time of one replicate",
+       [](const cases::Case&, const Replicate& r) { return r.time(); }},
+  };
+}
+
+}  // namespace mahlwerk::results

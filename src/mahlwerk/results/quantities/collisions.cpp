@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <numbers>
+
+#include "mahlwerk/results/quantities/groups.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::Sums;
+
+/// The mean over all collisions, or over those above the threshold.
+template <double Sums::*sum, Sums observe::Tally::*which>
+double mean_per_collision(const cases::Case&, const Replicate& r) {
+  constexpr double factor = sum == &Sums::angle ? 180 / std::numbers::pi : 1;
+  const Sums& sums = r.tally.*which;
+  return share(factor * sums.*sum, static_cast<double>(sums.count));
+}
+
+template <double Sums::*sum>
+void add_means(std::vector<Measure>& list, const std::string& name, const char* unit,
+               const std::string& about) {
+  list.push_back({name, unit, about, mean_per_collision<sum, &observe::Tally::all>});
+  list.push_back({name + "_above_threshold", unit, about + "; collisions above the threshold",
+                  mean_per_collision<sum, &observe::Tally::above>});
+}
+
+double between_balls(const Sums& sums, const Replicate& r) {
+  return share(static_cast<double>(sums.between_balls), r.time());
+}
+double with_jar(const Sums& sums, const Replicate& r) {
+  return share(static_cast<double>(sums.count - sums.between_balls), r.time());
+}
+
+}  // namespace
+
+std::vector<Measure> collision_rates() {
+  return {
+      {"collision_rate", "1/s", "collisions per second, all of them",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.tally.all.count), r.time());
+       }},
+      {"collision_rate_above_threshold", "1/s",
+       "collisions per second with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) {
+         return share(static_cast<double>(r.tally.above.count), r.time());
+       }},
+      {"collision_rate_in_flight", "1/s",
+       "collisions above the threshold per second that the balls are not in lasting contact",
+       [](const cases::Case& c, const Replicate& r) {
+         const double contact = r.account.contact_time - r.at_settled.contact_time;
+         return share(static_cast<double>(r.tally.above.count),
+                      r.time() - contact / count_of_balls(c));
+       }},
+  };
+}
+
+std::vector<Measure> collision_rates_by_partner(const cases::Case& what) {
+  if (!(count_of_balls(what) > 1)) return {};
+  return {
+      {"collision_rate_between_balls", "1/s",
+       "collisions of balls with balls per second, each once",
+       [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.all, r); }},
+      {"collision_rate_between_balls_above_threshold", "1/s",
+       "those with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.above, r); }},
+      {"collision_rate_with_jar", "1/s", "collisions of balls with the jar per second",
+       [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.all, r); }},
+      {"collision_rate_with_jar_above_threshold", "1/s",
+       "those with a normal speed u_n of at least the threshold",
+       [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.above, r); }},
+  };
+}
+
+std::vector<Measure> collision_means() {
+  std::vector<Measure> list;
+  add_means<&Sums::energy_normal>(list, "energy_normal_mean", "J",
+                                  "mean impact energy of the normal motion, m u_n^2/2");
+  add_means<&Sums::energy_contact_point>(list, "energy_contact_point_mean", "J",
+                                         "mean impact energy of the motion of the touching points, "
+                                         "m (u_n^2 + u_t^2)/2, spin included");
+  add_means<&Sums::energy_centre>(list, "energy_centre_mean", "J",
+                                  "mean impact energy of the motion of the centres, spin left out");
+  add_means<&Sums::lost>(list, "energy_lost_mean", "J", "mean energy dissipated in one collision");
+  add_means<&Sums::approach>(list, "impact_speed_normal_mean", "m/s",
+                             "mean normal speed u_n at first touch");
+  add_means<&Sums::slip>(
+      list, "impact_speed_tangential_mean", "m/s",
+      "mean tangential speed |u_t| of the touching points at first touch, spin included");
+  add_means<&Sums::angle>(list, "impact_angle_mean", "deg",
+                          "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing");
+  return list;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/grinding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/nips.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+using observe::LogHistogram;
+using powder::StressSpectrum;
+
+const LogHistogram& energies(const Case& what, const observe::Spectra& spectra) {
+  using Energy = cases::Capture::Energy;
+  switch (what.capture->energy) {
+    case Energy::normal:
+      return spectra.energy_normal;
+    case Energy::contact_point:
+      return spectra.energy_contact_point;
+    case Energy::lost:
+      break;
+  }
+  return spectra.energy_lost;
+}
+
+/// Collisions of one kind of pair, a bin of energy at its mean, as means over replicates. What has
+/// no energy presses nothing.
+void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int pair,
+                  StressSpectrum& all) {
+  for (int bin = 1; bin < LogHistogram::bins; ++bin) {
+    double rate = 0, power = 0;
+    for (const Replicate* r : of) {
+      const LogHistogram& histogram = energies(what, r->tally.by_pair[pair].spectra);
+      const double per = 1 / (r->time() * static_cast<double>(of.size()));
+      rate += per * static_cast<double>(histogram.count(bin));
+      power += per * histogram.sum(bin);
+    }
+    if (rate > 0) all.stresses.push_back({pair, power / rate, rate});
+  }
+}
+
+/// Each nip as the mean over replicates.
+std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Replicate*>& of) {
+  std::vector<powder::Nip> mean;
+  for (const Replicate* r : of) {
+    const std::vector<powder::Nip> own = r->ground && !r->ground->stresses.nips.empty()
+                                             ? r->ground->stresses.nips
+                                             : nips(what, r->tally);
+    if (mean.empty()) mean.resize(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      mean[i].radius += own[i].radius / static_cast<double>(of.size());
+      mean[i].modulus = own[i].modulus;
+    }
+  }
+  return mean;
+}
+
+powder::Stream stream_of(const Replicate& r, const std::vector<powder::Nip>& nips) {
+  powder::Stream stream{{}, static_cast<double>(r.stream.each()), r.time()};
+  for (const observe::StressStream::Hit& hit : r.stream.hits())
+    if (hit.energy > 0 && nips[static_cast<std::size_t>(hit.pair)].radius > 0)
+      stream.hits.push_back({hit.energy, hit.pair});
+  return stream;
+}
+
+powder::Milling sampled(const Case& what, const Replicate& r, const StressSpectrum& stresses,
+                        int index) {
+  // A stream of its own, far from those that place balls.
+  constexpr std::uint32_t first = 0x706f7764U;
+  Random random(what.seed, first + static_cast<std::uint32_t>(index));
+  const auto start = static_cast<std::uint64_t>(std::ldexp(random.uniform(), 53));
+  return powder::mill_a_sample(cases::process(what), stresses.nips, stream_of(r, stresses.nips),
+                               size_grid(what), what.powder->feed, what.grinding->time,
+                               static_cast<int>(what.grinding->sample), start);
+}
+
+}  // namespace
+
+observe::StressStream::Energy stream_energy(const Case& what) {
+  using Energy = cases::Capture::Energy;
+  using Kept = observe::StressStream::Energy;
+  switch (what.capture->energy) {
+    case Energy::normal:
+      return Kept::normal;
+    case Energy::contact_point:
+      return Kept::contact_point;
+    case Energy::lost:
+      break;
+  }
+  return Kept::lost;
+}
+
+StressSpectrum stresses(const Case& what, const std::vector<const Replicate*>& of) {
+  StressSpectrum all;
+  all.nips = mean_nips(what, of);
+  for (int pair = 0; pair < std::ssize(all.nips); ++pair)
+    if (all.nips[static_cast<std::size_t>(pair)].radius > 0) add_stresses(what, of, pair, all);
+  return all;
+}
+
+powder::SizeGrid size_grid(const Case& what) {
+  const powder::Feed& feed = what.powder->feed;
+  const bool equal = feed.law == powder::Feed::Law::equal;
+  const double largest = equal ? feed.size : feed.largest();
+  constexpr double room = 16;  // for grains that weld
+  return {equal ? feed.size : feed.quantile(0.5),
+          what.grinding->welding > 0 ? room * largest : largest, what.grinding->smallest,
+          static_cast<int>(what.grinding->classes_per_octave)};
+}
+
+powder::Milling milled(const Case& what, const StressSpectrum& stresses,
+                       const powder::Beds* known) {
+  return powder::mill_by_balance(cases::process(what), stresses, size_grid(what), what.powder->feed,
+                                 what.grinding->time, known);
+}
+
+powder::Beds beds(const Case& what, const StressSpectrum& stresses) {
+  if (what.grinding->bed == powder::Bed::mixed) return {};
+  return powder::beds(cases::process(what), stresses, size_grid(what), 0);
+}
+
+CaughtRates caught_rates(const Case& what, const StressSpectrum& stresses) {
+  const powder::Process process = cases::process(what);
+  const powder::Grain grain = process.grain(*what.powder->size);
+  CaughtRates rates;
+  double energy = 0;
+  for (const powder::Stress& s : stresses.stresses) {
+    const powder::Catch c =
+        process.caught(stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    rates.mass += s.rate * c.mean_mass(grain);
+    rates.power += s.rate * c.chance * process.energy_share * s.energy;
+    rates.grains += s.rate * s.energy * c.chance * c.grains;
+    energy += s.rate * s.energy;
+  }
+  rates.grains = share(rates.grains, energy);
+  return rates;
+}
+
+double dose_rate(const Case& what, const std::vector<const Replicate*>& of,
+                 const StressSpectrum& stresses) {
+  const bool caught = !what.kinetics || what.kinetics->dose == cases::Kinetics::Dose::captured;
+  double power = caught ? caught_rates(what, stresses).power : 0;
+  if (!caught)
+    for (const Replicate* r : of) power += dissipated_power(*r) / static_cast<double>(of.size());
+  return power / what.powder->mass;
+}
+
+void grind(const Case& what, Replicate& replicate, int index) {
+  if (!what.powder || (!what.capture && !what.kinetics) || !(replicate.time() > 0)) return;
+  Ground ground;
+  const std::vector<const Replicate*> alone{&replicate};
+  if (what.capture) {
+    ground.stresses = stresses(what, alone);
+    ground.caught = caught_rates(what, ground.stresses);
+  }
+  ground.dose_rate = dose_rate(what, alone, ground.stresses);
+  using Method = cases::Grinding::Method;
+  if (what.grinding && what.grinding->method != Method::statistical)
+    ground.balance = milled(what, ground.stresses);
+  if (what.grinding && what.grinding->method != Method::balance)
+    ground.sample = sampled(what, replicate, ground.stresses, index);
+  replicate.ground = std::move(ground);
+}
+
+namespace {
+
+/// Of the powder at the end of its milling, of what the case chose.
+template <class Of>
+double at_end(const Replicate& r, const Of& of) {
+  if (!r.ground || !r.ground->grinds()) return nothing;
+  const powder::Milling& milling = r.ground->milling();
+  return of(milling.grid, milling.shares.back());
+}
+
+double size_at_end(const Replicate& r, double share) {
+  return at_end(r, [&](const auto& grid, const auto& shares) {
+    return powder::quantile(grid, shares, share);
+  });
+}
+
+CaughtRates caught(const Replicate& r) {
+  return r.ground ? r.ground->caught : CaughtRates{nothing, nothing, nothing};
+}
+
+}  // namespace
+
+std::vector<Measure> capture_measures(const Case& what) {
+  if (!what.capture) return {};
+  return {
+      {"captured_mass_rate", "kg/s", "powder that collisions catch per second",
+       [](const Case&, const Replicate& r) { return caught(r).mass; }},
+      {"captured_share_rate", "1/s", "that over the mass of the powder: how often a grain is hit",
+       [](const Case& c, const Replicate& r) { return caught(r).mass / c.powder->mass; }},
+      {"captured_grains_mean", "1",
+       "grains of the feed's median size in a collision, mean weighted by its energy",
+       [](const Case&, const Replicate& r) { return caught(r).grains; }},
+      {"captured_energy_mean", "J/g", "energy that caught powder gets in a collision, by its mass",
+       [](const Case&, const Replicate& r) {
+         const CaughtRates rates = caught(r);
+         return share(rates.power, 1000 * rates.mass);
+       }},
+      {"captured_dose_rate", "W/g", "power that caught grains get, by mass of the powder",
+       [](const Case& c, const Replicate& r) { return caught(r).power / (1000 * c.powder->mass); }},
+  };
+}
+
+std::vector<Measure> grinding_measures(const Case& what) {
+  if (!what.grinding) return {};
+  std::vector<Measure> list{
+      {"d10", "m", "size that 10 % of the powder's mass is finer than, after milling",
+       [](const Case&, const Replicate& r) { return size_at_end(r, 0.1); }},
+      {"d50", "m", "median size by mass, after milling",
+       [](const Case&, const Replicate& r) { return size_at_end(r, 0.5); }},
+      {"d90", "m", "size that 90 % of the powder's mass is finer than, after milling",
+       [](const Case&, const Replicate& r) { return size_at_end(r, 0.9); }},
+      {"specific_surface", "m2/kg", "of spheres of these sizes, after milling",
+       [](const Case& c, const Replicate& r) {
+         return at_end(r, [&](const auto& grid, const auto& shares) {
+           return powder::specific_surface(grid, shares, *c.powder->density);
+         });
+       }},
+      {"finest_share", "1", "mass in the finest class, which does not break any further",
+       [](const Case&, const Replicate& r) {
+         return at_end(r, [](const auto&, const auto& shares) { return shares.back(); });
+       }},
+      {"specific_grinding_energy", "J/g", "what caught grains got over the time of milling",
+       [](const Case& c, const Replicate& r) {
+         return caught(r).power * c.grinding->time / (1000 * c.powder->mass);
+       }},
+  };
+  return list;
+}
+
+std::vector<Measure> kinetics_measures(const Case& what) {
+  if (!what.kinetics) return {};
+  std::vector<Measure> list{
+      {"milling_dose", "J/g", "energy by mass of powder over the time of milling",
+       [](const Case& c, const Replicate& r) {
+         return r.ground ? r.ground->dose_rate * c.kinetics->time / 1000 : nothing;
+       }},
+      {"conversion", "1", "after milling, by that dose", [](const Case& c, const Replicate& r) {
+         return r.ground ? c.kinetics->conversion.at(r.ground->dose_rate * c.kinetics->time)
+                         : nothing;
+       }}};
+  if (!what.kinetics->property.empty())
+    list.push_back({"property", "1", what.kinetics->property + ", after milling",
+                    [](const Case& c, const Replicate& r) {
+                      if (!r.ground) return nothing;
+                      const double done =
+                          c.kinetics->conversion.at(r.ground->dose_rate * c.kinetics->time);
+                      return std::lerp(c.kinetics->initial, c.kinetics->final, done);
+                    }});
+  return list;
+}
+
+}  // namespace mahlwerk::results

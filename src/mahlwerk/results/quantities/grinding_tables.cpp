@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is told of the powder, as tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using powder::Milling;
+
+using MillingOf = std::optional<Milling> Ground::*;
+const Milling& milling(const Replicate& r, MillingOf method) {
+  return *((*r.ground).*method);
+}
+
+std::vector<MillingOf> methods(const Replicate& r) {
+  std::vector<MillingOf> list;
+  for (const MillingOf method : {&Ground::balance, &Ground::sample})
+    if (((*r.ground).*method).has_value()) list.push_back(method);
+  return list;
+}
+
+/// What stands before the names of columns of the sample where there is a balance, too.
+std::string prefix(const Replicate& r, MillingOf method) {
+  return methods(r).size() == 2 && method == &Ground::sample ? "sample_" : "";
+}
+
+}  // namespace
+
+Table capture(const Outcome& outcome) {
+  Table table{pair_columns(), {}};
+  for (const Column& c : std::vector<Column>{
+           {"energy", "J", "mean energy of the collisions in a bin, as [capture] energy says"},
+           {"rate", "1/s", "collisions per second"},
+           {"grains", "1", "grains of the feed's median size that such a collision catches"},
+           {"mass", "kg", "their mass, mean"},
+           {"radius", "m", "of the spot they are caught on"},
+           {"energy_per_grain", "J", "that each gets"},
+           {"specific_energy", "J/kg", "that by its mass"}})
+    table.columns.push_back(c);
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  if (!outcome.what.capture || chosen.empty()) return table;
+  const powder::Process process = cases::process(outcome.what);
+  const powder::Grain grain = process.grain(*outcome.what.powder->size);
+  const powder::StressSpectrum all = stresses(outcome.what, chosen);
+  for (const powder::Stress& s : all.stresses) {
+    const powder::Catch c =
+        process.caught(all.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    std::vector<double> row =
+        pair_cells(table, pair_names(outcome.what, chosen.front()->tally.by_pair, s.nip));
+    const double each = process.energy_share * s.energy / c.grains;
+    row.insert(row.end(), {s.energy, s.rate, c.chance * c.grains, c.mean_mass(grain), c.radius,
+                           each, each / grain.mass()});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table captured_grains(const Outcome& outcome) {
+  Table table{{{"grains_low", "1", "grains caught by a collision, lower edge of the bin"},
+               {"grains_high", "1", "upper edge; the first bin holds single grains alone"},
+               {"rate", "1/s", "collisions per second"},
+               {"power", "W", "the sum of their energy per second"}},
+              {}};
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  if (!outcome.what.capture || chosen.empty()) return table;
+  const powder::Process process = cases::process(outcome.what);
+  const powder::StressSpectrum all = stresses(outcome.what, chosen);
+  std::map<int, std::array<double, 2>> bins;  // quarters of an octave; 0: one grain
+  for (const powder::Stress& s : all.stresses) {
+    const powder::Catch c = process.caught(all.nips[static_cast<std::size_t>(s.nip)], s.energy,
+                                           *outcome.what.powder->size);
+    const int bin = c.grains > 1 ? 1 + static_cast<int>(4 * std::log2(c.grains)) : 0;
+    auto& [rate, power] = bins[bin];
+    rate += s.rate * c.chance;
+    power += s.rate * c.chance * s.energy;
+  }
+  for (const auto& [bin, sums] : bins)
+    table.rows.push_back({bin == 0 ? 1 : std::exp2(0.25 * (bin - 1)),
+                          bin == 0 ? 1 : std::exp2(0.25 * bin), sums[0], sums[1]});
+  return table;
+}
+
+Table grinding(const Outcome& outcome) {
+  Table table{{{"time", "s", "of milling"},
+               {"specific_energy", "J/g", "that caught grains got until then"}},
+              {}};
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  if (!outcome.what.grinding || chosen.empty()) return table;
+  constexpr std::array<std::pair<double, const char*>, 3> shares{
+      {{0.1, "d10"}, {0.5, "d50"}, {0.9, "d90"}}};
+  const Replicate& first = *chosen.front();
+  for (const MillingOf method : methods(first)) {
+    for (const auto& [share, name] : shares)
+      table.columns.push_back(
+          {prefix(first, method) + name, "m",
+           fmt::format("size that {:.0f} % of the mass is finer than{}", 100 * share,
+                       method == &Ground::sample ? ", of the sample" : "")});
+    table.columns.push_back(
+        {prefix(first, method) + "specific_surface", "m2/kg", "of spheres of these sizes"});
+  }
+  const double power = mean_over(chosen, [](const Replicate& r) { return r.ground->caught.power; });
+  const std::vector<double>& times = milling(first, methods(first).front()).time;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    std::vector<double> row{times[i], power * times[i] / (1000 * outcome.what.powder->mass)};
+    for (const MillingOf method : methods(first)) {
+      for (const auto& [share, name] : shares)
+        row.push_back(mean_over(chosen, [&, part = share](const Replicate& r) {
+          const Milling& m = milling(r, method);
+          return powder::quantile(m.grid, m.shares[i], part);
+        }));
+      row.push_back(mean_over(chosen, [&](const Replicate& r) {
+        const Milling& m = milling(r, method);
+        return powder::specific_surface(m.grid, m.shares[i], *outcome.what.powder->density);
+      }));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table size_distribution(const Outcome& outcome) {
+  Table table{{{"time", "s", "of milling"},
+               {"size_low", "m", "lower edge of the class"},
+               {"size_high", "m", "upper edge of the class"}},
+              {}};
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  if (!outcome.what.grinding || chosen.empty()) return table;
+  const Replicate& first = *chosen.front();
+  for (const MillingOf method : methods(first)) {
+    const std::string before = prefix(first, method);
+    table.columns.push_back({before + "share", "1", "of the mass in the class"});
+    table.columns.push_back({before + "density", "1", "share per unit of the logarithm of size"});
+    table.columns.push_back(
+        {before + "passing", "1", "share of the mass finer than the upper edge"});
+  }
+  constexpr std::array times{0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
+  const powder::SizeGrid& grid = milling(first, methods(first).front()).grid;
+  for (const double part : times) {
+    const double time = part * outcome.what.grinding->time;
+    std::vector<std::vector<double>> shares;  // of each method
+    for (const MillingOf method : methods(first)) {
+      std::vector<double>& sum = shares.emplace_back(static_cast<std::size_t>(grid.classes()));
+      for (const Replicate* r : chosen) {
+        const std::vector<double> one = milling(*r, method).at(time);
+        for (std::size_t c = 0; c < sum.size(); ++c)
+          sum[c] += one[c] / static_cast<double>(chosen.size());
+      }
+    }
+    std::vector<double> passing(shares.size());
+    for (int i = grid.classes() - 1; i >= 0; --i) {  // from fine to coarse
+      std::vector<double> row{time, grid.lower(i), grid.upper(i)};
+      for (std::size_t m = 0; m < shares.size(); ++m) {
+        const double share = shares[m][static_cast<std::size_t>(i)];
+        passing[m] += share;
+        row.insert(row.end(), {share, share / std::log(grid.upper(i) / grid.lower(i)), passing[m]});
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table conversion(const Outcome& outcome) {
+  Table table{{{"time", "s", "of milling"},
+               {"dose", "J/g", "energy by mass of powder until then"},
+               {"conversion", "1", "by that dose"}},
+              {}};
+  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  if (!outcome.what.kinetics || chosen.empty()) return table;
+  const cases::Kinetics& kinetics = *outcome.what.kinetics;
+  if (!kinetics.property.empty()) table.columns.push_back({"property", "1", kinetics.property});
+  constexpr int points = 200;
+  for (int i = 0; i <= points; ++i) {
+    const double time = kinetics.time * i / points;
+    const double dose =
+        mean_over(chosen, [&](const Replicate& r) { return r.ground->dose_rate * time; });
+    const double done = mean_over(chosen, [&](const Replicate& r) {
+      return kinetics.conversion.at(r.ground->dose_rate * time);
+    });
+    table.rows.push_back({time, dose / 1000, done});
+    if (!kinetics.property.empty())
+      table.rows.back().push_back(std::lerp(kinetics.initial, kinetics.final, done));
+  }
+  return table;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/means.hpp"
+
+#include <cmath>
+
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::results {
+
+void combine(Quantity& q, const std::vector<double>& values) {
+  std::vector<double> there;
+  for (const double v : values) {
+    if (std::isfinite(v)) there.push_back(v);
+  }
+  q.value = q.ci95 = nothing;
+  if (there.empty()) return;
+  const observe::Estimate e = observe::estimate(there);
+  q.value = e.mean;
+  q.ci95 = e.ci95;
+}
+
+std::vector<Quantity> means(const std::vector<Measure>& measures,
+                            const std::vector<std::vector<double>>& each,
+                            const std::vector<std::size_t>& numbers) {
+  std::vector<Quantity> list;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    std::vector<double> values;
+    for (const std::size_t n : numbers) values.push_back(each[n - 1][i]);
+    const Measure& m = measures[i];
+    combine(list.emplace_back(Quantity{m.name, nothing, nothing, m.unit, m.about}), values);
+  }
+  return list;
+}
+
+}  // namespace mahlwerk::results

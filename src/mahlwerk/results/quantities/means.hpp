@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mahlwerk/results/quantities/measure.hpp"
+
+namespace mahlwerk::results {
+
+/// The mean of a quantity and its half-width; a replicate in which it does not exist (no collision)
+/// is left out.
+void combine(Quantity& q, const std::vector<double>& values);
+
+/// Each quantity's mean over the replicates with these numbers, from 1; `each` holds the values of
+/// every replicate.
+std::vector<Quantity> means(const std::vector<Measure>& measures,
+                            const std::vector<std::vector<double>>& each,
+                            const std::vector<std::size_t>& numbers);
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/groups.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+
+double impacts_per_ball(const Case& c, const Replicate& r, const observe::Sums& sums) {
+  // A collision of two balls is an impact on each.
+  return share(static_cast<double>(sums.count + sums.between_balls), r.time() * count_of_balls(c));
+}
+
+double drawn(const Replicate& r) {
+  return per_time(r, &scene::Account::wall_work);
+}
+
+/// [rad/s] of the shaft that drives the mill; NaN where none turns steadily.
+double shaft_speed(const Case& c) {
+  if (const auto* drum = std::get_if<kinematics::Tumbling>(&c.mill.motion))
+    return std::abs(drum->speed);
+  if (const auto* planetary = std::get_if<kinematics::Planetary>(&c.mill.motion))
+    return planetary->speed;
+  return nothing;
+}
+
+/// [1] particles of the powder; NaN if their size is not known.
+double particles(const Case& c) {
+  if (!c.powder->size || !c.powder->density) return nothing;
+  const double x = *c.powder->size;
+  return c.powder->mass / (*c.powder->density * std::numbers::pi / 6 * x * x * x);
+}
+
+double stress_energy(const Replicate& r) {
+  return share(r.tally.above.energy_contact_point, static_cast<double>(r.tally.above.count));
+}
+
+double dose_rate(const Case& c, const Replicate& r) {
+  return dissipated_power(r) / (1000 * c.powder->mass);
+}
+
+}  // namespace
+
+std::vector<Measure> mill_measures(const Case& what) {
+  std::vector<Measure> list{
+      {"impacts_per_ball", "1/s", "impacts on each ball per second, on others and on the jar",
+       [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.all); }},
+      {"impacts_per_ball_above_threshold", "1/s", "those of at least the threshold in normal speed",
+       [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.above); }},
+      {"power_imbalance", "1",
+       "drawn over dissipated power, less one: the charge still gains or loses energy where it is "
+       "not small",
+       [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
+  };
+  if (std::isfinite(shaft_speed(what)))
+    list.push_back({"shaft_torque", "N m",
+                    "drawn power over the speed of the shaft, per jar; friction of the drive left "
+                    "out",
+                    [](const Case& c, const Replicate& r) {
+                      return drawn(r) / shaft_speed(c);  // (obs.7)
+                    }});
+  if (what.mill.jars_carried > 1)
+    list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars the mill carries",
+                    [](const Case& c, const Replicate& r) {
+                      return drawn(r) * static_cast<double>(c.mill.jars_carried);
+                    }});
+  return list;
+}
+
+std::vector<Measure> dose_measures(const Case& what) {
+  if (!what.powder || !(what.powder->mass > 0)) return {};
+  std::vector<Measure> list{
+      {"specific_energy_dose_rate", "W/g",
+       "dissipated power per mass of powder: what the powder gets at most", dose_rate},
+      {"specific_energy_dose", "J/g",
+       cases::milling_time(what) ? "that dose rate times the milling time"
+                                 : "that dose rate times the counted time: the case says of no "
+                                   "other how long the mill works",
+       [](const Case& c, const Replicate& r) {
+         return dose_rate(c, r) * cases::milling_time(c).value_or(r.time());
+       }},
+      {"specific_impact_power", "W/g",
+       "impact energy of the touching points of all collisions, per second and mass of powder",
+       [](const Case& c, const Replicate& r) {
+         return share(r.tally.all.energy_contact_point, r.time() * 1000 * c.powder->mass);
+       }},
+      {"stress_energy", "J",
+       "mean impact energy m (u_n^2 + u_t^2)/2 of a stress event, a collision above the threshold",
+       [](const Case&, const Replicate& r) { return stress_energy(r); }},
+  };
+  if (cases::milling_time(what))
+    list.insert(
+        list.begin() + 2,
+        {"milling_time", "s",
+         "how long the mill works, pauses left out, as [grinding], [kinetics] or [heat] say",
+         [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
+  if (what.powder->size && what.powder->density)
+    list.push_back({"stress_number_rate", "1/s",
+                    "stress events per second and particle of the powder, each event on one",
+                    [](const Case& c, const Replicate& r) {
+                      return share(static_cast<double>(r.tally.above.count),
+                                   r.time() * particles(c));
+                    }});
+  return list;
+}
+
+std::vector<Measure> ledger_measures() {  // (obs.3)
+  return {
+      {"dissipated_power_of_collisions", "W",
+       "of the dissipated power, what finished collisions tell: the sum of the spectrum",
+       [](const Case&, const Replicate& r) { return share(r.tally.all.lost, r.time()); }},
+      {"dissipated_power_of_lasting_contacts", "W",
+       "of it, in contacts that last: rolling and sliding that no record tells of, and contacts "
+       "that had not ended",
+       [](const Case&, const Replicate& r) {
+         return per_time(r, &scene::Account::lost_lasting) +
+                per_time(r, &scene::Account::lost_open);
+       }},
+  };
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+using observe::Charge;
+using observe::PlaneField;
+using observe::Sums;
+
+double smallest_radius(const Case& c) {
+  double least = INFINITY;
+  for (const cases::BallSet& set : c.balls)
+    for (const cases::SizeClass& size : set.sizes()) least = std::min(least, 0.5 * size.diameter);
+  return least;
+}
+
+/// Of the cells whose middle a ball's centre can reach, those that hold more than `bound` of what
+/// an even charge would have there.
+double occupied_share(const Case& c, const Replicate& r) {
+  constexpr double bound = 0.1;
+  const PlaneField& field = r.charge.in_carrier;
+  const double reach = r.tally.wall_map.grid().radius - smallest_radius(c);
+  const double width = 2 * field.half() / PlaneField::cells;
+  const auto middle = [&](int i) { return (i + 0.5) * width - field.half(); };
+  double mass = 0;
+  std::vector<double> found;
+  for (int j = 0; j < PlaneField::cells; ++j)
+    for (int i = 0; i < PlaneField::cells; ++i) {
+      mass += field.density(i, j);
+      if (std::hypot(middle(i), middle(j)) < reach) found.push_back(field.density(i, j));
+    }
+  if (!(mass > 0) || found.empty()) return nothing;
+  const double even = mass / static_cast<double>(found.size());
+  const auto full = std::ranges::count_if(found, [&](double d) { return d > bound * even; });
+  return static_cast<double>(full) / static_cast<double>(found.size());
+}
+
+/// Root of the mean square, by mass.
+double speed(const PlaneField& field) {
+  double mass = 0, energy = 0;
+  for (int j = 0; j < PlaneField::cells; ++j)
+    for (int i = 0; i < PlaneField::cells; ++i) {
+      mass += field.density(i, j);
+      energy += field.kinetic_energy(i, j);
+    }
+  return mass > 0 ? std::sqrt(2 * energy / mass) : nothing;
+}
+
+double across(const Sums& sums) {
+  return sums.energy_contact_point - sums.energy_normal;
+}
+double mean_across(const Sums& sums) {
+  return share(across(sums), static_cast<double>(sums.count));
+}
+
+/// Of angles from 80 to 90 degrees.
+double grazing(const observe::Angles& angles, std::int64_t count) {
+  constexpr std::ptrdiff_t from = 80;
+  const auto those = std::accumulate(angles.begin() + from, angles.end(), std::int64_t{0});
+  return share(static_cast<double>(those), static_cast<double>(count));
+}
+
+}  // namespace
+
+std::vector<Measure> motion_measures(const Case& what) {
+  std::vector<Measure> list;
+  if (!regime_measures(what).empty())
+    list.push_back({"occupied_share", "1",
+                    "share of the jar's cross-section, as far as balls' centres reach, that holds "
+                    "more than a tenth of an even charge on average, seen from what carries the "
+                    "jar",
+                    occupied_share});
+  list.push_back({"ball_speed_seen_from_carrier", "m/s",
+                  "root of the mean square of the balls' speeds by mass, riding with the jar's "
+                  "centre and turning with what carries it",
+                  [](const Case&, const Replicate& r) { return speed(r.charge.in_carrier); }});
+  list.push_back({"ball_speed_seen_from_jar", "m/s", "the same seen from the turning jar",
+                  [](const Case&, const Replicate& r) { return speed(r.charge.in_jar); }});
+  return list;
+}
+
+std::vector<Measure> tangential_measures() {
+  return {
+      {"energy_tangential_mean", "J",
+       "mean impact energy of the motion across the normal, m u_t^2/2, spin included",
+       [](const Case&, const Replicate& r) { return mean_across(r.tally.all); }},
+      {"energy_tangential_mean_above_threshold", "J",
+       "mean impact energy of the motion across the normal, m u_t^2/2, spin included; collisions "
+       "above the threshold",
+       [](const Case&, const Replicate& r) { return mean_across(r.tally.above); }},
+      {"tangential_impact_power", "W", "m u_t^2/2 of all collisions per second",
+       [](const Case&, const Replicate& r) { return share(across(r.tally.all), r.time()); }},
+      {"grazing_share", "1", "share of the collisions at 80 to 90 degrees from head-on",
+       [](const Case&, const Replicate& r) {
+         return grazing(r.tally.whole().angle_all, r.tally.all.count);
+       }},
+      {"grazing_share_above_threshold", "1",
+       "share of the collisions at 80 to 90 degrees from head-on; collisions above the threshold",
+       [](const Case&, const Replicate& r) {
+         return grazing(r.tally.whole().angle_above, r.tally.above.count);
+       }},
+  };
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::ByPair;
+using observe::PairSums;
+using observe::PairTally;
+
+/// A kind of pair under its names, and the tallies it is made of.
+struct PairKind {
+  std::string one, other;
+  std::vector<int> pairs;
+};
+
+/// What one kind of pair's collisions add up to in one replicate.
+struct PairTotals {
+  PairSums all, above;
+};
+
+/// A number of one kind of pair in one replicate, whose counted time is `time` [s].
+struct PairMeasure {
+  std::string name, unit, about;
+  double (*of)(const PairTotals& tally, double time);
+};
+
+double mean_of(const PairSums& sums, double PairSums::*what) {
+  return sums.count > 0 ? sums.*what / static_cast<double>(sums.count) : nothing;
+}
+
+const std::vector<PairMeasure>& measures() {
+  static const std::vector<PairMeasure> list{
+      {"collision_rate", "1/s", "collisions of this kind per second",
+       [](const PairTotals& t, double time) { return static_cast<double>(t.all.count) / time; }},
+      {"collision_rate_above_threshold", "1/s",
+       "those with a normal speed u_n of at least the threshold",
+       [](const PairTotals& t, double time) { return static_cast<double>(t.above.count) / time; }},
+      {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
+       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_normal); }},
+      {"energy_normal_mean_above_threshold", "J", "of collisions above the threshold",
+       [](const PairTotals& t, double) { return mean_of(t.above, &PairSums::energy_normal); }},
+      {"energy_contact_point_mean", "J", "mean impact energy of the motion of the touching points",
+       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_contact_point); }},
+      {"energy_contact_point_mean_above_threshold", "J", "of collisions above the threshold",
+       [](const PairTotals& t, double) {
+         return mean_of(t.above, &PairSums::energy_contact_point);
+       }},
+      {"collision_power_normal", "W", "dissipated along the normal by finished collisions",
+       [](const PairTotals& t, double time) { return t.all.lost_normal / time; }},
+      {"collision_power_tangential", "W", "dissipated across the normal by finished collisions",
+       [](const PairTotals& t, double time) { return t.all.lost_tangential / time; }},
+  };
+  return list;
+}
+
+constexpr std::string_view jar = "jar";
+
+/// Kinds of pairs with the faces of the jar taken together.
+std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const ByPair& pairs) {
+  std::vector<PairKind> list;
+  for (int pair = 0; pair < pairs.pairs(); ++pair) {
+    const auto kinds = pairs.kinds_of(pair);
+    const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
+    if (kinds.with_jar() && kinds.face() > 0) {
+      list.back().pairs.push_back(pair);
+      continue;
+    }
+    list.push_back({one,
+                    kinds.with_jar() ? std::string(jar)
+                                     : cases::set_name(what, static_cast<std::size_t>(kinds.other)),
+                    {pair}});
+  }
+  return list;
+}
+
+PairSums sums_of(const Replicate& r, const PairKind& kind, PairSums (*of)(const PairTally&)) {
+  PairSums sum;
+  for (const int pair : kind.pairs) sum.add(of(r.tally.by_pair[pair]));
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Column> pair_columns() {
+  return {{"one", "1", "a ball set"},
+          {"other", "1", "what it collides with: a ball set, the jar or a face of it"}};
+}
+
+std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names) {
+  return {table.columns[0].number_of(names[0]), table.columns[1].number_of(names[1])};
+}
+
+std::array<std::string, 2> pair_names(const cases::Case& what, const ByPair& pairs, int pair) {
+  const auto kinds = pairs.kinds_of(pair);
+  const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
+  if (!kinds.with_jar()) return {one, cases::set_name(what, static_cast<std::size_t>(kinds.other))};
+  const std::vector<std::string> faces = cases::face_names(what.jar.shape);
+  if (faces.size() < 2 || pairs.faces() == 1) return {one, std::string(jar)};
+  return {one, fmt::format("{}.{}", jar, faces[static_cast<std::size_t>(kinds.face())])};
+}
+
+std::vector<PairSummary> by_pair(const Outcome& outcome) {
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  std::vector<PairSummary> found;
+  if (chosen.empty()) return found;
+  const std::vector<PairKind> kinds = kinds_of_pairs(outcome.what, chosen.front()->tally.by_pair);
+  if (kinds.size() == 1 || cases::kinds_of_balls(outcome.what).size() == 1) return found;
+  for (const PairKind& kind : kinds) {
+    PairSummary made{kind.one, kind.other, {}};
+    std::vector<PairTotals> totals;
+    for (const Replicate* r : chosen)
+      totals.push_back({sums_of(*r, kind, [](const PairTally& t) { return t.all(); }),
+                        sums_of(*r, kind, [](const PairTally& t) { return t.above; })});
+    for (const PairMeasure& m : measures()) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        values.push_back(m.of(totals[i], chosen[i]->time()));
+      combine(made.quantities.emplace_back(Quantity{m.name, 0, 0, m.unit, m.about}), values);
+    }
+    found.push_back(std::move(made));
+  }
+  return found;
+}
+
+Table collisions_by_pair(const std::vector<PairSummary>& pairs) {
+  Table table{pair_columns(), {}};
+  for (const PairMeasure& m : measures()) {
+    table.columns.push_back({m.name, m.unit, m.about});
+    table.columns.push_back({m.name + "_ci95", m.unit, "its half-width at 95 %"});
+  }
+  for (const PairSummary& pair : pairs) {
+    std::vector<double> row = pair_cells(table, {pair.one, pair.other});
+    for (const Quantity& q : pair.quantities) row.insert(row.end(), {q.value, q.ci95});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table sizes(const cases::Case& what) {
+  Table table{{{"set", "1", "the ball set"},
+               {"diameter", "m", "diameter of this size of ball"},
+               {"count", "1", "balls of this size"},
+               {"mass_share", "1", "of the set's mass"}},
+              {}};
+  if (std::ranges::all_of(what.balls, [](const auto& set) { return set.classes.empty(); }))
+    return table;
+  for (std::size_t i = 0; i < what.balls.size(); ++i) {
+    double cubes = 0;
+    const auto cube = [](const cases::SizeClass& c) {
+      return static_cast<double>(c.count) * c.diameter * c.diameter * c.diameter;
+    };
+    for (const cases::SizeClass& size : what.balls[i].sizes()) cubes += cube(size);
+    const double set = table.columns[0].number_of(cases::set_name(what, i));
+    for (const cases::SizeClass& size : what.balls[i].sizes())
+      table.rows.push_back(
+          {set, size.diameter, static_cast<double>(size.count), cube(size) / cubes});
+  }
+  return table;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/regime.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <variant>
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+using kinematics::Planetary;
+using kinematics::Tumbling;
+using observe::Charge;
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+bool has_regime(const Case& c) {
+  const auto* drum = std::get_if<Tumbling>(&c.mill.motion);
+  return (drum != nullptr && drum->speed != 0) || std::holds_alternative<Planetary>(c.mill.motion);
+}
+
+/// Where angles begin, from the plane's right, and the sense in which they grow (obs.8): the lowest
+/// point and the drum's turning; outwards and the jar's turning on its disc.
+struct Reference {
+  double zero = 0;  // [rad]
+  double sense = 1;
+};
+Reference reference(const Case& c) {
+  if (const auto* drum = std::get_if<Tumbling>(&c.mill.motion))
+    return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
+  return {0, std::get<Planetary>(c.mill.motion).ratio < 0 ? -1.0 : 1.0};
+}
+
+/// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end,
+/// counted round from where there is least, opposite its middle. The toe is within half a turn of
+/// the reference.
+struct Ends {
+  double toe = nothing, shoulder = nothing;
+};
+Ends ends(const Charge& charge, const Reference& from) {
+  constexpr int n = Charge::angles;
+  const double step = 2 * std::numbers::pi / n;
+  double x = 0, y = 0, all = 0;
+  for (std::size_t i = 0; i < charge.mass_at.size(); ++i) {
+    const double at = step * (static_cast<double>(i) + 0.5);
+    x += charge.mass_at[i] * std::cos(at);
+    y += charge.mass_at[i] * std::sin(at);
+    all += charge.mass_at[i];
+  }
+  if (!(all > 0)) return {};
+  const int first = static_cast<int>(std::floor((std::atan2(y, x) + std::numbers::pi) / step));
+  const int on = from.sense < 0 ? -1 : 1;  // slots are gone through whole, in the sense of turning
+  const double start = from.sense * (step * (on < 0 ? first + 1 : first) - from.zero);
+  const auto angle_of = [&](double part) {
+    double below = 0;
+    for (int k = 0; k < n; ++k) {
+      const double mass = charge.mass_at[static_cast<std::size_t>((first + on * k + n) % n)];
+      if (mass > 0 && below + mass >= part * all)
+        return start + step * (k + (part * all - below) / mass);
+      below += mass;
+    }
+    return start + 2 * std::numbers::pi;
+  };
+  const double toe = angle_of(0.05), wrapped = std::remainder(toe, 2 * std::numbers::pi);
+  return {degrees * wrapped, degrees * (wrapped + angle_of(0.95) - toe)};
+}
+
+double flight_share(const Case& c, const Replicate& r) {
+  return 1 - per_time(r, &scene::Account::contact_time) / count_of_balls(c);
+}
+
+/// Mass in the emptiest of 36 sectors over what an even charge would have there.
+double emptiest_sector(const Case&, const Replicate& r) {
+  constexpr std::size_t sectors = 36, each = Charge::angles / sectors;
+  const std::vector<double>& mass = r.charge.mass_at;
+  const double all = std::accumulate(mass.begin(), mass.end(), 0.0);
+  double least = all;
+  for (std::size_t s = 0; s < sectors && !mass.empty(); ++s)
+    least = std::min(
+        least, std::accumulate(mass.begin() + static_cast<std::ptrdiff_t>(s * each),
+                               mass.begin() + static_cast<std::ptrdiff_t>((s + 1) * each), 0.0));
+  return share(least * static_cast<double>(sectors), all);
+}
+
+double toe(const Case& c, const Replicate& r) {
+  return ends(r.charge, reference(c)).toe;
+}
+double shoulder(const Case& c, const Replicate& r) {
+  return ends(r.charge, reference(c)).shoulder;
+}
+
+double jar_spin(const Case& c) {
+  if (const auto* drum = std::get_if<Tumbling>(&c.mill.motion)) return drum->speed;
+  return std::get<Planetary>(c.mill.motion).jar_spin();
+}
+
+double wall_slip(const Case& c, const Replicate& r) {
+  const double wall = std::abs(jar_spin(c)) * r.tally.wall_map.grid().radius;
+  return share(share(r.charge.wall_slip, r.charge.at_wall), wall);
+}
+
+/// What turning presses a ball on the wall with, over what pulls it off it.
+double pinning(const Case& c, const Replicate& r) {
+  double largest = 0;
+  for (const cases::BallSet& set : c.balls)
+    for (const cases::SizeClass& size : set.sizes())
+      if (!set.grains) largest = std::max(largest, 0.5 * size.diameter);
+  const double arm = r.tally.wall_map.grid().radius - largest, spin = jar_spin(c);
+  if (const auto* mill = std::get_if<Planetary>(&c.mill.motion))
+    return spin * spin * arm / (mill->speed * mill->speed * mill->orbit_radius);
+  return share(spin * spin * arm, c.gravity);
+}
+
+/// The mean over the averaged replicates.
+double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
+  double sum = 0;
+  const auto chosen = averaged(outcome);
+  for (const Replicate* r : chosen) sum += of(outcome.what, *r);
+  return chosen.empty() ? nothing : sum / static_cast<double>(chosen.size());
+}
+
+}  // namespace
+
+std::vector<Measure> regime_measures(const Case& what) {
+  if (!has_regime(what)) return {};
+  const bool drum = std::holds_alternative<Tumbling>(what.mill.motion);
+  return {
+      {"flight_share", "1", "share of the balls' time without any contact", flight_share},
+      {"toe_angle", "deg",
+       drum ? "angle below which 5 % of the charge lies, from the lowest point on with the turning"
+            : "angle below which 5 % of the charge lies, seen from the disc, from outwards on with "
+              "the jar's turning",
+       toe},
+      {"shoulder_angle", "deg", "angle below which 95 % of the charge lies, likewise", shoulder},
+      {"emptiest_sector", "1",
+       "mass in the emptiest 10 degrees about the axis over what an even charge would have there",
+       emptiest_sector},
+      {"wall_slip_ratio", "1",
+       "mean speed at which balls at the wall slip on it, over the wall's speed of turning",
+       wall_slip},
+      {drum ? "froude_number" : "pinning_ratio", "1",
+       drum ? "acceleration by turning of the largest ball at the wall over gravity: 1 pins it"
+            : "acceleration by the jar's turning of the largest ball at the wall over that of the "
+              "disc: above 1 it is pinned",
+       pinning},
+  };
+}
+
+std::string regime(const Outcome& outcome) {
+  if (!has_regime(outcome.what) || averaged(outcome).empty()) return "";
+  const double flight = mean_of(outcome, flight_share);
+  const bool all_round = mean_of(outcome, emptiest_sector) > 0.1;
+  if (flight < 0.02 && all_round)
+    return std::holds_alternative<Tumbling>(outcome.what.mill.motion) ? "centrifuging" : "rolling";
+  return flight > 0.2 ? "cataracting" : "cascading";
+}
+
+std::string regime_reason(const Outcome& outcome) {
+  if (regime(outcome).empty()) return "";
+  return fmt::format(
+      "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of an even "
+      "charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
+      100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
+      mean_of(outcome, toe), mean_of(outcome, shoulder),
+      std::holds_alternative<Tumbling>(outcome.what.mill.motion) ? "Froude number"
+                                                                 : "pinning ratio",
+      mean_of(outcome, pinning));
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/spectra.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "mahlwerk/results/quantities/pairs.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::JointHistogram;
+using observe::LogHistogram;
+using observe::Spectra;
+
+/// An energy of collisions: its name in columns, and what it is.
+struct Energy {
+  std::string name, about;
+  Histogram part;
+};
+
+const std::vector<Energy>& energies() {
+  static const std::vector<Energy> list{
+      {"normal", "m u_n^2/2, the normal motion", &Spectra::energy_normal},
+      {"contact_point", "m (u_n^2 + u_t^2)/2, slip and spin included",
+       &Spectra::energy_contact_point},
+      {"centre", "the energy of the motion of the centres", &Spectra::energy_centre},
+      {"lost", "the energy dissipated", &Spectra::energy_lost},
+      {"lost_normal", "what is dissipated along the normal", &Spectra::lost_normal},
+      {"lost_tangential", "what is dissipated across the normal", &Spectra::lost_tangential},
+  };
+  return list;
+}
+
+std::vector<Histogram> histograms() {
+  std::vector<Histogram> list;
+  for (const Energy& e : energies()) list.push_back(e.part);
+  return list;
+}
+
+/// Rates and powers of the first four, then of the two that came later: columns keep their places.
+template <class Rate, class Power>
+void in_order(const Rate& rate, const Power& power) {
+  const std::span<const Energy> all(energies());
+  for (const std::span<const Energy> some : {all.first(4), all.subspan(4)}) {
+    for (const Energy& e : some) rate(e);
+    for (const Energy& e : some) power(e);
+  }
+}
+
+std::vector<Column> energy_columns() {
+  std::vector<Column> columns{{"energy_low", "J", "lower edge of the bin, which belongs to it"},
+                              {"energy_high", "J", "upper edge of the bin"}};
+  in_order(
+      [&](const Energy& e) {
+        columns.push_back({"rate_" + e.name, "1/s", "collisions per second by " + e.about});
+      },
+      [&](const Energy& e) {
+        columns.push_back({"power_" + e.name, "W", "the sum per second of " + e.about});
+      });
+  return columns;
+}
+
+/// The first bin holds everything below its upper edge, 0 included.
+double lower_edge(int bin) {
+  return bin == 0 ? 0 : LogHistogram::lower(bin);
+}
+
+std::vector<double> energy_row(const MeanSpectra& spectra, int bin) {
+  std::vector<double> row{lower_edge(bin), LogHistogram::lower(bin + 1)};
+  in_order([&](const Energy& e) { row.push_back(spectra.rate(e.part, bin)); },
+           [&](const Energy& e) { row.push_back(spectra.power(e.part, bin)); });
+  return row;
+}
+
+/// One histogram as a table with a row per bin.
+Table single(const Outcome& outcome, Histogram part, std::vector<Column> columns) {
+  Table table{std::move(columns), {}};
+  const MeanSpectra spectra(averaged(outcome));
+  const auto [first, last] = spectra.filled({part});
+  for (int bin = first; bin < last; ++bin)
+    table.rows.push_back({lower_edge(bin), LogHistogram::lower(bin + 1), spectra.rate(part, bin)});
+  return table;
+}
+
+}  // namespace
+
+MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates) {
+  for (const Replicate* r : replicates) each_.push_back({r->tally.whole(), r->time()});
+}
+
+MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates, int pair) {
+  for (const Replicate* r : replicates)
+    each_.push_back({r->tally.by_pair[pair].spectra, r->time()});
+}
+
+template <class Of>
+double MeanSpectra::mean(const Of& of) const {
+  double sum = 0;
+  for (const One& one : each_) sum += static_cast<double>(of(one.spectra)) / one.time;
+  return each_.empty() ? 0 : sum / static_cast<double>(each_.size());
+}
+
+double MeanSpectra::rate(Histogram part, int bin) const {
+  return mean([&](const Spectra& s) { return (s.*part).count(bin); });
+}
+double MeanSpectra::power(Histogram part, int bin) const {
+  return mean([&](const Spectra& s) { return (s.*part).sum(bin); });
+}
+double MeanSpectra::rate(observe::Angles Spectra::*part, std::size_t degree) const {
+  return mean([&](const Spectra& s) { return (s.*part)[degree]; });
+}
+double MeanSpectra::rate(int normal, int tangential) const {
+  return mean([&](const Spectra& s) { return s.normal_tangential.count(normal, tangential); });
+}
+
+std::array<int, 2> MeanSpectra::filled(const std::vector<Histogram>& wanted) const {
+  int first = LogHistogram::bins, last = 0;
+  for (const One& one : each_)
+    for (const Histogram part : wanted) {
+      const auto [low, high] = (one.spectra.*part).filled();
+      if (low == high) continue;
+      first = std::min(first, low);
+      last = std::max(last, high);
+    }
+  return first < last ? std::array{first, last} : std::array{0, 0};
+}
+
+Table spectrum(const Outcome& outcome) {
+  Table table{energy_columns(), {}};
+  const MeanSpectra spectra(averaged(outcome));
+  const auto [first, last] = spectra.filled(histograms());
+  for (int bin = first; bin < last; ++bin) table.rows.push_back(energy_row(spectra, bin));
+  return table;
+}
+
+Table speeds(const Outcome& outcome) {
+  return single(outcome, &Spectra::approach,
+                {{"speed_low", "m/s", "lower edge of the bin, which belongs to it"},
+                 {"speed_high", "m/s", "upper edge of the bin"},
+                 {"rate", "1/s", "collisions per second by their normal speed u_n"}});
+}
+
+Table durations(const Outcome& outcome) {
+  return single(outcome, &Spectra::duration,
+                {{"duration_low", "s", "lower edge of the bin, which belongs to it"},
+                 {"duration_high", "s", "upper edge of the bin"},
+                 {"rate", "1/s", "contacts that ended per second by how long they lasted"}});
+}
+
+Table flashes(const Outcome& outcome) {
+  return single(outcome, &Spectra::flash,
+                {{"rise_low", "K", "lower edge of the bin, which belongs to it"},
+                 {"rise_high", "K", "upper edge of the bin"},
+                 {"rate", "1/s", "collisions per second by the rise of the temperature in them"}});
+}
+
+Table angles(const Outcome& outcome) {
+  Table table{{{"angle_low", "deg", "lower edge of the bin; 0 is head-on, 90 grazing"},
+               {"angle_high", "deg", "upper edge of the bin"},
+               {"rate", "1/s", "collisions per second by impact angle"},
+               {"rate_above_threshold", "1/s", "those of at least the threshold in normal speed"}},
+              {}};
+  const MeanSpectra spectra(averaged(outcome));
+  if (spectra.empty()) return table;
+  for (std::size_t bin = 0; bin < observe::angle_bins; ++bin) {
+    const auto low = static_cast<double>(bin);
+    table.rows.push_back({low, low + 1, spectra.rate(&Spectra::angle_all, bin),
+                          spectra.rate(&Spectra::angle_above, bin)});
+  }
+  return table;
+}
+
+Table normal_tangential(const Outcome& outcome) {
+  Table table{{{"energy_normal_low", "J", "lower edge of the bin of m u_n^2/2"},
+               {"energy_normal_high", "J", "upper edge of that bin"},
+               {"energy_tangential_low", "J", "lower edge of the bin of m u_t^2/2"},
+               {"energy_tangential_high", "J", "upper edge of that bin"},
+               {"rate", "1/s", "collisions per second in both bins"}},
+              {}};
+  const MeanSpectra spectra(averaged(outcome));
+  for (int n = 0; n < JointHistogram::bins; ++n)
+    for (int t = 0; t < JointHistogram::bins; ++t)
+      if (const double rate = spectra.rate(n, t); rate > 0)
+        table.rows.push_back({JointHistogram::lower(n), JointHistogram::lower(n + 1),
+                              JointHistogram::lower(t), JointHistogram::lower(t + 1), rate});
+  return table;
+}
+
+Table spectra_by_pair(const Outcome& outcome) {
+  Table table{pair_columns(), {}};
+  for (Column& column : energy_columns()) table.columns.push_back(std::move(column));
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  if (chosen.empty()) return table;
+  const observe::ByPair& first = chosen.front()->tally.by_pair;
+  for (int pair = 0; pair < first.pairs(); ++pair) {
+    const MeanSpectra spectra(chosen, pair);
+    const auto [from, to] = spectra.filled(histograms());
+    for (int bin = from; bin < to; ++bin) {
+      const std::vector<double> numbers = energy_row(spectra, bin);
+      if (std::all_of(numbers.begin() + 2, numbers.end(), [](double v) { return v == 0; }))
+        continue;
+      std::vector<double> row = pair_cells(table, pair_names(outcome.what, first, pair));
+      row.insert(row.end(), numbers.begin(), numbers.end());
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+}  // namespace mahlwerk::results

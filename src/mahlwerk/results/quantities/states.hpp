@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mahlwerk/results/quantities/measure.hpp"
+
+// Replicates that fall into two states by their dissipated power
+// (docs/theory/statistics.md, "Two states").
+namespace mahlwerk::results {
+
+/// Nothing where the replicates show one state, or are too few to tell. `each` holds the values of
+/// every replicate.
+std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Measure>& measures,
+                                    const std::vector<std::vector<double>>& each);
+
+/// The notice of them; none where there is one state.
+Notices state_notices(const Summary& summary);
+
+}  // namespace mahlwerk::results

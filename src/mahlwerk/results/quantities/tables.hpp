@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/outcome.hpp"
+
+// The tables of a result, one function a file (docs/formats.md). Each is a mean over replicates.
+namespace mahlwerk::results {
+
+Table time_series(const Outcome& outcome);  ///< timeseries.csv: one row per stretch of time
+Table replicates(const Outcome& outcome);   ///< replicates.csv: one row per replicate
+
+/// stopped-1: the balls of one replicate when physics stopped it.
+Table balls_at_stop(const Replicate& replicate);
+std::string stopped_name(int replicate);  ///< "stopped-1" for `replicate` 0
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/wall.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "mahlwerk/observe/columns.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
+#include "mahlwerk/results/quantities/wear.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using observe::PlaneField;
+using observe::WallGrid;
+
+Vec3 area_vector(const std::array<Vec3, 3>& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+using Triangle = std::array<Vec3, 3>;
+
+/// Borders between cells that are planes: normal . p = distance [m].
+struct Border {
+  Vec3 normal;
+  double distance = 0;
+};
+struct Borders {
+  std::vector<Border> side, disc;
+};
+
+Borders borders_of(const WallGrid& grid) {
+  Borders made;
+  const auto through_axis = [](std::vector<Border>& list, int slots) {
+    for (int i = 0; i < slots / 2; ++i) {  // a plane is two borders, half a turn apart
+      const double angle = 2 * std::numbers::pi * i / slots;
+      list.push_back({{-std::sin(angle), std::cos(angle), 0}, 0});
+    }
+  };
+  for (int i = 1; i < WallGrid::along; ++i)
+    made.side.push_back({{0, 0, 1}, std::lerp(grid.bottom, grid.top, 1.0 * i / WallGrid::along)});
+  through_axis(made.side, WallGrid::around);
+  through_axis(made.disc, WallGrid::sectors);
+  return made;
+}
+
+/// Shares triangles out to the cells they lie in.
+class Sharing {
+ public:
+  /// Pieces at the borders of rings, which are round, are no longer than `least` [m].
+  Sharing(const WallGrid& grid, double least)
+      : areas(WallGrid::cells), grid_(grid), borders_(borders_of(grid)), least_(least) {}
+
+  void add(const Triangle& t) {
+    const Vec3 area = area_vector(t);
+    if (!(norm(area) > 0)) return;
+    axial_ = area.z / norm(area);
+    const int cell = cell_at((1.0 / 3) * (t[0] + t[1] + t[2]));
+    cut(t, WallGrid::part(cell) == WallGrid::Part::side ? borders_.side : borders_.disc);
+  }
+
+  std::vector<double> areas;
+
+ private:
+  int cell_at(const Vec3& where) const { return observe::cell_of(grid_, where, axial_); }
+
+  /// Along the borders it crosses.
+  void cut(const Triangle& t, std::span<const Border> borders) {
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      std::array<double, 3> off;
+      for (std::size_t k = 0; k < 3; ++k)
+        off[k] = dot(borders[i].normal, t[k]) - borders[i].distance;
+      const double rounding = 1e-12 * grid_.radius;
+      const auto [least, most] = std::ranges::minmax(off);
+      if (least > -rounding || most < rounding) continue;
+      // One corner is on a side of its own.
+      std::size_t k = 0;
+      while (off[k] * off[(k + 1) % 3] > 0 || off[k] * off[(k + 2) % 3] > 0 || off[k] == 0) ++k;
+      const Vec3 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+      const Vec3 ab = a + off[k] / (off[k] - off[(k + 1) % 3]) * (b - a);
+      const Vec3 ac = a + off[k] / (off[k] - off[(k + 2) % 3]) * (c - a);
+      for (const Triangle& piece : {Triangle{a, ab, ac}, Triangle{ab, b, c}, Triangle{ab, c, ac}})
+        cut(piece, borders.subspan(i + 1));
+      return;
+    }
+    halve(t);
+  }
+
+  /// Across its longest edge, until a piece is within one ring or short enough.
+  void halve(const Triangle& t) {
+    const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+    std::size_t longest = 0;
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
+        length = l;
+        longest = k;
+      }
+    const int cell = cell_at(middle);
+    constexpr double inwards = 1e-3;  // corners on the border of two cells are in either
+    const auto same = [&](const Vec3& corner) {
+      return cell_at(corner + inwards * (middle - corner)) == cell;
+    };
+    if (WallGrid::part(cell) == WallGrid::Part::side || length <= least_ ||
+        std::ranges::all_of(t, same)) {
+      areas[static_cast<std::size_t>(cell)] += norm(area_vector(t));
+      return;
+    }
+    const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+    const Vec3 half = 0.5 * (a + b);
+    halve({a, half, c});
+    halve({half, b, c});
+  }
+
+  WallGrid grid_;
+  Borders borders_;
+  double least_;
+  double axial_ = 0;  // along the axis, of the unit normal of the triangle that is shared out
+};
+
+template <class Of>
+void for_triangles(const geometry::AnyShape& shape, const Of& of) {
+  for (const JarMesh& mesh : jar_surface(shape))
+    for (const auto& [a, b, c] : mesh.triangles)
+      of(std::array{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+}
+
+const char* part_name(int cell) {
+  switch (WallGrid::part(cell)) {
+    case WallGrid::Part::side:
+      return "side";
+    case WallGrid::Part::bottom:
+      return "bottom";
+    case WallGrid::Part::top:
+      return "top";
+  }
+  return "";
+}
+
+std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+  // A third as long as cells, but no more pieces than take a blink.
+  constexpr double parts = 3, many = 1e6;
+  const double cell = 2 * std::numbers::pi * grid.radius / WallGrid::around;
+  Sharing sharing(grid, std::max(cell / parts, std::sqrt(wall_area(shape) / many)));
+  for_triangles(shape, [&](const Triangle& t) { sharing.add(t); });
+  return std::move(sharing.areas);
+}
+
+/// A jar and its grid, the areas of which are reckoned when they are first asked for.
+struct KnownAreas {
+  KnownAreas(geometry::AnyShape of, const WallGrid& in) : shape(std::move(of)), grid(in) {}
+  bool are_of(const geometry::AnyShape& other, const WallGrid& in) const {
+    return grid.radius == in.radius && grid.bottom == in.bottom && grid.top == in.top &&
+           shape == other;
+  }
+  const std::vector<double>& reckoned() {
+    std::call_once(once, [&] { areas = reckoned_areas(shape, grid); });
+    return areas;
+  }
+  const geometry::AnyShape shape;
+  const WallGrid grid;
+  std::once_flag once;
+  std::vector<double> areas;
+};
+
+/// A result asks several times, the points of a campaign mostly for a few jars.
+std::shared_ptr<KnownAreas> known_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+  constexpr std::size_t most = 64;
+  static std::mutex mutex;
+  static std::deque<std::shared_ptr<KnownAreas>> known;
+  const std::lock_guard lock(mutex);
+  for (const auto& one : known)
+    if (one->are_of(shape, grid)) return one;
+  if (known.size() == most) known.pop_front();
+  return known.emplace_back(std::make_shared<KnownAreas>(shape, grid));
+}
+
+}  // namespace
+
+std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+  return known_areas(shape, grid)->reckoned();
+}
+
+double wall_area(const geometry::AnyShape& shape) {
+  double area = 0;
+  for_triangles(shape, [&](const std::array<Vec3, 3>& t) { area += norm(area_vector(t)); });
+  return area;
+}
+
+WallRates wall_rates(const Outcome& outcome) {
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  constexpr auto n = static_cast<std::size_t>(WallGrid::cells);
+  WallRates rates{.grid = chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid(),
+                  .area = {},
+                  .rate = std::vector<double>(n),
+                  .energy_normal = std::vector<double>(n),
+                  .lost = std::vector<double>(n),
+                  .slid = std::vector<double>(n),
+                  .erosion = std::vector<double>(n)};
+  rates.area = wall_areas(outcome.what.jar.shape, rates.grid);
+  for (const Replicate* r : chosen) {
+    const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
+    for (std::size_t i = 0; i < n; ++i) {
+      const observe::WallSums& sums = r->tally.wall_map[static_cast<int>(i)];
+      rates.rate[i] += per * static_cast<double>(sums.count);
+      rates.energy_normal[i] += per * sums.energy_normal;
+      rates.lost[i] += per * sums.lost;
+      rates.slid[i] += per * sums.slid;
+      rates.erosion[i] += per * sums.erosion;
+    }
+  }
+  return rates;
+}
+
+Table wall_map(const Outcome& outcome) {
+  Table table{{{"part", "1", "of the wall: the unrolled side, or the discs at its ends"},
+               {"angle_low", "rad", "about the jar's own axis"},
+               {"angle_high", "rad", "likewise"},
+               {"across_low", "m", "height along the axis of the side, radius of a disc"},
+               {"across_high", "m", "likewise"},
+               {"area", "m2", "of the wall in the cell"},
+               {"rate", "1/s", "hits per second"},
+               {"power_normal", "W", "the sum of their m u_n^2/2 per second"},
+               {"power_lost", "W", "what they dissipate"},
+               {"slid", "N m/s", "normal force times way slid, per second"}},
+              {}};
+  const bool wears = outcome.what.wear.has_value();
+  if (wears)
+    table.columns.push_back({"wear_depth_rate", "m/s", "depth of wall worn off per second"});
+  if (averaged(outcome).empty()) return table;
+  const WallRates rates = wall_rates(outcome);
+  for (int cell = 0; cell < WallGrid::cells; ++cell) {
+    const auto i = static_cast<std::size_t>(cell);
+    if (rates.area[i] == 0 && rates.rate[i] == 0) continue;
+    const WallGrid::Bounds b = rates.grid.bounds(cell);
+    table.rows.push_back({table.columns[0].number_of(part_name(cell)), b.angle[0], b.angle[1],
+                          b.across[0], b.across[1], rates.area[i], rates.rate[i],
+                          rates.energy_normal[i], rates.lost[i], rates.slid[i]});
+    if (wears) {
+      const double volume = worn_off_wall(outcome.what, rates.slid[i], rates.erosion[i]);
+      table.rows.back().push_back(rates.area[i] > 0 ? volume / rates.area[i] : 0);
+    }
+  }
+  return table;
+}
+
+observe::Charge charge_of(const Outcome& outcome) {
+  observe::Charge sum;
+  for (const Replicate* r : averaged(outcome)) sum.merge(r->charge);
+  return sum;
+}
+
+Table fields(const Outcome& outcome) {
+  Table table{{{"frame", "1", "carrier: turning with the disc, or at rest; jar: turning with it"},
+               {"x", "m", "to the right in the plane, middle of the cell"},
+               {"y", "m", "up in the plane, likewise"},
+               {"density", "kg/m2", "mass of balls above an area of the plane, mean over time"},
+               {"velocity_x", "m/s", "of that mass"},
+               {"velocity_y", "m/s", "likewise"},
+               {"kinetic_energy", "J/m2", "of the balls' flight, seen from the frame"}},
+              {}};
+  const observe::Charge charge = charge_of(outcome);
+  if (!(charge.of_all > 0)) return table;
+  for (const auto& [name, field] :
+       {std::pair("carrier", &charge.in_carrier), std::pair("jar", &charge.in_jar)}) {
+    const double width = 2 * field->half() / PlaneField::cells;
+    for (int j = 0; j < PlaneField::cells; ++j)
+      for (int i = 0; i < PlaneField::cells; ++i) {
+        if (field->density(i, j) == 0) continue;
+        table.rows.push_back({table.columns[0].number_of(name), -field->half() + (i + 0.5) * width,
+                              -field->half() + (j + 0.5) * width, field->density(i, j),
+                              field->velocity_x(i, j), field->velocity_y(i, j),
+                              field->kinetic_energy(i, j)});
+      }
+  }
+  return table;
+}
+
+}  // namespace mahlwerk::results

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/wear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/wear_heat.hpp"
+#include "mahlwerk/powder/wear.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/wall.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+using observe::PairTally;
+constexpr double zero_celsius = 273.15;  // [K]
+
+double worn(const Case& c, double slid, double erosion, double vickers) {
+  const double hardness = powder::hardness(vickers);
+  return c.wear->model == cases::Wear::Model::archard
+             ? powder::archard(c.wear->coefficient, slid, hardness)
+             : c.wear->coefficient * erosion / hardness;  // (wea.4)
+}
+
+/// [m3/s] off the balls of one set; grains are powder, and do not wear.
+double worn_off_set(const Case& c, const Replicate& r, int set) {
+  const cases::BallSet& balls = c.balls[static_cast<std::size_t>(set)];
+  if (balls.grains) return 0;
+  double slid = 0, erosion = 0;
+  const observe::ByPair& pairs = r.tally.by_pair;
+  for (int pair = 0; pair < pairs.pairs(); ++pair) {
+    const auto [one, other] = pairs.kinds_of(pair);
+    const int times = (one == set ? 1 : 0) + (other == set ? 1 : 0);  // two of it both wear
+    slid += times * pairs[pair].slid;
+    erosion += times * pairs[pair].erosion;
+  }
+  return worn(c, slid, erosion, balls.substance.hardness) / r.time();
+}
+
+/// [m3/s] off one face of the jar, or all of them for -1.
+double worn_off_face(const Case& c, const Replicate& r, int face) {
+  double slid = 0, erosion = 0;
+  const observe::ByPair& pairs = r.tally.by_pair;
+  for (int pair = 0; pair < pairs.pairs(); ++pair) {
+    const auto kinds = pairs.kinds_of(pair);
+    if (!kinds.with_jar() || (face >= 0 && kinds.face() != face)) continue;
+    slid += pairs[pair].slid;
+    erosion += pairs[pair].erosion;
+  }
+  return worn_off_wall(c, slid / r.time(), erosion / r.time());
+}
+
+double balls_wear(const Case& c, const Replicate& r) {
+  double mass = 0;
+  for (int set = 0; set < std::ssize(c.balls); ++set)
+    mass += worn_off_set(c, r, set) * c.balls[static_cast<std::size_t>(set)].density;
+  return mass;
+}
+double jar_wear(const Case& c, const Replicate& r) {
+  return worn_off_face(c, r, -1) * c.jar.density;
+}
+
+/// What a mill comes to that loses this power, at the end of its last milling.
+powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
+  const powder::HeatNodes nodes = cases::heat_nodes(c, wall_area(c.jar.shape));
+  const powder::MillCycles mill = cases::mill_cycles(c, dissipated_power(r));
+  const double end = (mill.milling + mill.pause) * static_cast<double>(mill.cycles) - mill.pause;
+  powder::HeatPoint last;
+  for (const powder::HeatPoint& p : powder::history(nodes, mill))
+    if (p.time <= end * (1 + 1e-12)) last = p;
+  return last;
+}
+
+}  // namespace
+
+double worn_off_wall(const Case& what, double slid, double erosion) {
+  return worn(what, slid, erosion, what.jar.substance.hardness);
+}
+
+std::vector<Measure> wear_measures(const Case& what) {
+  if (!what.wear) return {};
+  std::vector<Measure> list{
+      {"wear_rate_balls", "kg/s", "mass that all balls lose per second", balls_wear},
+      {"wear_rate_jar", "kg/s", "mass that the jar loses per second", jar_wear}};
+  if (what.powder && what.powder->mass > 0)
+    list.push_back({"contamination_rate", "ug/g/h",
+                    "worn mass of balls and jar per mass of powder and hour of milling",
+                    [](const Case& c, const Replicate& r) {
+                      constexpr double hour = 3600;
+                      return 1e6 * hour * (balls_wear(c, r) + jar_wear(c, r)) / c.powder->mass;
+                    }});
+  return list;
+}
+
+Table wear(const Outcome& outcome) {
+  Table table{{{"body", "1", "a ball set, the jar or a face of it"},
+               {"volume_rate", "m3/s", "volume worn off it per second"},
+               {"mass_rate", "kg/s", "mass worn off it per second"}},
+              {}};
+  const Case& c = outcome.what;
+  const auto chosen = averaged(outcome);
+  if (!c.wear || chosen.empty()) return table;
+  const auto add = [&](const std::string& name, double density, const auto& of) {
+    double volume = 0;
+    for (const Replicate* r : chosen) volume += of(*r) / static_cast<double>(chosen.size());
+    table.rows.push_back({table.columns[0].number_of(name), volume, volume * density});
+  };
+  const observe::ByPair& pairs = chosen.front()->tally.by_pair;
+  for (int set = 0; set < pairs.kinds(); ++set)
+    if (const auto i = static_cast<std::size_t>(set); !c.balls[i].grains)
+      add(cases::set_name(c, i), c.balls[i].density,
+          [&](const Replicate& r) { return worn_off_set(c, r, set); });
+  for (int pair = 0; pair < pairs.pairs(); ++pair)
+    if (const auto kinds = pairs.kinds_of(pair); kinds.one == 0 && kinds.with_jar())
+      add(pair_names(c, pairs, pair)[1], c.jar.density,
+          [&](const Replicate& r) { return worn_off_face(c, r, kinds.face()); });
+  return table;
+}
+
+std::vector<Measure> heat_measures(const Case& what) {
+  if (!what.heat) return {};
+  return {
+      {"temperature_balls", "degC", "of the balls at the end of the last milling",
+       [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; }},
+      {"temperature_jar", "degC", "of the jar then",
+       [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; }},
+      {"flash_rise_mean", "K",
+       "mean rise of the temperature where two touch in a collision, weighted by what it loses; an "
+       "upper estimate, as no powder takes its share",
+       [](const Case&, const Replicate& r) {
+         double rise = 0, lost = 0;
+         for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {
+           rise += r.tally.by_pair[pair].flash;
+           lost += r.tally.by_pair[pair].spectra.energy_lost.sum();
+         }
+         return share(rise, lost);
+       }},
+  };
+}
+
+Table temperatures(const Outcome& outcome) {
+  Table table{{{"time", "s", "since the mill was first switched on"},
+               {"balls", "degC", "temperature of the balls"},
+               {"jar", "degC", "temperature of the jar"}},
+              {}};
+  const auto chosen = averaged(outcome);
+  if (!outcome.what.heat || chosen.empty()) return table;
+  double power = 0;
+  for (const Replicate* r : chosen)
+    power += dissipated_power(*r) / static_cast<double>(chosen.size());
+  const powder::HeatNodes nodes =
+      cases::heat_nodes(outcome.what, wall_area(outcome.what.jar.shape));
+  for (const powder::HeatPoint& p : powder::history(nodes, cases::mill_cycles(outcome.what, power)))
+    table.rows.push_back({p.time, p.balls - zero_celsius, p.jar - zero_celsius});
+  return table;
+}
+
+}  // namespace mahlwerk::results

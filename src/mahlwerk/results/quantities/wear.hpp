@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+
+// What balls and jar lose, and how warm they get (docs/theory/wear-heat.md).
+namespace mahlwerk::results {
+
+/// [m3/s] off the jar's wall, from sums per second over hits on it. The case must have [wear].
+double worn_off_wall(const cases::Case& what, double slid, double erosion);
+
+/// Wear of balls and jar and what of it comes into the powder; none without [wear].
+std::vector<Measure> wear_measures(const cases::Case& what);
+/// wear.csv: a row per ball set and face of the jar; no rows without [wear].
+Table wear(const Outcome& outcome);
+
+/// Temperatures at the end of milling; none without [heat].
+std::vector<Measure> heat_measures(const cases::Case& what);
+/// temperature.csv: over milling and pauses; no rows without [heat].
+Table temperatures(const Outcome& outcome);
+
+}  // namespace mahlwerk::results

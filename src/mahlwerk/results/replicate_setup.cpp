@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/replicate_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/wear_heat.hpp"
+#include "mahlwerk/powder/wear.hpp"
+#include "mahlwerk/results/quantities/jar_surface.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+/// More faces than these, of a mesh, are not told apart.
+constexpr std::size_t most_faces = 12;
+
+observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
+  observe::WallGrid grid{.radius = 0, .bottom = INFINITY, .top = -INFINITY};
+  for (const JarMesh& mesh : jar_surface(shape))
+    for (const Vec3& p : mesh.vertices) {
+      grid.radius = std::max(grid.radius, std::hypot(p.x, p.y));
+      grid.bottom = std::min(grid.bottom, p.z);
+      grid.top = std::max(grid.top, p.z);
+    }
+  return grid;
+}
+
+/// (hea.7) and (hea.9) by bins of the normal energy, each at its middle.
+void know_flashes(observe::PairFactors& factors, const powder::FlashPair& pair) {
+  using observe::LogHistogram;
+  for (int bin = 0; bin < LogHistogram::bins; ++bin) {
+    const double middle = std::sqrt(LogHistogram::lower(bin) * LogHistogram::lower(bin + 1));
+    factors.flash_per_loss.push_back(powder::flash_factor(middle, pair));
+    factors.hertz_time.push_back(powder::hertz_time(middle, pair));
+  }
+}
+
+observe::PairFactors factors(const cases::Case& what, const contact::BounceRule& rule, int one,
+                             int other) {
+  observe::PairFactors made;
+  made.slid_per_loss = powder::force_slid(1, cases::sliding_friction(what, rule));
+  if (what.heat)
+    know_flashes(made, other < 0 ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
+                                 : cases::flash_pair(what, static_cast<std::size_t>(one),
+                                                     static_cast<std::size_t>(other)));
+  return made;
+}
+
+}  // namespace
+
+Replicate empty_replicate(const cases::Case& what) {
+  std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
+  const std::size_t faces = cases::face_names(what.jar.shape).size();
+  observe::BallKinds kinds(
+      what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
+      static_cast<int>(what.balls.size()), faces > most_faces ? 1 : static_cast<int>(faces));
+  Replicate made(what.observe.threshold, std::move(kinds), wall_grid(what.jar.shape));
+  const contact::BounceTable rules = cases::bounce_table(what);
+  observe::ByPair& pairs = made.tally.by_pair;
+  for (int pair = 0; pair < pairs.pairs(); ++pair) {
+    const auto [one, other] = pairs.kinds_of(pair);
+    if (other < 0 && faces == 0) continue;
+    const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
+    pairs.know(pair, factors(what, rule, one, other));
+  }
+  return made;
+}
+
+std::vector<Window> joined_in_twos(const std::vector<Window>& windows) {
+  std::vector<Window> joined;
+  for (std::size_t i = 0; i + 1 < windows.size(); i += 2) {
+    const Window &a = windows[i], &b = windows[i + 1];
+    joined.push_back({.time = b.time,
+                      .length = a.length + b.length,
+                      .collisions = a.collisions + b.collisions,
+                      .above = a.above + b.above,
+                      .energy_normal = a.energy_normal + b.energy_normal,
+                      .energy_contact_point = a.energy_contact_point + b.energy_contact_point,
+                      .lost = a.lost + b.lost,
+                      .wall_work = a.wall_work + b.wall_work,
+                      .contact_time = a.contact_time + b.contact_time,
+                      .kinetic = b.kinetic});
+  }
+  return joined;
+}
+
+}  // namespace mahlwerk::results

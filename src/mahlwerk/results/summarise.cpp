@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/summarise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "mahlwerk/results/quantities/means.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/regime.hpp"
+#include "mahlwerk/results/quantities/series.hpp"
+#include "mahlwerk/results/quantities/states.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+std::vector<double> values_of(const std::vector<Measure>& measures, const cases::Case& what,
+                              const Replicate& replicate) {
+  std::vector<double> values;
+  for (const Measure& m : measures) values.push_back(m.of(what, replicate));
+  return values;
+}
+
+/// The worst of all replicates, averaged or not; one that is not even a number is the worst there
+/// is.
+double worst(const std::vector<std::vector<double>>& each, std::size_t quantity) {
+  double most = 0;
+  for (const std::vector<double>& values : each) {
+    if (!(values[quantity] <= most)) most = values[quantity];
+    if (std::isnan(most)) break;
+  }
+  return most;
+}
+
+}  // namespace
+
+const Quantity& named(const std::vector<Quantity>& list, std::string_view name) {
+  const auto found = std::ranges::find(list, name, &Quantity::name);
+  if (found == list.end()) throw std::out_of_range("no quantity " + std::string(name));
+  return *found;
+}
+
+Summary summarise(const Outcome& outcome) {
+  const std::vector<Measure> all = measures(outcome.what);
+  const std::vector<const Replicate*> chosen = averaged(outcome);
+  std::vector<std::size_t> numbers;
+  for (const Replicate* r : chosen) numbers.push_back(number_of(outcome, *r));
+  Summary made;
+  for (const Replicate& r : outcome.replicates)
+    made.each.push_back(values_of(all, outcome.what, r));
+  made.quantities = means(all, made.each, numbers);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Quantity& q = made.quantities[i];
+    q.ci95_time = ci95_over_time(chosen, q.name);
+    if (!all[i].worst) continue;
+    q.value = worst(made.each, i);
+    q.ci95 = nothing;
+  }
+  made.quantities.push_back(
+      {"settling_time", settling_time(chosen), nothing, "s",
+       "of the counted time, what the dissipated power shows to belong to the start"});
+  made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), nothing, "1",
+                             "independent replicates that the means are taken over"});
+  made.pairs = by_pair(outcome);
+  made.two_states = two_states(outcome, all, made.each);
+  made.regime = regime(outcome);
+  made.regime_reason = regime_reason(outcome);
+  return made;
+}
+
+}  // namespace mahlwerk::results
