@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "mahlwerk/cases/key_reader.hpp"
 #include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
 
 namespace mahlwerk::cases {
 namespace {

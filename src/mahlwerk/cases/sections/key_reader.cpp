@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/key_reader.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
 
 #include <fmt/format.h>
 
