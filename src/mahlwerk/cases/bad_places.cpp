@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/grid.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
 namespace {

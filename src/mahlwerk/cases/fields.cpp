@@ -72,16 +72,6 @@ const std::vector<std::string>& until_words() {
   return words;
 }
 
-const std::vector<std::string>& start_frames() {
-  static const std::vector<std::string> words{"laboratory", "jar"};
-  return words;
-}
-
-const std::vector<std::string>& frames_formats() {
-  static const std::vector<std::string> words{"both", "xyz", "vtk"};
-  return words;
-}
-
 const std::vector<std::string>& engines() {
   static const std::vector<std::string> words{"event", "soft", "auto"};
   return words;
@@ -89,21 +79,6 @@ const std::vector<std::string>& engines() {
 
 std::string_view name_of(EngineName engine) {
   return word_for(engine, engines());
-}
-
-const std::vector<std::string>& wear_models() {
-  static const std::vector<std::string> words{"archard", "finnie"};
-  return words;
-}
-
-const std::vector<std::string>& powder_words() {
-  static const std::vector<std::string> words{"mass", "grains"};
-  return words;
-}
-
-const std::vector<std::string>& lasting_words() {
-  static const std::vector<std::string> words{"roll", "tc", "none"};
-  return words;
 }
 
 const std::vector<std::string>& restitution_laws() {

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/places.hpp"
 #include "mahlwerk/cases/push_apart.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::cases {
 namespace {

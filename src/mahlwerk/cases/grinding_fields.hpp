@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
 #include "mahlwerk/base/field.hpp"
 #include "mahlwerk/cases/case.hpp"
 
-// The numbers and words of grinding that belong to no model: reader, writer and checks share them.
+// The numbers of grinding that belong to no model: reader, writer and checks share them.
 namespace mahlwerk::cases {
 
 constexpr std::int64_t most_powder_sieves = 200;
@@ -28,11 +25,6 @@ constexpr Field<Capture> energy_share{"energy_share",
                                       Capture().energy_share,
                                       "all of it: an upper bound; uncalibrated"};
 
-constexpr Range milling_times{.least = 0, .most = 1e8, .without_least = true};  ///< three years
-constexpr Field<Grinding> grinding_time{"time", "s", &Grinding::time, milling_times,
-                                        "how long the mill grinds"};
-constexpr Field<Grinding> smallest_size{"smallest", "m", &Grinding::smallest, positive,
-                                        "finest grain size that is told apart"};
 constexpr Field<Grinding> welding_energy{"welding_energy",
                                          "J/kg",
                                          &Grinding::welding_energy,
@@ -65,15 +57,5 @@ constexpr auto kinetics_fields() {
                     Field<K>{"onset", "J/kg", &K::onset, not_negative,
                              "dose below which nothing happens", 0.0, "it begins at once"}};
 }
-constexpr Field<Kinetics> kinetics_time{"time", "s", &Kinetics::time, positive,
-                                        "how long the mill mills"};
-
-/// Words in the order of their enums.
-const std::vector<std::string>& feed_words();        ///< powder::Feed::Law
-const std::vector<std::string>& capture_energies();  ///< Capture::Energy
-const std::vector<std::string>& grinding_methods();  ///< Grinding::Method
-const std::vector<std::string>& bed_words();         ///< powder::Bed
-const std::vector<std::string>& dose_words();        ///< Kinetics::Dose
-const std::vector<std::string>& kinetics_laws();     ///< "first-order", "avrami"
 
 }  // namespace mahlwerk::cases

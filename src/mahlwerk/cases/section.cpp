@@ -224,23 +224,40 @@ std::optional<std::int64_t> Section::whole(std::string_view key, std::int64_t mo
   return n;
 }
 
-bool Section::flag(std::string_view key, bool standard, std::string_view source) {
-  const Node* node = find(key);
+void Section::whole(const Whole& wanted, std::int64_t& value) {
+  if (const auto given = whole(wanted.key, wanted.most, wanted.least)) {
+    value = *given;
+  } else if (wanted.standard) {
+    value = *wanted.standard;
+    note_default(wanted.key, std::to_string(value), wanted.source);
+  } else {
+    missing(wanted.key, wanted.about, fmt::format("write for instance {} = 10", wanted.key));
+  }
+}
+
+bool Section::choose(const Choice& choice, std::size_t& place) {
+  const auto at = std::ranges::find(choice.words, this->choice(choice));
+  const bool sound = at != choice.words.end();
+  place = sound ? static_cast<std::size_t>(at - choice.words.begin()) : 0;
+  return sound;
+}
+
+void Section::flag(const Flag& flag, bool& value) {
+  const Node* node = find(flag.key);
+  value = flag.standard;
   if (node == nullptr) {
-    note_default(key, standard ? "true" : "false", source);
-    return standard;
+    note_default(flag.key, flag.standard ? "true" : "false", flag.source);
+  } else if (node->kind != Node::Kind::boolean) {
+    fault(*node, fmt::format("`{}` must be true or false", flag.key),
+          fmt::format("write {} = true, without quotes", flag.key), "wrong-type");
+  } else {
+    note(flag.key, node->text, node);
+    value = node->boolean;
   }
-  if (node->kind != Node::Kind::boolean) {
-    fault(*node, fmt::format("`{}` must be true or false", key),
-          fmt::format("write {} = true, without quotes", key), "wrong-type");
-    return standard;
-  }
-  note(key, node->text, node);
-  return node->boolean;
 }
 
 void Section::close() {
-  if (table_ == nullptr) return;
+  if (table_ == nullptr || open_) return;
   for (const auto& [key, node] : table_->members) {
     if (std::ranges::find(known_, key) != known_.end()) continue;
     const std::string near = nearest_word(key, known_);

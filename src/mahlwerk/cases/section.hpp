@@ -12,61 +12,28 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/base/field.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
 #include "mahlwerk/cases/table.hpp"
+#include "mahlwerk/cases/walk.hpp"
 
 namespace mahlwerk::cases {
 
-/// What reading has found so far: all that is wrong, and where every value came from.
+/// What reading goes by, and what it has found so far: all that is wrong, and where every value
+/// came from.
 struct Findings {
-  std::vector<Fault> faults;
-  std::vector<Origin> origins;
-  std::set<std::string, std::less<>> awaited;  ///< dotted keys that only [fit] gives
-};
-
-/// A number a section may or must give; a Field without the place where it lives.
-struct Wanted {
-  std::string_view key, unit;
-  Range range;
-  std::string_view about;
-  std::optional<double> standard = std::nullopt;
-  std::string_view source = "";
-  std::string_view instead = "";  ///< another key that would do as well
-
-  Wanted(std::string_view k, std::string_view u, Range r, std::string_view a)
-      : key(k), unit(u), range(r), about(a) {}
-  template <class Model>
-  explicit Wanted(const Field<Model>& f)
-      : key(f.key),
-        unit(f.unit),
-        range(f.range),
-        about(f.about),
-        standard(f.standard),
-        source(f.source) {}
-
-  Wanted with_default(double value, std::string_view from) const {
-    Wanted made = *this;
-    made.standard = value;
-    made.source = from;
-    return made;
-  }
-};
-
-/// A word a section may give, one of a few.
-struct Choice {
-  std::string_view key;
-  std::vector<std::string> words;
-  std::string standard;  ///< empty: the user must say it
-  std::string_view source = "";
+  const Catalogue* catalogue = nullptr;
+  std::string folder = {};  ///< in which files are looked for
+  std::vector<Fault> faults = {};
+  std::vector<Origin> origins = {};
+  std::set<std::string, std::less<>> awaited = {};  ///< dotted keys that only [fit] gives
 };
 
 constexpr double unread = std::numeric_limits<double>::quiet_NaN();  ///< a value that had a fault
 
 /// Reads one section of a case strictly: every fault and every origin goes into the findings, and
 /// reading goes on with `unread` in place of what was wrong.
-class Section {
+class Section : public Walk {
  public:
   /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or
   /// empty.
@@ -75,7 +42,23 @@ class Section {
   /// Values to fall back on where the case is silent.
   void lend(const CatalogueEntry& entry);
 
-  bool gives(std::string_view key) { return find(key) != nullptr; }
+  void number(const Wanted& wanted, double& value) override { value = this->value(wanted); }
+  void maybe(const Wanted& wanted, std::optional<double>& value) override { value = maybe(wanted); }
+  void whole(const Whole& wanted, std::int64_t& value) override;
+  void flag(const Flag& flag, bool& value) override;
+  void text(std::string_view key, std::string& value) override { value = text(key).value_or(""); }
+  bool choose(const Choice& choice, std::size_t& place) override;
+  void formed(const Formed&, const std::function<std::string()>&) override {}
+  std::string_view one_of(std::initializer_list<std::string_view> keys,
+                          std::string_view /*now*/) override {
+    return one_of(keys);
+  }
+  Section* reading() override { return this; }
+  bool gives(std::string_view key) override { return find(key) != nullptr; }
+  void leave_open() override { open_ = true; }
+  void refuse(std::initializer_list<std::string_view> keys, std::string_view why,
+              const std::string& remedy) override;
+
   /// The value, the case's own before the catalogue's, which then counts as read.
   const Node* find(std::string_view key);
   /// Of keys that exclude each other the one that counts; empty if none is given. Two of the same
@@ -88,7 +71,6 @@ class Section {
   std::string choice(const Choice& choice);  ///< empty after a fault
   std::optional<std::int64_t> whole(std::string_view key, std::int64_t most,
                                     std::int64_t least = 1);
-  bool flag(std::string_view key, bool standard, std::string_view source);
 
   /// Notes where a value came from. `how` is put behind the source: "volume = \"5 ml\"".
   void note(std::string_view key, std::string value, const Node* from, std::string_view how = "");
@@ -97,9 +79,6 @@ class Section {
   void fault(const Node& at, std::string what, std::string remedy, std::string_view code);
   /// Silent about what [fit] is to choose.
   void missing(std::string_view key, std::string_view about, std::string remedy);
-  /// Keys that have no meaning `why`: "under distribution = ...".
-  void refuse(std::initializer_list<std::string_view> keys, std::string_view why,
-              const std::string& remedy);
   /// What `at` says as a quantity in `wanted`'s unit and range, or `unread` after a fault.
   double quantity(const Node& at, const Wanted& wanted);
 
@@ -109,6 +88,7 @@ class Section {
   const std::string& name() const { return name_; }
   std::string heading() const;  ///< "[mill]"
   Findings& findings() { return findings_; }
+  const Catalogue& catalogue() const { return *findings_.catalogue; }
 
  private:
   std::string dotted(std::string_view key) const;
@@ -119,6 +99,7 @@ class Section {
   Findings& findings_;
   std::map<std::string, Node, std::less<>> lent_;
   std::vector<std::string> known_;
+  bool open_ = false;
 };
 
 /// "above 0 mm and at most 1 m".

@@ -8,7 +8,6 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -34,7 +34,7 @@ void write_search(Writer& out, const Looks& looks) {
 }
 
 void write_optimise(Writer& out, const Optimise& wanted) {
-  out.section("[optimise]", "optimise.");
+  out.section("optimise");
   out.plain(fmt::format("{} = {}\n", wanted.maximise ? "maximise" : "minimise",
                         in_quotes(wanted.quantity)));
   std::string limits;
@@ -49,7 +49,7 @@ void write_optimise(Writer& out, const Optimise& wanted) {
 
 void write_sweep(Writer& out, const Case& c) {
   if (!c.sweep.empty()) {
-    out.section("[sweep]", "sweep.");
+    out.section("sweep");
     out.plain(fmt::format("design = {}\n",
                           in_quotes(design_words()[static_cast<std::size_t>(c.sweep.design)])));
     if (c.sweep.samples > 0) out.plain(fmt::format("samples = {}\n", c.sweep.samples));
@@ -64,9 +64,13 @@ void write_sweep(Writer& out, const Case& c) {
   }
   if (c.optimise) write_optimise(out, *c.optimise);
   if (c.match) {
-    out.section("[match]", "match.");
+    out.section("match");
     write_search(out, *c.match);
   }
+  if (!c.fit.empty()) out.section("fit");
+  for (const auto& [key, ends] : c.fit)
+    out.plain(
+        fmt::format("{} = [{}, {}]\n", in_quotes(key), in_quotes(ends[0]), in_quotes(ends[1])));
 }
 
 }  // namespace mahlwerk::cases

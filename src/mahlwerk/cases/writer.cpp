@@ -21,9 +21,9 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-void Writer::section(std::string_view heading, std::string prefix) {
-  text_ += fmt::format("\n{}\n", heading);
-  prefix_ = std::move(prefix);
+void Writer::section(std::string_view name, std::size_t number) {
+  text_ += number > 0 ? fmt::format("\n[[{}]]\n", name) : fmt::format("\n[{}]\n", name);
+  prefix_ = number > 0 ? fmt::format("{}.{}.", name, number) : fmt::format("{}.", name);
 }
 
 void Writer::line(std::string_view key, std::string_view value) {
@@ -37,16 +37,17 @@ void Writer::line(std::string_view key, std::string_view value) {
                        origin->unverified ? " (unverified)" : "");
 }
 
-void Writer::word(std::string_view key, std::string_view value) {
-  line(key, in_quotes(value));
+void Writer::number(const Wanted& wanted, double& value) {
+  line(wanted.key, wanted.unit.empty() ? shortest(value) : in_quotes(show(value, wanted.unit)));
 }
 
-void Writer::name(std::string_view key, std::string_view value) {
-  if (!value.empty()) word(key, value);
+void Writer::text(std::string_view key, std::string& value) {
+  if (!value.empty()) line(key, in_quotes(value));
 }
 
-void Writer::number(std::string_view key, double value, std::string_view unit) {
-  line(key, unit.empty() ? shortest(value) : in_quotes(show(value, unit)));
+bool Writer::choose(const Choice& choice, std::size_t& place) {
+  if (place < choice.words.size()) line(choice.key, in_quotes(choice.words[place]));
+  return true;
 }
 
 }  // namespace mahlwerk::cases

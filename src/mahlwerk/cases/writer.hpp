@@ -6,37 +6,41 @@
 #include <string_view>
 
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/cases/walk.hpp"
 
 namespace mahlwerk::cases {
 
 /// Lines of a case file, with the origin of each value behind it.
-class Writer {
+class Writer : public CaseWalk {
  public:
   explicit Writer(const Case& c) : c_(c) {}
 
-  /// Keys below it have their origins under `prefix`: "mill.".
-  void section(std::string_view heading, std::string prefix);
-  void line(std::string_view key, std::string_view value);
-  void word(std::string_view key, std::string_view value);
-  void name(std::string_view key, std::string_view value);  ///< nothing if it is empty
-  void number(std::string_view key, double value, std::string_view unit);
-  template <class Model, class Fields>
-  void fields(const Model& model, const Fields& all) {
-    for (const auto& f : all) number(f.key, model.*f.value, f.unit);
+  void section(std::string_view name, std::size_t number = 0) override;
+  void number(const Wanted& wanted, double& value) override;
+  void maybe(const Wanted& wanted, std::optional<double>& value) override {
+    if (value) number(wanted, *value);
   }
+  void whole(const Whole& wanted, std::int64_t& value) override {
+    line(wanted.key, std::to_string(value));
+  }
+  void flag(const Flag& flag, bool& value) override { line(flag.key, value ? "true" : "false"); }
+  void text(std::string_view key, std::string& value) override;
+  bool choose(const Choice& choice, std::size_t& place) override;
+  void formed(const Formed& formed, const std::function<std::string()>& text) override {
+    line(formed.key, text());
+  }
+
   void plain(std::string_view text) { text_ += text; }
   std::string text() { return std::move(text_); }
 
  private:
+  void line(std::string_view key, std::string_view value);
+
   const Case& c_;
   std::string text_, prefix_;
 };
 
-/// The sizes of the powder, within its section.
-void write_feed(Writer& out, const Powder& powder);
-/// [sweep], [optimise] and [match], those that there are.
+/// [sweep], [optimise], [match] and [fit], those that there are.
 void write_sweep(Writer& out, const Case& c);
-/// The sections of grinding and [kinetics], those that there are.
-void write_grinding(Writer& out, const Case& c);
 
 }  // namespace mahlwerk::cases

@@ -11,7 +11,6 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/results/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 

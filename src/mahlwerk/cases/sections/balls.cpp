@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -60,6 +61,10 @@ std::vector<Vec3> read_places(Section& in, const Node& at) {
   return places;
 }
 
+constexpr Wanted mass_of_set("mass", "kg", positive, "mass of all balls of this set");
+constexpr Wanted filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
+                                "volume of the balls over volume of the jar");
+
 /// By number, by mass, by the balls' share of the jar's volume, or by the places they start at.
 std::int64_t read_count(Section& in, BallSet& set, const Jar& jar) {
   const std::string_view key = in.one_of({"count", "mass", "filling", "positions"});
@@ -74,12 +79,10 @@ std::int64_t read_count(Section& in, BallSet& set, const Jar& jar) {
   }
   const Node& at = *in.find(key);
   if (key == "mass") {
-    const double mass = in.quantity(at, {"mass", "kg", positive, "mass of all balls of this set"});
+    const double mass = in.quantity(at, mass_of_set);
     return nearest_count(in, at, key, mass / set.mass());
   }
-  const Range share{.least = 0, .most = 1, .without_least = true};
-  const double filling =
-      in.quantity(at, {"filling", "", share, "volume of the balls over volume of the jar"});
+  const double filling = in.quantity(at, filling_of_set);
   return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
 }
 
@@ -89,84 +92,75 @@ double mean_diameter(Distribution of) {
   return mean_volume_diameter(size_shares(of));
 }
 
-BallSet read_set(const Node& table, std::size_t number, const Jar& jar, const Catalogue& catalogue,
-                 Findings& findings) {
-  BallSet set;
-  Section in(&table, fmt::format("balls.{}", number), findings);
-  if (const Node* model = in.find("model")) {
-    in.text("model");
-    if (const auto entry = look_up(catalogue, "media", *model, findings)) in.lend(*entry);
+void describe_count(Walk& w, BallSet& set) {
+  w.also({"model", "", any_number, "name of a ball set in the catalogue"});
+  w.also(mass_of_set);
+  w.also(filling_of_set);
+  const std::vector<Vec3>& places = set.positions;
+  if (!places.empty() || w.lists())
+    w.formed(
+        {"positions", "places of centres, from the jar's centre",
+         std::cmp_equal(places.size(), set.count) &&
+             std::ranges::all_of(places, [](const Vec3& p) { return std::isfinite(norm(p)); })},
+        [&] { return places_text(places); });
+  if (places.empty() || w.lists()) w.whole({"count", 1, most_balls, "how many balls"}, set.count);
+}
+
+/// False after a fault.
+bool describe_sizes(Walk& w, BallSet& set) {
+  const bool sound = describe(w, set.distribution, set.diameter);
+  Section* in = w.reading();
+  if (in == nullptr || set.distribution.law == Distribution::Law::equal) return sound;
+  set.diameter = sound ? mean_diameter(set.distribution) : unread;
+  if (const Node* places = in->find("positions"); places != nullptr)
+    in->fault(*places, "balls whose sizes differ cannot be told where to start",
+              "give each size a set of its own, with its positions", "too-much");
+  return sound;
+}
+
+void describe_material(Walk& w, BallSet& set) {
+  const Wanted density("density", "kg/m3", positive, "density of a ball");
+  if (Section* in = w.reading()) {
+    const auto given = read_density(*in, density, set.material);
+    if (!given)
+      in->missing(
+          "density", density.about,
+          set.material.empty()
+              ? "write density = \"7850 kg/m3\", or material with a name `mahlwerk list "
+                "materials` shows"
+              : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
+                            set.material));
+    set.density = given.value_or(unread);
+  } else {
+    w.number(density, set.density);
+    w.text("material", set.material);
   }
-  const Wanted diameter(ball_fields()[0]), density(ball_fields()[1]);
-  const bool sound = read_distribution(in, set.distribution);
-  const bool equal = set.distribution.law == Distribution::Law::equal;
-  set.diameter = equal ? in.value(diameter) : sound ? mean_diameter(set.distribution) : unread;
-  const auto given = read_density(in, density, set.material, catalogue);
-  if (!given)
-    in.missing("density", density.about,
-               set.material.empty()
-                   ? "write density = \"7850 kg/m3\", or material with a name `mahlwerk list "
-                     "materials` shows"
-                   : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
-                                 set.material));
-  set.density = given.value_or(unread);
-  set.elastic = read_elastic(in, set.material, catalogue);
-  set.substance = read_substance(in, set.material, catalogue);
-  set.count = read_count(in, set, jar);
-  if (!equal && sound && set.count > 0 && set.positions.empty()) {
-    set.classes = read_classes(in, set.distribution, set.count);
-    set.diameter = mean_volume_diameter(set.classes);
-  }
-  in.close();
-  return set;
+  describe(w, set.elastic, set.material);
+  describe(w, set.substance, set.material);
 }
 
 }  // namespace
 
-double ball_volume(const BallSet& set) {
-  return std::numbers::pi * set.diameter * set.diameter * set.diameter / 6;
-}
-
-double balls_mass(const std::vector<BallSet>& balls) {
-  double mass = 0;
-  for (const BallSet& set : balls)
-    if (!set.grains) mass += static_cast<double>(set.count) * set.mass();
-  return mass;
-}
-
-double balls_volume(const std::vector<BallSet>& balls) {
-  double volume = 0;
-  for (const BallSet& set : balls)
-    if (!set.grains) volume += static_cast<double>(set.count) * ball_volume(set);
-  return volume;
-}
-
-std::int64_t balls_count(const std::vector<BallSet>& balls) {
-  std::int64_t count = 0;
-  for (const BallSet& set : balls) count += set.count;
-  return count;
-}
-
-double largest_ball(const std::vector<BallSet>& balls) {
-  double diameter = 0;
-  for (const BallSet& set : balls) {
-    if (std::isnan(set.diameter)) return unread;
-    for (const SizeClass& size : set.sizes()) diameter = std::max(diameter, size.diameter);
+void describe(Walk& w, BallSet& set, const Jar& jar) {
+  Section* in = w.reading();
+  if (in == nullptr) {
+    describe_count(w, set);
+  } else if (const Node* model = in->find("model")) {
+    in->text("model");
+    if (const auto entry = look_up(*in, "media", *model)) in->lend(*entry);
   }
-  return diameter;
+  const bool sound = describe_sizes(w, set);
+  describe_material(w, set);
+  if (in == nullptr) return;
+  set.count = read_count(*in, set, jar);
+  if (set.distribution.law == Distribution::Law::equal || !sound || set.count <= 0 ||
+      !set.positions.empty())
+    return;
+  set.classes = read_classes(*in, set.distribution, set.count);
+  set.diameter = mean_volume_diameter(set.classes);
 }
 
-double smallest_ball(const std::vector<BallSet>& balls) {
-  double diameter = std::numeric_limits<double>::infinity();
-  for (const BallSet& set : balls) {
-    if (set.grains) continue;
-    for (const SizeClass& size : set.sizes()) diameter = std::min(diameter, size.diameter);
-  }
-  return diameter;
-}
-
-std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogue& catalogue,
-                                Findings& findings) {
+std::vector<BallSet> read_balls(const Node* list, const Jar& jar, Findings& findings) {
   std::vector<BallSet> balls;
   bool tables = list != nullptr && list->kind == Node::Kind::list && !list->items.empty();
   if (tables)
@@ -179,8 +173,11 @@ std::vector<BallSet> read_balls(const Node* list, const Jar& jar, const Catalogu
          "write [[balls]] with diameter, density and count", "missing-value"});
     return balls;
   }
-  for (const Node& item : list->items)
-    balls.push_back(read_set(item, balls.size() + 1, jar, catalogue, findings));
+  for (const Node& item : list->items) {
+    Section in(&item, fmt::format("balls.{}", balls.size() + 1), findings);
+    describe(in, balls.emplace_back(), jar);
+    in.close();
+  }
   return balls;
 }
 

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -23,6 +24,12 @@ constexpr std::string_view inherited = "as [contact] says";
 const Wanted& restitution_value() {
   static const Wanted wanted("restitution", "", restitution_range,
                              "normal speed after over before a bounce");
+  return wanted;
+}
+
+const Wanted& restitution_speed() {
+  static const Wanted wanted("restitution_speed", "m/s", positive,
+                             "the speed at which `restitution` holds");
   return wanted;
 }
 
@@ -84,14 +91,12 @@ RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* 
 }
 
 /// A key that a law has no use for.
-void refuse(Section& in, std::string_view key, std::string_view law, std::string_view remedy) {
-  if (const Node* at = in.find(key); at != nullptr)
-    in.fault(*at, fmt::format("{} has no meaning under restitution_law = \"{}\"", key, law),
-             std::string(remedy), "too-much");
+void useless(Section& in, std::string_view key, std::string_view law, const std::string& remedy) {
+  in.refuse({key}, fmt::format("under restitution_law = \"{}\"", law), remedy);
 }
 
 Restitution read_tabulated(Section& in, const Restitution* all) {
-  refuse(in, "restitution_speed", "tabulated", "remove it");
+  useless(in, "restitution_speed", "tabulated", "remove it");
   if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
   if (all != nullptr && all->law() == RestitutionLaw::tabulated) {
     in.note_default("restitution_table", table_text(*all), inherited);
@@ -103,8 +108,8 @@ Restitution read_tabulated(Section& in, const Restitution* all) {
 }
 
 Restitution read_viscoelastic(Section& in, double value, const Restitution* all) {
-  refuse(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
-  Wanted speed("restitution_speed", "m/s", positive, "the speed at which `restitution` holds");
+  useless(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
+  Wanted speed = restitution_speed();
   if (all != nullptr && all->law() == RestitutionLaw::viscoelastic)
     speed = speed.with_default(all->speed(), inherited);
   const double at = in.value(speed);
@@ -121,7 +126,7 @@ Restitution read_restitution(Section& in, const Restitution* all) {
   const std::string_view given = in.one_of({"restitution", "restitution_table"});
   const RestitutionLaw law = read_law(in, given, all);
   if (law == RestitutionLaw::tabulated) {
-    if (given == "restitution") refuse(in, given, "tabulated", "remove it, or restitution_law");
+    if (given == "restitution") useless(in, given, "tabulated", "remove it, or restitution_law");
     return read_tabulated(in, all);
   }
   Wanted wanted = restitution_value().with_default(
@@ -131,14 +136,30 @@ Restitution read_restitution(Section& in, const Restitution* all) {
   const double value = in.value(wanted);
   if (law == RestitutionLaw::viscoelastic) return read_viscoelastic(in, value, all);
   if (given == "restitution_table")
-    refuse(in, given, "constant", "write restitution_law = \"tabulated\"");
-  refuse(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
+    useless(in, given, "constant", "write restitution_law = \"tabulated\"");
+  useless(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
   return value;
 }
 
+void describe_restitution(Walk& w, Restitution& e, const Restitution* all) {
+  if (Section* in = w.reading()) {
+    e = read_restitution(*in, all);
+    return;
+  }
+  RestitutionLaw law = e.law();
+  double value = e.value(), speed = e.speed();
+  w.word({"restitution_law", restitution_laws(), "constant"}, law);
+  if (law == RestitutionLaw::tabulated)
+    w.formed({"restitution_table", "speeds of approach with their restitution"},
+             [&] { return table_text(e); });
+  else
+    w.number(restitution_value(), value);
+  if (law == RestitutionLaw::viscoelastic) w.number(restitution_speed(), speed);
+}
+
 /// "constant" or "walton", and why if it is not said.
-std::string read_bounce(Section& in, const BounceRule* all) {
-  const bool friction = in.gives("friction");
+Choice bounce_of(Walk& w, const BounceRule* all) {
+  const bool friction = w.gives("friction");
   Choice choice{"bounce",
                 {"constant", "walton"},
                 "walton",
@@ -146,70 +167,35 @@ std::string read_bounce(Section& in, const BounceRule* all) {
   if (!friction && all != nullptr) {
     choice.standard = std::isfinite(all->friction) ? "walton" : "constant";
     choice.source = inherited;
-  } else if (!friction && in.gives("tangential_restitution")) {
+  } else if (!friction && w.gives("tangential_restitution")) {
     choice.standard = "constant";
     choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
   }
-  return in.choice(choice);
+  return choice;
 }
 
 }  // namespace
 
-BounceRule read_rule(Section& in, const BounceRule* all) {
-  BounceRule rule;
-  rule.restitution = read_restitution(in, all ? &all->restitution : nullptr);
-  const std::string bounce = read_bounce(in, all);
+void describe(Walk& w, BounceRule& rule, const BounceRule* all) {
+  describe_restitution(w, rule.restitution, all ? &all->restitution : nullptr);
+  std::size_t walton = rule.friction == std::numeric_limits<double>::infinity() ? 0 : 1;
+  if (!w.choose(bounce_of(w, all), walton)) walton = 1;
   Wanted tangential("tangential_restitution", "", tangential_range,
                     "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
   tangential = tangential.with_default(
-      0, bounce == "constant" ? "no slip after a bounce" : "no slip below the Coulomb limit");
+      0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
   if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
-  rule.tangential_restitution = in.value(tangential);
-  if (bounce == "constant") {
-    if (const Node* friction = in.find("friction"))
-      in.fault(*friction, "friction has no meaning under bounce = \"constant\"",
-               "remove friction, or write bounce = \"walton\"", "too-much");
-    return rule;
+  w.number(tangential, rule.tangential_restitution);
+  if (!walton) {
+    w.refuse({"friction"}, "under bounce = \"constant\"",
+             "remove friction, or write bounce = \"walton\"");
+    return;
   }
   Wanted friction = Wanted("friction", "", not_negative, "Coulomb's friction coefficient mu")
                         .with_default(0.3, "uncalibrated, 0.1-0.6");
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, inherited);
-  rule.friction = in.value(friction);
-  return rule;
-}
-
-std::vector<PairRule> read_pairs(const Node* list, const Contact& all,
-                                 const std::optional<contact::ContactModel>& model,
-                                 Findings& findings) {
-  std::vector<PairRule> pairs;
-  if (list == nullptr) return pairs;
-  const auto is_table = [](const Node& n) { return n.kind == Node::Kind::table; };
-  if (list->kind != Node::Kind::list || !std::ranges::all_of(list->items, is_table)) {
-    findings.faults.push_back({list->where, "`contact.pairs` must be a list of sections",
-                               "write [[contact.pairs]] and its values below", "wrong-type"});
-    return pairs;
-  }
-  for (const Node& item : list->items) {
-    Section in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
-    PairRule pair;
-    constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
-    const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
-    const Node* between = in.find("between");
-    if (between == nullptr) {
-      in.missing("between", "the two the rule is for", std::string(form));
-    } else if (between->items.size() != 2 || !std::ranges::all_of(between->items, is_text)) {
-      in.fault(*between, "`between` must name two", std::string(form), "wrong-type");
-    } else {
-      pair.between = {between->items[0].text, between->items[1].text};
-      in.note("between", between_text(pair), between);
-    }
-    pair.rule = read_rule(in, &all.rule);
-    read_touch(in, pair, model, &all);
-    in.close();
-    pairs.push_back(std::move(pair));
-  }
-  return pairs;
+  w.number(friction, rule.friction);
 }
 
 }  // namespace mahlwerk::cases

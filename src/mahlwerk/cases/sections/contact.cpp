@@ -1,49 +1,58 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+
+// [contact] and [[contact.pairs]]: what happens where two touch.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-/// What becomes of bounces without end; several balls have one answer only.
-Lasting read_lasting(Section& in, bool several) {
-  const std::string word =
-      in.choice({"lasting", lasting_words(), several ? "tc" : "roll",
-                 several ? "with several balls lasting contacts are carried by the TC rule"
-                         : "a ball may come to stay, and roll or slide"});
-  const auto at = std::ranges::find(lasting_words(), word);
-  return at == lasting_words().end() ? Lasting::roll
-                                     : static_cast<Lasting>(at - lasting_words().begin());
+/// Real balls touch for less than a millisecond; longer times make true collisions elastic.
+constexpr Range contact_times{.least = 0, .most = 1e-3, .without_least = true};
+
+constexpr Range softenings{.least = 0, .most = 1, .without_least = true};
+
+constexpr auto contact_fields() {
+  return std::array{
+      Field<Contact>{
+          "lasting_friction", "", &Contact::lasting_friction, not_negative,
+          "Coulomb's friction coefficient of lasting contacts", 0.3,
+          "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none"},
+      Field<Contact>{"lasting_speed", "m/s", &Contact::lasting_speed, not_negative,
+                     "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
+                     "far below the speeds that count"},
+      Field<Contact>{"contact_time", "s", &Contact::contact_time, contact_times,
+                     "bounces that follow sooner are elastic under lasting = \"tc\"", 1e-4,
+                     "a few times a steel ball's contact time, at 1 g or less"},
+      Field<Contact>{"softening", "", &Contact::softening, softenings,
+                     "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
+                     1.0, "moduli as they are"}};
 }
 
-/// The soft engine's step: a time, or a share of the Rayleigh time.
-void read_step(Section& in, Run& run) {
-  const Wanted step("time_step", "s", positive, "time step of the soft engine"), share(step_share);
-  if (in.one_of({step.key, share.key}) == step.key) {
-    run.time_step = in.value(step);
-    return;
-  }
-  run.time_step_fraction = in.value(share);
+/// [m/s2] the strongest of the mill.
+double field_of(const Case& c) {
+  return std::visit(
+      [&](const auto& motion) {
+        return kinematics::strongest_field({0, 0, -c.gravity}, motion.bounds().acceleration,
+                                           motion.period(),
+                                           [&](double t) { return motion.ride(t); });
+      },
+      c.mill.motion);
 }
 
-}  // namespace
-
-Contact read_contact(const Node* table, const std::vector<BallSet>& balls, double field,
-                     Findings& findings) {
-  Contact contact;
-  Section in(table, "contact", findings);
-  const auto model = read_contact_model(in);
-  contact.model = model.value_or(contact::ContactModel());
-  contact.rule = read_rule(in, nullptr);
+/// Numbers of the event engine, and how soft all is.
+void describe_numbers(Walk& w, Contact& contact, const Case& c) {
   // Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
   constexpr double one_g = 9.80665;  // [m/s2]
-  const double strength = field / one_g;
+  const double strength = w.reading() != nullptr ? field_of(c) / one_g : 1;
   const std::string source = fmt::format(
       "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
       "its motion shorter by the root of that",
@@ -54,76 +63,98 @@ Contact read_contact(const Node* table, const std::vector<BallSet>& balls, doubl
       wanted = wanted.with_default(contact.rule.friction, "the friction of bounces");
     if (one.value == &Contact::contact_time && strength > 1)
       wanted = wanted.with_default(*wanted.standard / std::sqrt(strength), source);
-    contact.*one.value = in.value(wanted);
+    w.number(wanted, contact.*one.value);
   }
-  read_touch(in, contact, model, nullptr);
-  contact.lasting = read_lasting(in, balls_count(balls) > 1);
-  const Node* pairs = in.find("pairs");
-  in.close();
-  contact.pairs = read_pairs(pairs, contact, model, findings);
-  return contact;
 }
 
-namespace {
+/// Of [contact], and of a pair, which inherits those of `all`. Silent where the model is not known.
+template <class Owner>
+void describe_touch(Walk& w, Owner& owner, const ContactModel* model, const Contact* all) {
+  const auto general = touch_fields<Contact>();
+  std::size_t i = 0;
+  for (const auto& field : touch_fields<Owner>()) {
+    const auto of_all = general[i++].value;
+    if (!has_use(w, field.key, model)) {
+      if (w.reading() != nullptr) owner.*field.value = 0;
+      continue;
+    }
+    Wanted wanted(field);
+    wanted.unit = unit_of(field.key, field.unit, *model);
+    if (wanted.unit != field.unit) wanted.standard.reset();  // none is known in that unit
+    if (all != nullptr) wanted = wanted.with_default(all->*of_all, "as [contact] says");
+    w.number(wanted, owner.*field.value);
+  }
+}
 
-constexpr std::string_view until_word = "until";
+void describe_between(Walk& w, PairRule& pair) {
+  constexpr Formed between{"between", "the two the rule is for"};
+  w.formed(between, [&] { return between_text(pair); });
+  Section* in = w.reading();
+  if (in == nullptr) return;
+  constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
+  const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
+  const Node* at = in->find(between.key);
+  if (at == nullptr) {
+    in->missing(between.key, between.about, std::string(form));
+  } else if (at->items.size() != 2 || !std::ranges::all_of(at->items, is_text)) {
+    in->fault(*at, "`between` must name two", std::string(form), "wrong-type");
+  } else {
+    pair.between = {at->items[0].text, at->items[1].text};
+    in->note(between.key, between_text(pair), at);
+  }
+}
 
-/// time = "60 s", or "until 2 %".
-void read_time(Section& in, Run& run) {
-  const Node* at = in.find("time");
-  const bool waits =
-      at != nullptr && at->kind == Node::Kind::text && at->text.starts_with(until_word);
-  for (const auto& field : run_fields())
-    if (!waits || field.value != &Run::time) run.*field.value = in.value(Wanted(field));
-  if (!waits) return;
-  Node share = *at;
-  share.text.erase(0, until_word.size());
-  share.text.erase(0, share.text.find_first_not_of(' '));
-  const Wanted wanted("time", "", until_range,
-                      "the half-width of the confidence interval over the mean: \"until 2 %\"");
-  run.until = Until{.within = in.quantity(share, wanted),
-                    .quantity = in.choice({"until", until_words(), until_words().front(),
-                                           "what the mill's user pays for"})};
-  in.note("time", in_quotes(at->text), at);
-  run.time = in.value(Wanted(longest));
+std::vector<PairRule> read_pairs(const Node* list, const Contact& all, const ContactModel* model,
+                                 Findings& findings) {
+  std::vector<PairRule> pairs;
+  if (list == nullptr) return pairs;
+  const auto is_table = [](const Node& n) { return n.kind == Node::Kind::table; };
+  if (list->kind != Node::Kind::list || !std::ranges::all_of(list->items, is_table)) {
+    findings.faults.push_back({list->where, "`contact.pairs` must be a list of sections",
+                               "write [[contact.pairs]] and its values below", "wrong-type"});
+    return pairs;
+  }
+  for (const Node& item : list->items) {
+    Section in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
+    describe(in, pairs.emplace_back(), all, model);
+    in.close();
+  }
+  return pairs;
 }
 
 }  // namespace
 
-Run read_run(const Node* table, Findings& findings) {
-  Run run;
-  Section in(table, "run", findings);
-  run.engine = word_of<EngineName>(
-      in.choice({"engine", engines(), "auto", "chosen by what the case needs"}), engines());
-  read_time(in, run);
-  run.start_frame = in.choice({"start_frame", start_frames(), "laboratory", "paper A"}) == "jar"
-                        ? StartFrame::jar
-                        : StartFrame::laboratory;
-  read_step(in, run);
-  run.hop = in.flag("hop", true, "the clock of the soft engine hops over free flight");
-  if (const auto replicates = in.whole("replicates", most_replicates)) {
-    run.replicates = *replicates;
-  } else {
-    run.replicates = 5;
-    in.note_default("replicates", "5", "as in paper A");
-  }
-  in.close();
-  return run;
+void describe(Walk& w, PairRule& pair, const Contact& all, const ContactModel* model) {
+  describe_between(w, pair);
+  describe(w, pair.rule, &all.rule);
+  describe_touch(w, pair, model, &all);
 }
 
-Observe read_observe(const Node* table, Findings& findings) {
-  Observe observe;
-  Section in(table, "observe", findings);
-  for (const auto& field : observe_fields()) observe.*field.value = in.value(Wanted(field));
-  observe.collisions = in.flag("collisions", false, "no record of every collision is kept");
-  observe.frames = in.maybe({"frames", "s", positive, "time between two frames for replay"});
-  const std::string format =
-      in.choice({"frames_format", frames_formats(), "both", "for OVITO and for ParaView"});
-  observe.frames_format = format == "xyz"   ? FramesFormat::xyz
-                          : format == "vtk" ? FramesFormat::vtk
-                                            : FramesFormat::both;
+const ContactModel* describe(Walk& w, Contact& contact, const Case& c) {
+  const bool known = describe(w, contact.model);
+  const ContactModel* model = known ? &contact.model : nullptr;
+  describe(w, contact.rule, nullptr);
+  if (w.reading() == nullptr) describe_touch(w, contact, model, nullptr);
+  describe_numbers(w, contact, c);
+  if (w.reading() != nullptr) describe_touch(w, contact, model, nullptr);
+  const bool several = balls_count(c.balls) > 1;
+  w.word({"lasting",
+          {"roll", "tc", "none"},
+          several ? "tc" : "roll",
+          several ? "with several balls lasting contacts are carried by the TC rule"
+                  : "a ball may come to stay, and roll or slide"},
+         contact.lasting);
+  return model;
+}
+
+Contact read_contact(const Node* table, const Case& c, Findings& findings) {
+  Contact contact;
+  Section in(table, "contact", findings);
+  const ContactModel* model = describe(in, contact, c);
+  const Node* pairs = in.find("pairs");
   in.close();
-  return observe;
+  contact.pairs = read_pairs(pairs, contact, model, findings);
+  return contact;
 }
 
 }  // namespace mahlwerk::cases

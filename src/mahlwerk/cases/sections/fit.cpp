@@ -9,7 +9,7 @@
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {

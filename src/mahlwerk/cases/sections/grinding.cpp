@@ -9,47 +9,47 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/cases/register.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
 /// A number that only measurements on the powder can tell, or a default.
-double constant(Section& in, const Wanted& wanted, const Case& c) {
-  if (in.gives(wanted.key) || wanted.standard) return in.value(wanted);
+void describe_constant(Walk& w, const Wanted& wanted, double& value, const Case& c) {
+  Section* in = w.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return w.number(wanted, value);
+  value = unread;
   const std::string powder =
       c.powder && !c.powder->material.empty() ? c.powder->material : "this powder";
-  in.missing(wanted.key, wanted.about,
-             fmt::format("nothing published is at hand for {}: give it, for instance {} = \"{}\", "
-                         "or let `mahlwerk fit` find it from measured sizes",
-                         powder, wanted.key, example_of(wanted.unit)));
-  return unread;
+  in->missing(wanted.key, wanted.about,
+              fmt::format("nothing published is at hand for {}: give it, for instance {} = \"{}\", "
+                          "or let `mahlwerk fit` find it from measured sizes",
+                          powder, wanted.key, example_of(wanted.unit)));
 }
 
 /// A bed breaks as its grains do, where the breakage model knows how.
 template <class M>
 Wanted wanted(const Field<M>& field, bool remembering) {
-  Wanted w(field);
-  if (std::is_same_v<M, powder::Barrios> && remembering) {
-    w.standard = 0;
-    w.source = "that of [breakage], size by size";
-  }
-  return w;
+  const Wanted w(field);
+  return std::is_same_v<M, powder::Barrios> && remembering
+             ? w.with_default(0, "that of [breakage], size by size")
+             : w;
 }
 
-/// A section that chooses a model, into `any`, which stays as it is after an unknown word.
-/// `remembering`: the breakage model knows how strong grains are.
+/// The model and its numbers; false after an unknown word. `remembering`: the breakage model knows
+/// how strong grains are.
 template <class... Models>
-void read_chosen(Section& in, std::variant<Models...>& any, const Case& c, bool remembering) {
-  using Register = std::type_identity<std::variant<Models...>>;
-  if (!choose_model(any, in.choice({"model", model_names(Register{}), ""}))) return;
+bool describe_model(Walk& w, std::variant<Models...>& any, const Case& c, bool remembering) {
+  if (!w.model("model", any)) {
+    w.leave_open();
+    return false;
+  }
   const auto numbers = [&](auto& model) {
     for (const auto& field : model.fields())
-      model.*field.value = constant(in, wanted(field, remembering), c);
+      describe_constant(w, wanted(field, remembering), model.*field.value, c);
   };
   std::visit(numbers, any);
-  in.close();
+  return true;
 }
 
 /// The powder's material, if the catalogue has it.
@@ -63,85 +63,60 @@ std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalo
   }
 }
 
-void read_breakage(const Node* table, Grinding& g, const Case& c, const Catalogue& catalogue,
-                   Findings& findings) {
-  Section in(table, "breakage", findings);
-  if (const auto material = material_of(c, catalogue)) in.lend(*material);
-  g.breakage = powder::VogelPeukert{unread, unread};
-  read_chosen(in, g.breakage, c, false);
-}
-
-Capture read_capture(const Node* table, const Case& c, bool remembering, Findings& findings) {
-  Capture capture;
-  Section in(table, "capture", findings);
-  capture.model = powder::Barrios{unread};
-  capture.energy = word_of<Capture::Energy>(
-      in.choice({"energy", capture_energies(), "normal",
-                 "what presses along the line of centres; sliding does not"}),
-      capture_energies());
-  capture.energy_share = in.value(Wanted(energy_share));
-  read_chosen(in, capture.model, c, remembering);
-  return capture;
-}
-
-void read_method(Section& in, Grinding& g) {
+void describe_method(Walk& w, Grinding& g) {
   using Method = Grinding::Method;
-  g.method = word_of<Method>(
-      in.choice({"method", grinding_methods(), "balance", "what is expected, without chance"}),
-      grinding_methods());
+  w.word(
+      {"method", {"balance", "statistical", "both"}, "balance", "what is expected, without chance"},
+      g.method);
   if (g.method == Method::balance)
-    in.refuse({"sample"}, "under method = \"balance\"",
-              "remove it, or write method = \"statistical\" or \"both\"");
-  else if (in.gives("sample"))
-    g.sample = in.whole("sample", most_sample, least_sample).value_or(g.sample);
+    w.refuse({"sample"}, "under method = \"balance\"",
+             "remove it, or write method = \"statistical\" or \"both\"");
   else
-    in.note_default("sample", std::to_string(g.sample),
-                    "shares are off by 0.5 % at most, by chance");
-  g.bed = word_of<powder::Bed>(
-      in.choice({"bed", bed_words(), "by-size", "each hit meets grains of one size"}), bed_words());
+    w.whole({"sample", least_sample, most_sample, "grains of the statistical method",
+             Grinding().sample, "shares are off by 0.5 % at most, by chance"},
+            g.sample);
+  w.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
 }
 
-/// The finest size and how many classes there are above it.
-void read_classes(Section& in, Grinding& g, const Case& c, bool remembering) {
-  if (in.gives("smallest") || !c.powder || !c.powder->size) {
-    g.smallest = c.powder && c.powder->size ? in.value(Wanted(smallest_size)) : unread;
-  } else {
+/// The finest size.
+void describe_smallest(Walk& w, Grinding& g, const Case& c) {
+  Section* in = w.reading();
+  const bool sized = c.powder && c.powder->size;
+  if (in != nullptr && !in->gives("smallest") && sized) {
     g.smallest = c.powder->feed.largest() / octaves_below;
-    in.note_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
+    in->note_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
+  } else if (in != nullptr && !sized) {
+    g.smallest = unread;
+  } else {
+    w.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
   }
-  if (!in.gives("classes_per_octave")) {
-    g.classes_per_octave = remembering ? size_step : 2 * size_step;
-    in.note_default("classes_per_octave", std::to_string(g.classes_per_octave),
-                    remembering ? "few, as each has many strengths" : "a size every 12 %");
-    return;
-  }
-  const std::int64_t n = in.whole("classes_per_octave", most_per_octave, size_step).value_or(0);
-  if (n % size_step != 0)
-    in.fault(*in.find("classes_per_octave"),
-             fmt::format("classes_per_octave = {} is no multiple of {}", n, size_step),
-             "write 3, 6, 9 or 12: half the volume is then a class further down", "out-of-range");
-  g.classes_per_octave = n;
 }
 
-void read_sticking_and_welding(Section& in, Grinding& g) {
-  for (const auto& field : grinding_shares()) g.*field.value = in.value(Wanted(field));
-  if (in.gives("sticking"))
-    g.sticking_size = in.maybe({"sticking_size", "m", positive, "largest grain size that sticks"});
-  else
-    in.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
-  if (in.gives("welding"))
-    g.welding_energy = in.value(Wanted(welding_energy));
-  else
-    in.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
+/// How many classes there are above it.
+void describe_per_octave(Walk& w, Grinding& g, bool remembering) {
+  w.whole({"classes_per_octave", size_step, most_per_octave, "classes of size, a multiple of three",
+           remembering ? size_step : 2 * size_step,
+           remembering ? "few, as each has many strengths" : "a size every 12 %"},
+          g.classes_per_octave);
+  Section* in = w.reading();
+  if (in != nullptr && g.classes_per_octave % size_step != 0)
+    in->fault(*in->find("classes_per_octave"),
+              fmt::format("classes_per_octave = {} is no multiple of {}", g.classes_per_octave,
+                          size_step),
+              "write 3, 6, 9 or 12: half the volume is then a class further down", "out-of-range");
 }
 
-void read_own(const Node* table, Grinding& g, const Case& c, bool remembering, Findings& findings) {
-  Section in(table, "grinding", findings);
-  g.time = read_milling_time(in, Wanted(grinding_time), c);
-  read_method(in, g);
-  read_classes(in, g, c, remembering);
-  read_sticking_and_welding(in, g);
-  in.close();
+void describe_sticking_and_welding(Walk& w, Grinding& g) {
+  const bool read = w.reading() != nullptr;
+  w.fields(g, grinding_shares());
+  if (!read || w.gives("sticking"))
+    w.maybe({"sticking_size", "m", positive, "largest grain size that sticks"}, g.sticking_size);
+  else
+    w.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
+  if (!read || w.gives("welding"))
+    w.number(Wanted(welding_energy), g.welding_energy);
+  else
+    w.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
 }
 
 /// [breakage], [fragments] and [grinding] stand together or not at all.
@@ -170,35 +145,68 @@ bool remembers(const powder::AnyBreakage& breakage) {
 
 }  // namespace
 
-double read_milling_time(Section& in, const Wanted& wanted, const Case& c) {
-  if (in.gives(wanted.key)) return in.value(wanted);
-  double time = 0;
-  std::string_view source;
-  if (in.name() != "grinding" && c.grinding) {
-    time = c.grinding->time;
-    source = "that of [grinding]";
-  } else if (c.heat) {
-    time = c.heat->milling * static_cast<double>(c.heat->cycles);
-    source = "all milling of [heat]";
-  } else {
-    return in.value(wanted);
-  }
-  in.note_default(wanted.key, show(time, wanted.unit), source);
-  return time;
+void describe_milling_time(Walk& w, Wanted wanted, double& time, const Case& c, bool of_grinding) {
+  if (!of_grinding && c.grinding)
+    wanted = wanted.with_default(c.grinding->time, "that of [grinding]");
+  else if (c.heat)
+    wanted = wanted.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
+                                 "all milling of [heat]");
+  w.number(wanted, time);
 }
 
-void read_grinding(const GrindingTables& t, Case& c, const Catalogue& catalogue,
-                   Findings& findings) {
+void describe(Walk& w, Capture& capture, const Case& c, bool remembering) {
+  const auto energy = [&] {
+    w.word({"energy",
+            {"normal", "contact-point", "lost"},
+            "normal",
+            "what presses along the line of centres; sliding does not"},
+           capture.energy);
+    w.number(Wanted(energy_share), capture.energy_share);
+  };
+  if (w.reading() != nullptr) energy();
+  if (describe_model(w, capture.model, c, remembering) && w.reading() == nullptr) energy();
+}
+
+void describe(Walk& w, powder::AnyBreakage& breakage, const Case& c) {
+  Section* in = w.reading();
+  if (in != nullptr)
+    if (const auto material = material_of(c, in->catalogue())) in->lend(*material);
+  describe_model(w, breakage, c, false);
+}
+
+void describe(Walk& w, powder::AnyFragments& fragments, const Case& c) {
+  describe_model(w, fragments, c, false);
+}
+
+void describe(Walk& w, Grinding& g, const Case& c) {
+  constexpr Range times{.least = 0, .most = 1e8, .without_least = true};  // three years
+  describe_milling_time(w, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
+  describe_method(w, g);
+  describe_smallest(w, g, c);
+  describe_per_octave(w, g, remembers(g.breakage));
+  describe_sticking_and_welding(w, g);
+}
+
+void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
   lone_sections(t, findings);
   Grinding g;
-  if (t.breakage != nullptr) read_breakage(t.breakage, g, c, catalogue, findings);
-  if (t.fragments != nullptr) {
-    Section in(t.fragments, "fragments", findings);
-    read_chosen(in, g.fragments, c, false);
+  const auto read = [&](const Node* table, const char* name, auto& what, auto... more) {
+    Section in(table, name, findings);
+    describe(in, what, c, more...);
+    in.close();
+  };
+  if (t.breakage != nullptr) {
+    g.breakage = powder::VogelPeukert{unread, unread};
+    read(t.breakage, "breakage", g.breakage);
   }
-  if (t.capture != nullptr) c.capture = read_capture(t.capture, c, remembers(g.breakage), findings);
+  if (t.fragments != nullptr) read(t.fragments, "fragments", g.fragments);
+  if (t.capture != nullptr) {
+    Capture capture{.model = powder::Barrios{unread}};
+    read(t.capture, "capture", capture, remembers(g.breakage));
+    c.capture = capture;
+  }
   if (t.grinding == nullptr) return;
-  read_own(t.grinding, g, c, remembers(g.breakage), findings);
+  read(t.grinding, "grinding", g);
   c.grinding = g;
 }
 

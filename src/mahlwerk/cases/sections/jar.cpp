@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/cases/register.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -29,6 +29,8 @@ constexpr bool has_fillet = requires(S s) {
 /// Its sizes follow from a volume; others have parts in them.
 template <class S>
 constexpr bool is_plain = geometry::has_exact_touches<S>;
+
+constexpr Wanted inner_volume("volume", "m3", positive, "inner volume");
 
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
@@ -60,9 +62,8 @@ double least_volume(S shape) {
 
 template <class S>
 void size_from_volume(Section& in, S& shape, std::string_view follows, double S::*size) {
-  const Wanted wanted("volume", "m3", positive, "inner volume");
   const Node& at = *in.find("volume");
-  const double volume = in.quantity(at, wanted);
+  const double volume = in.quantity(at, inner_volume);
   shape.*size = size_for(shape, volume);
   if constexpr (has_height<S> && is_round<S>) {
     const double least = least_volume(shape);
@@ -79,8 +80,6 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
     in.note(follows, show(shape.*size, "m"), &at,
             fmt::format("follows from volume = \"{}\"", at.text));
 }
-
-void read_shape(Section&, geometry::Mesh&) {}  // has a reader of its own
 
 template <class S>
 void read_shape(Section& in, S& shape) {
@@ -103,6 +102,19 @@ void read_shape(Section& in, S& shape) {
   }
 }
 
+void describe_shape(Walk& w, geometry::AnyShape& any) {
+  Section* in = w.reading();
+  const auto numbers = [&]<class S>(S& shape) {
+    if (in == nullptr) {
+      w.fields(shape, S::fields());
+      if (is_plain<S>) w.also(inner_volume);
+    }
+    if constexpr (!std::is_same_v<S, geometry::Mesh>)  // has a reader of its own
+      if (in != nullptr) read_shape(*in, shape);
+  };
+  std::visit(numbers, any);
+}
+
 }  // namespace
 
 Jar unread_jar() {
@@ -111,29 +123,18 @@ Jar unread_jar() {
   return {.model = "", .material = "", .shape = nothing};
 }
 
-Jar read_jar(const Node* table, const std::string& folder, const Catalogue& catalogue,
-             Findings& findings) {
-  Jar jar;
-  Section in(table, "jar", findings);
-  const auto kinds = model_names(std::type_identity<geometry::AnyShape>{});
-  const Model model = read_model(in, "jars", kinds, catalogue);
-  jar.model = model.name;
-  if (const auto material = in.text("material")) jar.material = *material;
-  if (!choose_model(jar.shape, model.kind)) {
+void describe(Walk& w, Jar& jar) {
+  Model model;
+  const bool known = describe_kind(w, "jars", jar.shape, jar.model, model);
+  if (w.reading() != nullptr) w.text("material", jar.material);
+  if (!known) {
     jar.shape = unread_jar().shape;
-    return jar;
+    return w.leave_open();
   }
-  if (std::holds_alternative<geometry::Mesh>(jar.shape))
-    read_mesh(in, jar, folder);
-  else
-    std::visit([&](auto& shape) { read_shape(in, shape); }, jar.shape);
-  read_wall(in, jar, catalogue);
-  in.close();
-  return jar;
-}
-
-double jar_volume(const Jar& jar) {
-  return std::visit([](const auto& s) { return s.volume(); }, jar.shape);
+  if (std::holds_alternative<geometry::Mesh>(jar.shape)) describe_mesh(w, jar);
+  describe_shape(w, jar.shape);
+  if (w.reading() == nullptr) w.text("material", jar.material);
+  describe_wall(w, jar);
 }
 
 }  // namespace mahlwerk::cases

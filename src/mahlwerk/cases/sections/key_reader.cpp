@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/base/spelling.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sweep_words.hpp"
 
 namespace mahlwerk::cases {

@@ -7,50 +7,44 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
+void describe_conversion(Walk& w, const Wanted& wanted, double& value) {
+  Section* in = w.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return w.number(wanted, value);
+  in->missing(wanted.key, wanted.about,
+              fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
+                          "what was measured",
+                          wanted.key, example_of(wanted.unit)));
+}
+
 /// A property goes from a first value to a last one.
-void read_property(Section& in, Kinetics& k) {
-  if (in.gives("property")) k.property = in.text("property").value_or("");
-  if (k.property.empty()) {
-    in.refuse({"initial", "final"}, "without `property`",
-              "remove it, or write property = \"amorphous content\" or so");
-    return;
-  }
-  k.initial = in.value({"initial", "", any_number, "the property before milling, in its own unit"});
-  k.final = in.value({"final", "", any_number, "the property of what is all converted"});
+void describe_property(Walk& w, Kinetics& k) {
+  w.text("property", k.property);
+  if (k.property.empty() && !w.lists())
+    return w.refuse({"initial", "final"}, "without `property`",
+                    "remove it, or write property = \"amorphous content\" or so");
+  w.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);
+  w.number({"final", "", any_number, "the property of what is all converted"}, k.final);
 }
 
 }  // namespace
 
-Kinetics read_kinetics(const Node* table, const Case& c, Findings& findings) {
-  Kinetics k;
-  Section in(table, "kinetics", findings);
-  const bool avrami =
-      in.choice({"law", kinetics_laws(), "first-order", "the simplest"}) == "avrami";
-  for (const auto& field : kinetics_fields()) {
-    const bool exponent = field.value == &powder::Conversion::exponent;
-    if (exponent && !avrami) continue;
-    if (in.gives(field.key) || field.standard)
-      k.conversion.*field.value = in.value(Wanted(field));
-    else
-      in.missing(field.key, field.about,
-                 fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
-                             "what was measured",
-                             field.key, example_of(field.unit)));
-  }
+void describe(Walk& w, Kinetics& k, const Case& c) {
+  std::size_t avrami = k.conversion.exponent != 1 ? 1 : 0;
+  w.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
+  for (const auto& field : kinetics_fields())
+    if (avrami || field.value != &powder::Conversion::exponent)
+      describe_conversion(w, Wanted(field), k.conversion.*field.value);
   if (!avrami)
-    in.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
-  k.dose = word_of<Kinetics::Dose>(
-      in.choice({"dose", dose_words(), "dissipated", "all that the collisions lose"}),
-      dose_words());
-  k.time = read_milling_time(in, Wanted(kinetics_time), c);
-  read_property(in, k);
-  in.close();
-  return k;
+    w.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
+  w.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},
+         k.dose);
+  describe_milling_time(w, {"time", "s", positive, "how long the mill mills"}, k.time, c, false);
+  describe_property(w, k);
 }
 
 }  // namespace mahlwerk::cases

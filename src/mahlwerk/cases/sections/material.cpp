@@ -6,10 +6,49 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
+
+/// Of a ball or a jar, for the soft engine.
+constexpr auto elastic_fields() {
+  using E = contact::Elastic;
+  return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
+                             "Young's modulus of the material", steel.youngs_modulus,
+                             "steel, handbook; uncalibrated"},
+                    Field<E>{"poisson_ratio", "", &E::poisson_ratio, poisson_ratios,
+                             "Poisson's ratio of the material", steel.poisson_ratio,
+                             "steel, handbook; uncalibrated"}};
+}
+
+/// Of a ball or a jar, for wear and heat.
+constexpr auto substance_fields() {
+  using S = Substance;
+  constexpr std::string_view source = "hardened steel (1.4034), handbook; uncalibrated";
+  return std::array{Field<S>{"hardness", "", &S::hardness, positive, "Vickers hardness number",
+                             hardened_steel.hardness, source},
+                    Field<S>{"conductivity", "W/m/K", &S::conductivity, positive,
+                             "thermal conductivity", hardened_steel.conductivity, source},
+                    Field<S>{"heat_capacity", "J/kg/K", &S::heat_capacity, positive,
+                             "specific heat capacity", hardened_steel.heat_capacity, source}};
+}
+
+/// Of a jar's wall.
+constexpr Field<Jar> wall_density{"density",
+                                  "kg/m3",
+                                  &Jar::density,
+                                  positive,
+                                  "density of the jar's wall",
+                                  hardened_steel_density,
+                                  "hardened steel (1.4034), handbook; uncalibrated"};
+constexpr Field<Jar> wall_thickness{"wall",
+                                    "m",
+                                    &Jar::wall,
+                                    positive,
+                                    "thickness of the jar's wall",
+                                    usual_wall,
+                                    "a small steel jar's; uncalibrated, 3-15 mm"};
 
 /// Whether the material's name counts, not what is said under `key` itself.
 bool by_material(Section& in, std::string_view key) {
@@ -30,10 +69,9 @@ std::optional<double> of_entry(Section& in, const Wanted& wanted, const Catalogu
 }
 
 /// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
-std::optional<CatalogueEntry> known_material(Section& in, const std::string& material,
-                                             const Catalogue& catalogue) {
-  if (!catalogue.has("materials", material)) return std::nullopt;
-  return look_up(catalogue, "materials", *in.find("material"), in.findings());
+std::optional<CatalogueEntry> known_material(Section& in, const std::string& material) {
+  if (!in.catalogue().has("materials", material)) return std::nullopt;
+  return look_up(in, "materials", *in.find("material"));
 }
 
 /// From where it is said, from the material, or the default.
@@ -47,41 +85,37 @@ double of_material(Section& in, const Wanted& wanted, const std::string& materia
 }
 
 template <class Owner, class Fields>
-Owner all_of_material(Section& in, const Fields& fields, const std::string& material,
-                      const Catalogue& catalogue) {
-  const auto entry = known_material(in, material, catalogue);
-  Owner owner;
+void describe_fields(Walk& w, Owner& owner, const Fields& fields, const std::string& material) {
+  Section* in = w.reading();
+  if (in == nullptr) return w.fields(owner, fields);
+  const auto entry = known_material(*in, material);
   for (const auto& field : fields)
-    owner.*field.value = of_material(in, Wanted(field), material, entry);
-  return owner;
+    owner.*field.value = of_material(*in, Wanted(field), material, entry);
 }
 
 }  // namespace
 
-std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material,
-                                   const Catalogue& catalogue) {
+std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material) {
   const Node* name = in.find("material");
   if (name != nullptr) material = in.text("material").value_or("");
   if (material.empty() || !by_material(in, wanted.key)) return in.maybe(wanted);
-  const auto entry = look_up(catalogue, "materials", *name, in.findings());
+  const auto entry = look_up(in, "materials", *name);
   return entry ? of_entry(in, wanted, *entry) : unread;
 }
 
-contact::Elastic read_elastic(Section& in, const std::string& material,
-                              const Catalogue& catalogue) {
-  return all_of_material<contact::Elastic>(in, elastic_fields(), material, catalogue);
+void describe(Walk& w, contact::Elastic& elastic, const std::string& material) {
+  describe_fields(w, elastic, elastic_fields(), material);
 }
 
-Substance read_substance(Section& in, const std::string& material, const Catalogue& catalogue) {
-  return all_of_material<Substance>(in, substance_fields(), material, catalogue);
+void describe(Walk& w, Substance& substance, const std::string& material) {
+  describe_fields(w, substance, substance_fields(), material);
 }
 
-void read_wall(Section& in, Jar& jar, const Catalogue& catalogue) {
-  jar.elastic = read_elastic(in, jar.material, catalogue);
-  jar.substance = read_substance(in, jar.material, catalogue);
-  jar.density = of_material(in, Wanted(wall_density), jar.material,
-                            known_material(in, jar.material, catalogue));
-  jar.wall = in.value(Wanted(wall_thickness));
+void describe_wall(Walk& w, Jar& jar) {
+  describe(w, jar.elastic, jar.material);
+  describe(w, jar.substance, jar.material);
+  describe_fields(w, jar, std::array{wall_density}, jar.material);
+  w.number(Wanted(wall_thickness), jar.wall);
 }
 
 }  // namespace mahlwerk::cases

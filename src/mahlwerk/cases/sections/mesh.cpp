@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/stl.hpp"
 
 namespace mahlwerk::cases {
@@ -66,10 +66,13 @@ Fault told(const Flaw& flaw, const std::string& file) {
                "mesh-inside-out");
 }
 
+Choice mesh_origin() {
+  return {"origin", {"file", "centre"}, "file", "as the file has it"};
+}
+
 class MeshReader {
  public:
-  MeshReader(Section& in, Jar& jar, const std::string& folder)
-      : in_(in), jar_(jar), folder_(folder) {}
+  MeshReader(Section& in, Jar& jar) : in_(in), jar_(jar) {}
 
   void read() {
     const auto file = in_.text("file");
@@ -77,8 +80,7 @@ class MeshReader {
       in_.missing("file", "the jar's inner surface", "write for instance file = \"my-jar.stl\"");
     const double scale = read_unit();
     const bool said = in_.gives("origin");
-    const std::string origin =
-        in_.choice({"origin", {"file", "centre"}, "file", "as the file has it"});
+    const std::string origin = in_.choice(mesh_origin());
     const auto angle_field = Mesh::fields()[0];
     const double angle = in_.value(Wanted(angle_field));
     if (!file || std::isnan(scale) || std::isnan(angle) || origin.empty()) return;
@@ -115,7 +117,7 @@ class MeshReader {
   }
 
   std::optional<Surface> surface_in(const std::string& name, double scale) {
-    const auto path = std::filesystem::path(folder_) / name;
+    const auto path = std::filesystem::path(in_.findings().folder) / name;
     const std::string file = path.generic_string();
     std::error_code ignored;
     std::ifstream stream;
@@ -180,13 +182,15 @@ class MeshReader {
 
   Section& in_;
   Jar& jar_;
-  const std::string& folder_;
 };
 
 }  // namespace
 
-void read_mesh(Section& in, Jar& jar, const std::string& folder) {
-  MeshReader(in, jar, folder).read();
+void describe_mesh(Walk& w, Jar& jar) {
+  if (Section* in = w.reading()) return MeshReader(*in, jar).read();
+  w.formed({"file", "the jar's inner surface"}, [&] { return in_quotes(jar.mesh.file); });
+  w.formed({"unit", "the unit of the file's numbers"}, [&] { return in_quotes(jar.mesh.unit); });
+  w.word(mesh_origin(), jar.mesh.centred);
 }
 
 }  // namespace mahlwerk::cases

@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/cases/register.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -34,13 +34,17 @@ double ratio_of(Section& in, const Node& at, const Wanted& wanted) {
   return unread;
 }
 
+Choice ratio_convention() {
+  return {"ratio_convention",
+          {"relative", "absolute"},
+          "relative",
+          "the makers' convention, jar relative to disc"};
+}
+
 double read_ratio(Section& in, const Wanted& wanted) {
   const Node* at = in.find(wanted.key);
   const bool said = in.gives("ratio_convention");
-  const std::string convention = in.choice({"ratio_convention",
-                                            {"relative", "absolute"},
-                                            "relative",
-                                            "the makers' convention, jar relative to disc"});
+  const std::string convention = in.choice(ratio_convention());
   if (at == nullptr) return in.value(wanted);
   if (said && at->rank == Rank::catalogue) {
     in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
@@ -103,76 +107,85 @@ void check_offer(Section& in, const Wanted& wanted, double value, const Catalogu
   }
 }
 
+/// A number as it is read, with what is special to a mill.
 template <class M>
-void read_motion(Section& in, M& motion, const Case& c, const Model& model) {
+double read_motion_number(Section& in, const Wanted& wanted, const Case& c) {
+  if (std::is_same_v<M, Planetary> && wanted.key == "ratio") return read_ratio(in, wanted);
+  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, wanted, c);
+  return in.value(wanted);
+}
+
+template <class M>
+void describe_motion(Walk& w, M& motion, const Case& c, const Model& model) {
+  Section* in = w.reading();
+  if (in == nullptr) {
+    w.fields(motion, M::fields());
+    std::size_t relative = 0;
+    if (std::is_same_v<M, Planetary>) w.choose(ratio_convention(), relative);
+    return;
+  }
   for (const auto& field : M::fields()) {
     const Wanted wanted(field);
-    double value = 0;
-    if constexpr (std::is_same_v<M, Planetary>) {
-      value = field.key == "ratio" ? read_ratio(in, wanted) : in.value(wanted);
-    } else if constexpr (std::is_same_v<M, Tumbling>) {
-      value = read_drum_speed(in, wanted, c);
-    } else {
-      value = in.value(wanted);
-    }
-    if (model.entry) check_offer(in, wanted, value, *model.entry);
+    const double value = read_motion_number<M>(*in, wanted, c);
+    if (model.entry) check_offer(*in, wanted, value, *model.entry);
     motion.*field.value = value;
   }
 }
 
-void read_measured(Section& in, Mill& mill, const std::string& folder) {
-  const auto file = in.text("file");
+void describe_measured(Walk& w, Mill& mill) {
+  Section* in = w.reading();
+  if (in == nullptr) return w.text("file", mill.motion_file);
+  const auto file = in->text("file");
   if (!file) {
-    if (!in.gives("file"))
-      in.missing("file", "the measured motion", "write for instance file = \"motion.csv\"");
+    if (!in->gives("file"))
+      in->missing("file", "the measured motion", "write for instance file = \"motion.csv\"");
     return;
   }
   mill.motion_file = *file;
-  const auto path = std::filesystem::path(folder) / *file;
+  const auto path = std::filesystem::path(in->findings().folder) / *file;
   mill.motion =
-      read_motion_file(path.generic_string(), mill.jar_axis, *in.find("file"), in.findings());
+      read_motion_file(path.generic_string(), mill.jar_axis, *in->find("file"), in->findings());
 }
 
-Vec3 read_axis(Section& in, const Vec3& standard) {
-  const std::string word = in.choice(
-      {"jar_axis", {"vertical", "horizontal"}, axis_word(standard), "as such mills are built"});
-  if (word.empty()) return standard;
-  return word == "vertical" ? kinematics::upright : kinematics::lying;
+void describe_axis(Walk& w, Mill& mill) {
+  const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, mill.motion);
+  const std::array axes{kinematics::upright, kinematics::lying};
+  auto place = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
+  const bool sound = w.choose({"jar_axis",
+                               {"vertical", "horizontal"},
+                               standard == kinematics::upright ? "vertical" : "horizontal",
+                               "as such mills are built"},
+                              place);
+  if (place < axes.size()) mill.jar_axis = sound ? axes[place] : standard;
 }
 
-}  // namespace
-
-namespace {
-
-std::int64_t read_jars(Section& in) {
+/// Of a catalogue's mill that of the machine, which is a number among others there.
+void describe_jars(Walk& w, std::int64_t& carried) {
   const Wanted wanted("jars_carried", "", {.least = 1, .most = most_jars},
                       "how many jars, all alike, the mill carries");
-  const double jars = in.maybe(wanted).value_or(1);
-  if (const Node* at = in.find(wanted.key); at != nullptr && jars != std::round(jars))
-    in.fault(*at, "`jars_carried` must be a whole number", "write for instance jars_carried = 2",
-             "out-of-range");
-  return std::isnan(jars) ? 1 : std::llround(jars);
+  Section* in = w.reading();
+  if (in == nullptr) {
+    if (carried != 1 || w.lists()) w.whole({wanted.key, 1, most_jars, wanted.about}, carried);
+    return;
+  }
+  const double jars = in->maybe(wanted).value_or(1);
+  if (const Node* at = in->find(wanted.key); at != nullptr && jars != std::round(jars))
+    in->fault(*at, "`jars_carried` must be a whole number", "write for instance jars_carried = 2",
+              "out-of-range");
+  carried = std::isnan(jars) ? 1 : std::llround(jars);
 }
 
 }  // namespace
 
-Mill read_mill(const Node* table, const Case& c, const std::string& folder,
-               const Catalogue& catalogue, Findings& findings) {
-  Mill mill;
-  Section in(table, "mill", findings);
-  const auto kinds = model_names(std::type_identity<kinematics::AnyMotion>{});
-  const Model model = read_model(in, "mills", kinds, catalogue);
-  mill.model = model.name;
-  if (!choose_model(mill.motion, model.kind)) return mill;
-  mill.jar_axis =
-      read_axis(in, std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, mill.motion));
-  if (std::holds_alternative<Tabulated>(mill.motion))
-    read_measured(in, mill, folder);
-  else
-    std::visit([&](auto& motion) { read_motion(in, motion, c, model); }, mill.motion);
-  mill.jars_carried = read_jars(in);
-  in.close();
-  return mill;
+void describe(Walk& w, Mill& mill, const Case& c) {
+  Model model;
+  if (!describe_kind(w, "mills", mill.motion, mill.model, model)) return w.leave_open();
+  if (w.reading() != nullptr) describe_axis(w, mill);
+  if (w.lists() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(w, mill);
+  if (!std::holds_alternative<Tabulated>(mill.motion))
+    std::visit([&](auto& motion) { describe_motion(w, motion, c, model); }, mill.motion);
+  if (w.reading() == nullptr) describe_axis(w, mill);
+  describe_jars(w, mill.jars_carried);
 }
 
 }  // namespace mahlwerk::cases

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 
-std::optional<CatalogueEntry> look_up(const Catalogue& catalogue, std::string_view room,
-                                      const Node& at, Findings& findings) {
+std::optional<CatalogueEntry> look_up(Section& in, std::string_view room, const Node& at) {
   try {
-    return catalogue.find(room, at.text, at.where);
+    return in.catalogue().find(room, at.text, at.where);
   } catch (const InputError& error) {
-    findings.faults.insert(findings.faults.end(), error.faults().begin(), error.faults().end());
+    auto& found = in.findings().faults;
+    found.insert(found.end(), error.faults().begin(), error.faults().end());
     return std::nullopt;
   }
 }
@@ -20,11 +20,10 @@ namespace {
 
 /// A `model` beside `kind` is held to the catalogue, too, where it is known there: a case that was
 /// written with all its values needs no catalogue.
-void beside(Model& model, Section& in, std::string_view room, const Node& name,
-            const Catalogue& catalogue) {
+void beside(Model& model, Section& in, std::string_view room, const Node& name) {
   model.name = in.text("model").value_or("");
-  if (model.name.empty() || model.kind.empty() || !catalogue.has(room, model.name)) return;
-  model.entry = look_up(catalogue, room, name, in.findings());
+  if (model.name.empty() || model.kind.empty() || !in.catalogue().has(room, model.name)) return;
+  model.entry = look_up(in, room, name);
   if (!model.entry || model.entry->kind == model.kind) return;
   in.fault(name,
            fmt::format("model = \"{}\" is of kind \"{}\", not \"{}\"", model.name,
@@ -35,8 +34,7 @@ void beside(Model& model, Section& in, std::string_view room, const Node& name,
 
 }  // namespace
 
-Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds,
-                 const Catalogue& catalogue) {
+Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds) {
   const Node *kind = in.find("kind"), *name = in.find("model");
   if (kind == nullptr && name == nullptr) {
     in.missing("kind", "",
@@ -49,7 +47,7 @@ Model read_model(Section& in, std::string_view room, const std::vector<std::stri
   if (kind == nullptr || (name != nullptr && name->rank > kind->rank)) {
     model.name = in.text("model").value_or("");
     if (model.name.empty()) return model;
-    model.entry = look_up(catalogue, room, *name, in.findings());
+    model.entry = look_up(in, room, *name);
     if (!model.entry) return model;
     in.lend(*model.entry);
     model.kind = model.entry->kind;
@@ -58,7 +56,7 @@ Model read_model(Section& in, std::string_view room, const std::vector<std::stri
     return model;
   }
   model.kind = in.choice({"kind", kinds, ""});
-  if (name != nullptr && name->rank == kind->rank) beside(model, in, room, *name, catalogue);
+  if (name != nullptr && name->rank == kind->rank) beside(model, in, room, *name);
   return model;
 }
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "mahlwerk/base/text.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {

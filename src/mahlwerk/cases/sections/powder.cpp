@@ -8,18 +8,28 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/grinding_fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
+constexpr Wanted mass_of_powder("mass", "kg", positive, "mass of the powder");
+constexpr Wanted ball_to_powder("ball_to_powder", "", positive,
+                                "mass of the balls over mass of the powder");
+constexpr Wanted filling_of_powder("filling", "", {.least = 0, .most = 1, .without_least = true},
+                                   "solid volume of the powder over volume of the jar");
+constexpr Wanted density_of_solid("density", "kg/m3", positive, "density of the solid");
+constexpr Wanted size_of_grains("grain_size", "m", positive,
+                                "diameter of the spheres that stand for the powder");
+
 /// "70:1" or 70, balls to powder by mass.
 double read_ball_to_powder(Section& in, const Node& at) {
-  const Wanted wanted("ball_to_powder", "", positive, "mass of the balls over mass of the powder");
   const auto colon = at.text.find(':');
-  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, wanted);
+  if (at.kind != Node::Kind::text || colon == std::string::npos)
+    return in.quantity(at, ball_to_powder);
   try {
     const double ratio =
         parse_in(at.text.substr(0, colon), "") / parse_in(at.text.substr(colon + 1), "");
@@ -43,21 +53,20 @@ void no_density(Section& in, const Powder& powder, std::string_view why) {
 }
 
 /// By mass, by the balls' mass over it, or by its solid share of the jar's volume.
-double read_powder_mass(Section& in, const Powder& powder, const Case& c) {
+double read_powder_mass(Section& in, const Powder& powder, const std::vector<BallSet>& balls,
+                        const Jar& jar) {
   const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling"});
-  Wanted wanted("mass", "kg", positive, "mass of the powder");
+  Wanted wanted = mass_of_powder;
   wanted.instead = "ball_to_powder";
   if (key.empty() || key == "mass") return in.value(wanted);
   const Node& at = *in.find(key);
   double mass = unread;
   if (key == "ball_to_powder") {
-    mass = balls_mass(c.balls) / read_ball_to_powder(in, at);
+    mass = balls_mass(balls) / read_ball_to_powder(in, at);
   } else {
-    constexpr Range share{.least = 0, .most = 1, .without_least = true};
-    const double filling = in.quantity(
-        at, {"filling", "", share, "solid volume of the powder over volume of the jar"});
+    const double filling = in.quantity(at, filling_of_powder);
     if (!powder.density) no_density(in, powder, "filling");
-    mass = filling * jar_volume(c.jar) * powder.density.value_or(unread);
+    mass = filling * jar_volume(jar) * powder.density.value_or(unread);
   }
   if (!std::isnan(mass))
     in.note("mass", show(mass, "kg"), &at, fmt::format("{} = \"{}\"", key, at.text));
@@ -66,45 +75,54 @@ double read_powder_mass(Section& in, const Powder& powder, const Case& c) {
 
 /// How large the spheres are; of the powder's own size unless said otherwise.
 double read_grain_size(Section& in, const Powder& powder) {
-  const Wanted wanted("grain_size", "m", positive,
-                      "diameter of the spheres that stand for the powder");
-  if (in.gives("grain_size")) return in.value(wanted);
+  if (in.gives("grain_size")) return in.value(size_of_grains);
   if (powder.size && powder.feed.law == powder::Feed::Law::equal) {
     in.note_default("grain_size", show(*powder.size, "m"), "each grain for itself");
     return *powder.size;
   }
-  in.missing("grain_size", wanted.about,
+  in.missing("grain_size", size_of_grains.about,
              "write for instance grain_size = \"1 mm\", or give `size`");
   return unread;
 }
 
-/// The feed's law with its numbers; of the one size, unread, after a fault.
-powder::Feed read_feed(Section& in) {
+/// How the sizes spread as fed; of one size, unread, after a fault.
+void describe_feed(Walk& w, Powder& powder) {
   using Law = powder::Feed::Law;
-  constexpr std::string_view remedy = "remove it, or choose another distribution";
-  const auto word = in.gives("distribution") ? in.choice({"distribution", feed_words(), ""}) : "";
-  const Law law = word.empty() ? Law::equal : word_of<Law>(word, feed_words());
-  const std::string why =
-      fmt::format("under distribution = \"{}\"", feed_words()[static_cast<std::size_t>(law)]);
-  powder::Feed feed{.law = law};
-  if (law == Law::sieves) {
-    in.refuse({"size", "spread"}, why, std::string(remedy));
-    feed.passing = read_sieves(in, most_powder_sieves);
-    return feed.passing.empty() ? powder::Feed{.size = unread} : feed;
+  Section* in = w.reading();
+  const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
+  powder::Feed& feed = powder.feed;
+  if (in == nullptr ? feed.law != Law::equal || w.lists() : w.gives("distribution"))
+    w.word({"distribution", words, ""}, feed.law);
+  const auto refuse = [&](std::initializer_list<std::string_view> keys) {
+    w.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),
+             "remove it, or choose another distribution");
+  };
+  if (feed.law == Law::sieves) {
+    refuse({"size", "spread"});
+    describe_sieves(w, feed.passing, most_powder_sieves);
+    if (in != nullptr && feed.passing.empty()) {
+      feed = {.size = unread};
+      powder.size = unread;
+      return;
+    }
+  } else {
+    refuse({"passing", "retained"});
   }
-  in.refuse({"passing", "retained"}, why, std::string(remedy));
-  if (law == Law::equal) {
-    in.refuse({"spread"}, why, std::string(remedy));
-    feed.size = in.maybe({"size", "m", positive, "grain size of the powder as fed"}).value_or(0);
-    return feed;
+  if (feed.law == Law::equal) {
+    refuse({"spread"});
+    w.maybe({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
+    if (in != nullptr) feed.size = powder.size.value_or(0);
   }
-  const bool normal = law == Law::lognormal;
-  feed.size =
-      in.value({"size", "m", positive,
-                normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"});
-  feed.spread = in.value({"spread", "", feed_spreads(law),
-                          normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"});
-  return feed;
+  if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
+    const bool normal = feed.law == Law::lognormal;
+    w.number({"size", "m", positive,
+              normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"},
+             feed.size);
+    w.number({"spread", "", feed_spreads(feed.law),
+              normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"},
+             feed.spread);
+  }
+  if (in != nullptr && feed.law != Law::equal) powder.size = feed.quantile(0.5);
 }
 
 /// How many grains there are; 0 after a fault.
@@ -139,15 +157,15 @@ std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
 }
 
 /// The ball set that stands for the powder.
-BallSet read_grains(Section& in, Powder& powder, const Catalogue& catalogue) {
+BallSet read_grains(Section& in, Powder& powder) {
   powder.grain_size = read_grain_size(in, powder);
   BallSet set{.count = 0,
               .diameter = *powder.grain_size,
               .density = powder.density.value_or(unread),
               .material = powder.material,
-              .elastic = read_elastic(in, powder.material, catalogue),
-              .substance = read_substance(in, powder.material, catalogue),
               .grains = true};
+  describe(in, set.elastic, powder.material);
+  describe(in, set.substance, powder.material);
   if (!powder.density && in.find("filling") == nullptr) no_density(in, powder, "as = \"grains\"");
   if (powder.size && *powder.grain_size < *powder.size)
     in.fault(*in.find("grain_size"),
@@ -158,28 +176,37 @@ BallSet read_grains(Section& in, Powder& powder, const Catalogue& catalogue) {
   return set;
 }
 
+/// Whether it takes part as grains, and which.
+void read_part(Section& in, Powder& powder, std::vector<BallSet>& balls) {
+  if (in.gives("as") && in.choice({"as", {"mass", "grains"}, ""}) == "grains")
+    balls.push_back(read_grains(in, powder));
+  else
+    in.refuse({"grain_size", "youngs_modulus", "poisson_ratio", "hardness", "conductivity",
+               "heat_capacity"},
+              "unless the powder takes part as grains", "remove it, or write as = \"grains\"");
+}
+
 }  // namespace
 
-void read_powder(const Node* table, Case& c, const Catalogue& catalogue, Findings& findings) {
-  Section in(table, "powder", findings);
-  Powder& powder = c.powder.emplace();
-  powder.density = read_density(in, {"density", "kg/m3", positive, "density of the solid"},
-                                powder.material, catalogue);
-  powder.mass = read_powder_mass(in, powder, c);
-  powder.feed = read_feed(in);
-  if (powder.feed.law != powder::Feed::Law::equal || powder.feed.size != 0)
-    powder.size = powder.feed.quantile(0.5);
-  const bool grains = in.gives("as") && in.choice({"as", powder_words(), ""}) == "grains";
-  if (grains) {
-    c.balls.push_back(read_grains(in, powder, catalogue));
-  } else {
-    for (const std::string_view key : {"grain_size", "youngs_modulus", "poisson_ratio", "hardness",
-                                       "conductivity", "heat_capacity"})
-      if (const Node* at = in.find(key); at != nullptr)
-        in.fault(*at, fmt::format("{} has no meaning unless the powder takes part as grains", key),
-                 "remove it, or write as = \"grains\"", "too-much");
+void describe(Walk& w, Powder& powder, std::vector<BallSet>& balls, const Jar& jar) {
+  if (Section* in = w.reading()) {
+    powder.density = read_density(*in, density_of_solid, powder.material);
+    powder.mass = read_powder_mass(*in, powder, balls, jar);
+    describe_feed(w, powder);
+    return read_part(*in, powder, balls);
   }
-  in.close();
+  w.text("material", powder.material);
+  w.number(mass_of_powder, powder.mass);
+  w.also(ball_to_powder);
+  w.also(filling_of_powder);
+  describe_feed(w, powder);
+  w.maybe(density_of_solid, powder.density);
+  if (!powder.grain_size) return;
+  std::size_t grains = 1;
+  w.choose({"as", {"mass", "grains"}, ""}, grains);
+  w.maybe(size_of_grains, powder.grain_size);
+  describe(w, balls.back().elastic, powder.material);
+  describe(w, balls.back().substance, powder.material);
 }
 
 }  // namespace mahlwerk::cases

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {

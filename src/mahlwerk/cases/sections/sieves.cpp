@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -32,9 +32,8 @@ std::optional<std::array<double, 2>> read_row(Section& in, std::string_view key,
 }
 
 /// Rows with rising openings; none after a fault.
-std::vector<std::array<double, 2>> read_rows(Section& in, std::string_view key, const Node& at,
-                                             std::size_t most_rows) {
-  std::vector<std::array<double, 2>> rows;
+Sieves read_rows(Section& in, std::string_view key, const Node& at, std::size_t most_rows) {
+  Sieves rows;
   if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > most_rows) {
     in.fault(at, fmt::format("`{}` must be a list of 2 to {} rows", key, most_rows),
              std::string(form), "wrong-type");
@@ -57,8 +56,7 @@ std::vector<std::array<double, 2>> read_rows(Section& in, std::string_view key, 
 }
 
 /// Shares retained by each sieve as shares that pass it.
-std::vector<std::array<double, 2>> passing_of(Section& in, const Node& at,
-                                              std::vector<std::array<double, 2>> rows) {
+Sieves passing_of(Section& in, const Node& at, Sieves rows) {
   constexpr double rounding = 1e-9;
   if (rows.empty()) return rows;
   double sum = 0;
@@ -84,8 +82,17 @@ std::vector<std::array<double, 2>> passing_of(Section& in, const Node& at,
   return rows;
 }
 
-/// Whether shares rise from 0 to 1.
-bool cumulative(Section& in, const Node& at, const std::vector<std::array<double, 2>>& rows) {
+/// Whether openings rise, and shares from 0 to 1.
+bool rise_to_all(const Sieves& rows) {
+  bool sound = rows.size() > 1 && rows.front()[0] > 0 && rows.front()[1] == 0 &&
+               std::isfinite(rows.back()[0]) && rows.back()[1] == 1;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    sound = sound && rows[i - 1][0] < rows[i][0] && rows[i - 1][1] <= rows[i][1];
+  return sound;
+}
+
+/// Whether shares rise from 0 to 1, with a fault where they do not.
+bool cumulative(Section& in, const Node& at, const Sieves& rows) {
   const auto fault = [&](std::string what, std::string remedy) {
     in.fault(at, std::move(what), std::move(remedy), "sieve-shares");
     return false;
@@ -105,20 +112,27 @@ bool cumulative(Section& in, const Node& at, const std::vector<std::array<double
 
 }  // namespace
 
-std::vector<std::array<double, 2>> read_sieves(Section& in, std::int64_t most) {
-  const std::string_view key = in.one_of({"passing", "retained"});
-  if (key.empty()) {
-    in.missing("passing", "openings of sieves with the share of the mass that passes them",
-               fmt::format("write passing = ..., or retained: {}", form));
-    return {};
+void describe_sieves(Walk& w, Sieves& rows, std::int64_t most) {
+  constexpr Formed passing{"passing",
+                           "openings of sieves with the share of the mass that passes them"};
+  Section* in = w.reading();
+  if (in == nullptr) {
+    w.also({"retained", "", any_number, "openings of sieves with the share that each keeps"});
+    return w.formed({passing.key, passing.about, rise_to_all(rows)},
+                    [&] { return passing_text(rows); });
   }
-  const Node& at = *in.find(key);
-  auto rows = read_rows(in, key, at, static_cast<std::size_t>(most) + 1);
-  if (key == "retained") rows = passing_of(in, at, std::move(rows));
-  if (!rows.empty() && !cumulative(in, at, rows)) rows.clear();
+  const std::string_view key = in->one_of({"passing", "retained"});
+  if (key.empty()) {
+    in->missing(passing.key, passing.about,
+                fmt::format("write passing = ..., or retained: {}", form));
+    return;
+  }
+  const Node& at = *in->find(key);
+  rows = read_rows(*in, key, at, static_cast<std::size_t>(most) + 1);
+  if (key == "retained") rows = passing_of(*in, at, std::move(rows));
+  if (!rows.empty() && !cumulative(*in, at, rows)) rows.clear();
   if (!rows.empty())
-    in.note("passing", passing_text(rows), &at, key == "retained" ? "from `retained`" : "");
-  return rows;
+    in->note("passing", passing_text(rows), &at, key == "retained" ? "from `retained`" : "");
 }
 
 }  // namespace mahlwerk::cases

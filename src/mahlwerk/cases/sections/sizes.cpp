@@ -9,76 +9,84 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
 using SizeLaw = Distribution::Law;
 
-/// Keys that a law has no use for.
-void refuse(Section& in, SizeLaw law, std::initializer_list<std::string_view> keys) {
-  const std::string& word = distribution_words()[static_cast<std::size_t>(law)];
-  in.refuse(keys, fmt::format("under distribution = \"{}\"", word),
-            "remove it, or choose another distribution");
-}
-
 /// The numbers of normal, lognormal or uniform. False after a fault.
-bool read_numbers(Section& in, Distribution& d) {
+bool describe_spread(Walk& w, Distribution& d) {
   if (d.law == SizeLaw::uniform) {
-    d.smallest = in.value({"smallest", "m", positive, "diameter of the smallest balls"});
-    d.largest = in.value({"largest", "m", positive, "diameter of the largest balls"});
-    if (d.largest <= d.smallest)
-      in.fault(*in.find("largest"),
-               fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
-                           show_rounded(d.smallest, "m")),
-               "exchange them, or write distribution = \"equal\"", "out-of-range");
+    w.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
+    w.number({"largest", "m", positive, "diameter of the largest balls"}, d.largest);
+    if (Section* in = w.reading(); in != nullptr && d.largest <= d.smallest)
+      in->fault(*in->find("largest"),
+                fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
+                            show_rounded(d.smallest, "m")),
+                "exchange them, or write distribution = \"equal\"", "out-of-range");
     return d.largest > d.smallest;
   }
   const bool normal = d.law == SizeLaw::normal;
-  d.diameter = in.value({"diameter", "m", positive,
-                         normal ? "mean diameter, by number" : "median diameter, by number"});
+  w.number({"diameter", "m", positive,
+            normal ? "mean diameter, by number" : "median diameter, by number"},
+           d.diameter);
   constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
   constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
-  d.spread = in.value({"spread", "", normal ? deviations : ratios,
-                       normal ? "standard deviation over the mean diameter"
-                              : "geometric standard deviation, a pure number above 1"});
+  w.number({"spread", "", normal ? deviations : ratios,
+            normal ? "standard deviation over the mean diameter"
+                   : "geometric standard deviation, a pure number above 1"},
+           d.spread);
   return !std::isnan(d.diameter) && !std::isnan(d.spread);
 }
 
-SizeLaw read_distribution_word(Section& in) {
-  if (!in.gives("distribution")) return SizeLaw::equal;
-  const std::string word = in.choice({"distribution", distribution_words(), ""});
-  const auto at = std::ranges::find(distribution_words(), word);
-  return at == distribution_words().end() ? SizeLaw::equal
-                                          : static_cast<SizeLaw>(at - distribution_words().begin());
+/// A few sizes stand for the distribution; how many is found out from the number of balls where
+/// nobody says it.
+void describe_classes(Walk& w, Distribution& d) {
+  if (w.reading() == nullptr || w.gives("classes"))
+    w.whole({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
+}
+
+/// Keys that a law has no use for.
+void refuse_others(Walk& w, SizeLaw law) {
+  const auto useless = [&](std::initializer_list<std::string_view> keys) {
+    w.refuse(keys,
+             fmt::format("under distribution = \"{}\"",
+                         distribution_words()[static_cast<std::size_t>(law)]),
+             "remove it, or choose another distribution");
+  };
+  switch (law) {
+    case SizeLaw::equal:
+      return useless({"spread", "smallest", "largest", "passing", "retained", "classes"});
+    case SizeLaw::sieves:
+      return useless({"diameter", "spread", "smallest", "largest", "classes"});
+    case SizeLaw::uniform:
+      return useless({"passing", "retained", "diameter", "spread"});
+    default:
+      return useless({"passing", "retained", "smallest", "largest"});
+  }
 }
 
 }  // namespace
 
-bool read_distribution(Section& in, Distribution& d) {
-  d.law = read_distribution_word(in);
-  bool sound = true;
+bool describe(Walk& w, Distribution& d, double& diameter) {
+  const Section* in = w.reading();
+  if (in == nullptr ? d.law != SizeLaw::equal || w.lists() : w.gives("distribution"))
+    w.word({"distribution", distribution_words(), ""}, d.law);
+  refuse_others(w, d.law);
   if (d.law == SizeLaw::equal) {
-    refuse(in, d.law, {"spread", "smallest", "largest", "passing", "retained", "classes"});
+    w.number({"diameter", "m", positive, "diameter of a ball"}, diameter);
     return true;
   }
+  bool sound = true;
   if (d.law == SizeLaw::sieves) {
-    refuse(in, d.law, {"diameter", "spread", "smallest", "largest", "classes"});
-    d.passing = read_sieves(in, most_classes);
+    describe_sieves(w, d.passing, most_classes);
     sound = !d.passing.empty();
   } else {
-    refuse(in, d.law, {"passing", "retained"});
-    if (d.law == SizeLaw::uniform)
-      refuse(in, d.law, {"diameter", "spread"});
-    else
-      refuse(in, d.law, {"smallest", "largest"});
-    sound = read_numbers(in, d);
-    if (in.gives("classes")) d.classes = in.whole("classes", most_classes).value_or(0);
+    sound = describe_spread(w, d);
+    describe_classes(w, d);
   }
-  if (const Node* places = in.find("positions"); places != nullptr)
-    in.fault(*places, "balls whose sizes differ cannot be told where to start",
-             "give each size a set of its own, with its positions", "too-much");
   return sound;
 }
 

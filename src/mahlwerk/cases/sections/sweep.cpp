@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "mahlwerk/cases/read_parts.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sweep_words.hpp"
 
 namespace mahlwerk::cases {

@@ -3,49 +3,66 @@
 
 // [wear] and [heat]: what the mill takes off and how warm it gets.
 #include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
-
-Wear read_wear(const Node* table, Findings& findings) {
-  Wear wear;
-  Section in(table, "wear", findings);
-  const bool finnie =
-      in.choice({"model", wear_models(), "archard", "by force and way slid"}) == "finnie";
-  if (finnie) wear.model = Wear::Model::finnie;
-  Wanted wanted(wear_coefficient);
-  if (finnie) wanted.source = "as much as Archard's at grazing impacts (wea.5); uncalibrated";
-  wear.coefficient = in.value(wanted);
-  in.close();
-  return wear;
-}
-
 namespace {
 
-/// How long the mill mills and rests. Who says one of the times of a cycle must say all.
-void read_cycles(Section& in, Heat& heat) {
-  const bool pauses = in.gives("pause"), cycles = in.gives("cycles");
-  Wanted milling(cycle_milling);
-  if (pauses || cycles) milling.standard.reset();
-  heat.milling = in.value(milling);
-  heat.pause = in.value(Wanted(pause_time));
-  if (cycles)
-    heat.cycles = in.whole("cycles", most_cycles).value_or(1);
-  else if (pauses)
-    in.missing("cycles", "how often the mill mills and rests", "write for instance cycles = 10");
-  else
-    in.note_default("cycles", "1", "without a pause there is one");
+/// The numbers of [heat] besides its times.
+constexpr auto heat_fields() {
+  return std::array{
+      Field<Heat>{"ambient", "K", &Heat::ambient, positive,
+                  "temperature of the air, and of everything at the start", Heat().ambient,
+                  "a room"},
+      Field<Heat>{"cooling", "W/m2/K", &Heat::cooling, positive,
+                  "heat from the jar's wall to the air, by area and kelvin", Heat().cooling,
+                  "natural to mild forced convection of air, textbooks: 5-50; uncalibrated"},
+      Field<Heat>{"ball_exchange", "W/m2/K", &Heat::ball_exchange, positive,
+                  "heat from the balls to the jar, by area of the balls and kelvin",
+                  Heat().ball_exchange,
+                  "gas between balls in motion and the wall, 10-200 (hea.6); uncalibrated"},
+      Field<Heat>{"share_in_balls", "", &Heat::share_in_balls, restitution_range,
+                  "share of the lost power that heats the balls, the rest the jar",
+                  Heat().share_in_balls, "contacts of bodies alike; uncalibrated"}};
 }
+/// Times of [heat]; without any of them and without cycles the mill mills for an hour.
+constexpr Field<Heat> cycle_milling{"milling",
+                                    "s",
+                                    &Heat::milling,
+                                    positive,
+                                    "how long the mill mills in each cycle",
+                                    Heat().milling,
+                                    "an hour without a pause"};
+constexpr Field<Heat> pause_time{
+    "pause", "s", &Heat::pause, not_negative, "rest after each milling", Heat().pause, "none"};
+constexpr std::int64_t most_cycles = 10'000;
 
 }  // namespace
 
-Heat read_heat(const Node* table, Findings& findings) {
-  Heat heat;
-  Section in(table, "heat", findings);
-  read_cycles(in, heat);
-  for (const auto& field : heat_fields()) heat.*field.value = in.value(Wanted(field));
-  in.close();
-  return heat;
+void describe(Walk& w, Wear& wear) {
+  w.word({"model", {"archard", "finnie"}, "archard", "by force and way slid"}, wear.model);
+  const bool finnie = wear.model == Wear::Model::finnie;
+  w.number(
+      Wanted("coefficient", "", positive, "volume worn over force times way over hardness")
+          .with_default(Wear().coefficient,
+                        finnie ? "as much as Archard's at grazing impacts (wea.5); uncalibrated"
+                               : "uncalibrated, 1e-6 to 1e-2"),
+      wear.coefficient);
+}
+
+/// Who says one of the times of a cycle must say all.
+void describe(Walk& w, Heat& heat) {
+  const bool pauses = w.gives("pause"), repeats = w.gives("cycles");
+  Wanted milling(cycle_milling);
+  if (pauses || repeats) milling.standard.reset();
+  w.number(milling, heat.milling);
+  w.number(Wanted(pause_time), heat.pause);
+  Whole cycles{"cycles",    1,
+               most_cycles, "how often the mill mills and rests",
+               1,           "without a pause there is one"};
+  if (pauses) cycles.standard.reset();
+  w.whole(cycles, heat.cycles);
+  w.fields(heat, heat_fields());
 }
 
 }  // namespace mahlwerk::cases
