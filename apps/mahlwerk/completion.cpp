@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "mahlwerk/cases/keys.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -52,6 +53,10 @@ _mahlwerk() {
   case $command in
 )";
 constexpr std::string_view tail = R"(  esac
+  if [[ ${COMP_WORDS[COMP_CWORD - 1]} == --set ]]; then
+    words="@KEYS@" files=''
+    compopt -o nospace 2>/dev/null
+  fi
   COMPREPLY=($(compgen -W "$words" -- "$cur"))
   [[ $files && $cur != -* ]] && COMPREPLY+=($(compgen -f -- "$cur"))
   return 0
@@ -68,10 +73,13 @@ int completion(const Request& request) {
   std::string parts = " ";  // " sweep status, sweep export,"
   for (const Command& command : commands)
     if (!command.of.empty()) parts += fmt::format("{} {}, ", command.of, command.name);
-  std::string script(head);
-  script.replace(script.find("@PARTS@"), 7, parts);
+  std::string script(head), keys;
   for (const CommandWords& one : request.commands) script += branch(one);
-  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script + std::string(tail));
+  script += tail;
+  for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
+  script.replace(script.find("@PARTS@"), 7, parts);
+  script.replace(script.find("@KEYS@"), 6, keys);
+  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script);
   return fine;
 }
 
