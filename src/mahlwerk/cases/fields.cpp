@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/register.hpp"
 
 namespace mahlwerk::cases {
@@ -86,26 +85,6 @@ const std::vector<std::string>& restitution_laws() {
   return words;
 }
 
-std::string table_text(const contact::Restitution& tabulated) {
-  std::string rows;
-  for (const auto& [speed, value] : tabulated.points())
-    rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(show(speed, "m/s")),
-                        shortest(value));
-  return "[" + rows + "]";
-}
-
-std::string places_text(const std::vector<Vec3>& positions) {
-  std::string rows;
-  for (const Vec3& p : positions)
-    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, "m")),
-                        in_quotes(show(p.y, "m")), in_quotes(show(p.z, "m")));
-  return "[" + rows + "]";
-}
-
-std::string between_text(const PairRule& pair) {
-  return fmt::format("[{}, {}]", in_quotes(pair.between[0]), in_quotes(pair.between[1]));
-}
-
 // Control characters are escaped, so a text cannot leave its line.
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
@@ -121,11 +100,6 @@ std::string in_quotes(std::string_view text) {
     }
   }
   return out + "\"";
-}
-
-std::string axis_word(const Vec3& axis) {
-  if (axis == kinematics::upright) return "vertical";
-  return axis == kinematics::lying ? "horizontal" : "";
 }
 
 }  // namespace mahlwerk::cases

@@ -83,13 +83,7 @@ const std::vector<std::string>& rolling_words();  ///< in the order of contact::
 /// "constant", "viscoelastic", "tabulated", in the order of contact::Restitution::Law.
 const std::vector<std::string>& restitution_laws();
 
-std::string table_text(const contact::Restitution& tabulated);  ///< as a case writes it
-std::string between_text(const PairRule& pair);                 ///< as a case writes it
-std::string places_text(const std::vector<Vec3>& positions);    ///< as a case writes it
-std::string in_quotes(std::string_view text);                   ///< as a TOML string
-
-/// The vertical and the horizontal axis a jar can be mounted along.
-std::string axis_word(const Vec3& axis);  ///< empty for any other
+std::string in_quotes(std::string_view text);  ///< as a TOML string
 
 /// The first for a word that is none of them.
 template <class Enum>

@@ -27,8 +27,9 @@ struct Wanted {
   std::string_view source = "";
   std::string_view instead = "";  ///< another key that would do as well
 
-  constexpr Wanted(std::string_view k, std::string_view u, Range r, std::string_view a)
-      : key(k), unit(u), range(r), about(a) {}
+  constexpr Wanted(std::string_view k, std::string_view u, Range r, std::string_view a,
+                   std::optional<double> s = std::nullopt, std::string_view from = "")
+      : key(k), unit(u), range(r), about(a), standard(s), source(from) {}
   template <class Model>
   constexpr explicit Wanted(const Field<Model>& f)
       : key(f.key),

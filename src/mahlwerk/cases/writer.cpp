@@ -6,8 +6,11 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -48,6 +51,28 @@ void Writer::text(std::string_view key, std::string& value) {
 bool Writer::choose(const Choice& choice, std::size_t& place) {
   if (place < choice.words.size()) line(choice.key, in_quotes(choice.words[place]));
   return true;
+}
+
+std::string write(const Case& c) {
+  Writer out(c);
+  Case copy = c;  // a walk may change what it walks over; this one does not
+  describe(out, copy);
+  write_sweep(out, c);
+  return out.text();
+}
+
+std::string contents_of_files(const Case& c) {
+  std::string bytes;
+  const auto add = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape)) {
+    for (const Vec3& point : mesh->surface().points) add(point);
+    for (const auto& triangle : mesh->surface().triangles) add(triangle);
+  }
+  if (const auto* measured = std::get_if<kinematics::Tabulated>(&c.mill.motion))
+    for (const kinematics::Sample& sample : measured->samples()) add(sample);
+  return fmt::format("# files {:016x}\n", fingerprint(bytes));
 }
 
 }  // namespace mahlwerk::cases

@@ -43,6 +43,14 @@ std::optional<Vec3> read_place(Section& in, const Node& row, std::size_t number)
   return std::isnan(place.x + place.y + place.z) ? std::nullopt : std::optional(place);
 }
 
+std::string places_text(const std::vector<Vec3>& positions) {
+  std::string rows;
+  for (const Vec3& p : positions)
+    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, "m")),
+                        in_quotes(show(p.y, "m")), in_quotes(show(p.z, "m")));
+  return "[" + rows + "]";
+}
+
 /// Where the balls of a set start; none after a fault.
 std::vector<Vec3> read_places(Section& in, const Node& at) {
   std::vector<Vec3> places;

@@ -48,6 +48,14 @@ std::optional<std::pair<double, double>> read_row(Section& in, const Node& row) 
   return std::pair{speed, value};
 }
 
+std::string table_text(const contact::Restitution& tabulated) {
+  std::string rows;
+  for (const auto& [speed, value] : tabulated.points())
+    rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(show(speed, "m/s")),
+                        shortest(value));
+  return "[" + rows + "]";
+}
+
 Restitution read_table(Section& in, const Node& at) {
   Restitution::Points points;
   bool sound = at.kind == Node::Kind::list && !at.items.empty();

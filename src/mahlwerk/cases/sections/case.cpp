@@ -4,7 +4,7 @@
 // A case from its first section to its last.
 #include <fmt/format.h>
 
-#include <limits>
+#include <utility>
 
 #include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
@@ -21,65 +21,38 @@ void describe_top(Walk& w, Case& c) {
   w.fields(c, case_fields());
 }
 
-void describe_grinding(CaseWalk& w, Case& c) {
-  if (c.capture) {
-    w.section("capture");
-    describe(w, *c.capture, c, false);
-  }
-  if (c.grinding) {
-    w.section("breakage");
-    describe(w, c.grinding->breakage, c);
-    w.section("fragments");
-    describe(w, c.grinding->fragments, c);
-    w.section("grinding");
-    describe(w, *c.grinding, c);
-  }
-  if (c.kinetics) {
-    w.section("kinetics");
-    describe(w, *c.kinetics, c);
-  }
-}
-
-void describe_contact(CaseWalk& w, Case& c) {
-  w.section("contact");
-  describe(w, c.contact, c);
-  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
-    w.section("contact.pairs", i + 1);
-    describe(w, c.contact.pairs[i], c.contact, &c.contact.model);
-  }
-}
-
 }  // namespace
 
 void describe(CaseWalk& w, Case& c) {
+  const auto section = [&](const char* name, auto&&... parts) {
+    w.section(name);
+    describe(w, parts...);
+  };
   describe_top(w, c);
-  w.section("mill");
-  describe(w, c.mill, c);
-  w.section("jar");
-  describe(w, c.jar);
+  section("mill", c.mill, c);
+  section("jar", c.jar);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     if (c.balls[i].grains) continue;  // [powder] says them
     w.section("balls", i + 1);
     describe(w, c.balls[i], c.jar);
   }
-  if (c.powder) {
-    w.section("powder");
-    describe(w, *c.powder, c.balls, c.jar);
+  if (c.powder) section("powder", *c.powder, c.balls, c.jar);
+  section("contact", c.contact, c);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
+    w.section("contact.pairs", i + 1);
+    describe(w, c.contact.pairs[i], c.contact, &c.contact.model);
   }
-  describe_contact(w, c);
-  w.section("run");
-  describe(w, c.run);
-  w.section("observe");
-  describe(w, c.observe);
-  if (c.wear) {
-    w.section("wear");
-    describe(w, *c.wear);
+  section("run", c.run);
+  section("observe", c.observe);
+  if (c.wear) section("wear", *c.wear);
+  if (c.heat) section("heat", *c.heat);
+  if (c.capture) section("capture", *c.capture, c, false);
+  if (c.grinding) {
+    section("breakage", c.grinding->breakage, c);
+    section("fragments", c.grinding->fragments, c);
+    section("grinding", *c.grinding, c);
   }
-  if (c.heat) {
-    w.section("heat");
-    describe(w, *c.heat);
-  }
-  describe_grinding(w, c);
+  if (c.kinetics) section("kinetics", *c.kinetics, c);
 }
 
 }  // namespace mahlwerk::cases

@@ -15,28 +15,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Real balls touch for less than a millisecond; longer times make true collisions elastic.
-constexpr Range contact_times{.least = 0, .most = 1e-3, .without_least = true};
-
-constexpr Range softenings{.least = 0, .most = 1, .without_least = true};
-
-constexpr auto contact_fields() {
-  return std::array{
-      Field<Contact>{
-          "lasting_friction", "", &Contact::lasting_friction, not_negative,
-          "Coulomb's friction coefficient of lasting contacts", 0.3,
-          "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none"},
-      Field<Contact>{"lasting_speed", "m/s", &Contact::lasting_speed, not_negative,
-                     "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
-                     "far below the speeds that count"},
-      Field<Contact>{"contact_time", "s", &Contact::contact_time, contact_times,
-                     "bounces that follow sooner are elastic under lasting = \"tc\"", 1e-4,
-                     "a few times a steel ball's contact time, at 1 g or less"},
-      Field<Contact>{"softening", "", &Contact::softening, softenings,
-                     "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
-                     1.0, "moduli as they are"}};
-}
-
 /// [m/s2] the strongest of the mill.
 double field_of(const Case& c) {
   return std::visit(
@@ -48,23 +26,43 @@ double field_of(const Case& c) {
       c.mill.motion);
 }
 
-/// Numbers of the event engine, and how soft all is.
-void describe_numbers(Walk& w, Contact& contact, const Case& c) {
-  // Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
-  constexpr double one_g = 9.80665;  // [m/s2]
+/// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
+void describe_contact_time(Walk& w, Contact& contact, const Case& c) {
+  /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
+  constexpr Range times{.least = 0, .most = 1e-3, .without_least = true};
+  constexpr double one_g = 9.80665, usual = 1e-4;  // [m/s2], [s]
   const double strength = w.reading() != nullptr ? field_of(c) / one_g : 1;
-  const std::string source = fmt::format(
+  const std::string stronger = fmt::format(
       "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
       "its motion shorter by the root of that",
       strength);
-  for (const auto& one : contact_fields()) {
-    Wanted wanted(one);
-    if (one.value == &Contact::lasting_friction && std::isfinite(contact.rule.friction))
-      wanted = wanted.with_default(contact.rule.friction, "the friction of bounces");
-    if (one.value == &Contact::contact_time && strength > 1)
-      wanted = wanted.with_default(*wanted.standard / std::sqrt(strength), source);
-    w.number(wanted, contact.*one.value);
-  }
+  Wanted time("contact_time", "s", times,
+              "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
+              "a few times a steel ball's contact time, at 1 g or less");
+  if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
+  w.number(time, contact.contact_time);
+}
+
+/// Numbers of the event engine, and how soft all is.
+void describe_numbers(Walk& w, Contact& contact, const Case& c) {
+  Wanted friction("lasting_friction", "", not_negative,
+                  "Coulomb's friction coefficient of lasting contacts", 0.3,
+                  "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
+  if (std::isfinite(contact.rule.friction))
+    friction = friction.with_default(contact.rule.friction, "the friction of bounces");
+  w.number(friction, contact.lasting_friction);
+  w.number({"lasting_speed", "m/s", not_negative,
+            "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
+            "far below the speeds that count"},
+           contact.lasting_speed);
+  describe_contact_time(w, contact, c);
+  w.number({"softening",
+            "",
+            {.least = 0, .most = 1, .without_least = true},
+            "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
+            1.0,
+            "moduli as they are"},
+           contact.softening);
 }
 
 /// Of [contact], and of a pair, which inherits those of `all`. Silent where the model is not known.
@@ -84,6 +82,10 @@ void describe_touch(Walk& w, Owner& owner, const ContactModel* model, const Cont
     if (all != nullptr) wanted = wanted.with_default(all->*of_all, "as [contact] says");
     w.number(wanted, owner.*field.value);
   }
+}
+
+std::string between_text(const PairRule& pair) {
+  return fmt::format("[{}, {}]", in_quotes(pair.between[0]), in_quotes(pair.between[1]));
 }
 
 void describe_between(Walk& w, PairRule& pair) {

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // [observe]: what is counted and what is kept.
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 
 void describe(Walk& w, Observe& observe) {
-  w.number(Wanted("threshold", "m/s", not_negative,
-                  "slower touches are left out of the rates above the threshold")
-               .with_default(0.1, "project convention; rates are given with and without it"),
+  w.number({"threshold", "m/s", not_negative,
+            "slower touches are left out of the rates above the threshold", 0.1,
+            "project convention; rates are given with and without it"},
            observe.threshold);
   w.flag({"collisions", false, "no record of every collision is kept"}, observe.collisions);
   w.maybe({"frames", "s", positive, "time between two frames for replay"}, observe.frames);

@@ -18,26 +18,7 @@ constexpr Range settle_times{.least = 0, .most = 1e8};
 constexpr Range start_speeds{.least = 0, .most = 1000};
 constexpr Range start_spins{.least = 0, .most = 1e6};
 
-constexpr auto run_fields() {
-  return std::array{
-      Field<Run>{"time", "s", &Run::time, run_times, "simulated time that counts"},
-      Field<Run>{"settle", "s", &Run::settle, settle_times,
-                 "time before that, left out of the statistics", 0.0, "statistics from the start"},
-      Field<Run>{"start_speed", "m/s", &Run::start_speed, start_speeds,
-                 "starting speeds are uniform between 0 and this", 0.1, "paper A"},
-      Field<Run>{"start_spin", "rad/s", &Run::start_spin, start_spins,
-                 "starting spins are uniform between 0 and this", 0.1, "paper A"}};
-}
-
-/// Of [run] time = "until 2 %".
-constexpr Range until_range{.least = 0, .most = 1, .without_least = true};
-constexpr Field<Run> longest{"longest",
-                             "s",
-                             &Run::time,
-                             run_times,
-                             "the counted time at which a run ends that is not sure by then",
-                             100.0,
-                             "a limit that few runs need"};
+constexpr Range until_range{.least = 0, .most = 1, .without_least = true};  // of "until 2 %"
 
 constexpr std::string_view until_word = "until";
 
@@ -45,10 +26,11 @@ bool waits(const Node* time) {
   return time != nullptr && time->kind == Node::Kind::text && time->text.starts_with(until_word);
 }
 
-/// time = "until 2 %", and of what.
-void describe_until(Walk& w, Until& until) {
+/// time = "until 2 %", of what, and how long at most.
+void describe_until(Walk& w, Run& run) {
   constexpr std::string_view about =
       "the half-width of the confidence interval over the mean: \"until 2 %\"";
+  Until& until = *run.until;
   Section* in = w.reading();
   const Node* at = in ? in->find("time") : nullptr;
   if (at != nullptr) {
@@ -62,21 +44,30 @@ void describe_until(Walk& w, Until& until) {
   w.one_word({"until", until_words(), until_words().front(), "what the mill's user pays for"},
              until.quantity);
   if (at != nullptr) in->note("time", in_quotes(at->text), at);
+  w.number(
+      {"longest", "s", run_times, "the counted time at which a run ends that is not sure by then",
+       100.0, "a limit that few runs need"},
+      run.time);
 }
 
-/// time = "60 s", or "until 2 %" and the longest time.
+/// time = "60 s" or "until 2 %", and how it begins.
 void describe_times(Walk& w, Run& run) {
   Section* in = w.reading();
   if (in != nullptr && waits(in->find("time"))) run.until.emplace();
-  if (run.until && in == nullptr) describe_until(w, *run.until);
-  for (const auto& field : run_fields())
-    if (field.value != &Run::time || !run.until)
-      w.number(Wanted(field), run.*field.value);
-    else if (in == nullptr)
-      w.number(Wanted(longest), run.time);
-  if (!run.until || in == nullptr) return;
-  describe_until(w, *run.until);  // read after the others
-  w.number(Wanted(longest), run.time);
+  if (!run.until)
+    w.number({"time", "s", run_times, "simulated time that counts"}, run.time);
+  else if (in == nullptr)
+    describe_until(w, run);  // it is read after the others
+  w.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
+            "statistics from the start"},
+           run.settle);
+  w.number({"start_speed", "m/s", start_speeds, "starting speeds are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_speed);
+  w.number({"start_spin", "rad/s", start_spins, "starting spins are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_spin);
+  if (run.until && in != nullptr) describe_until(w, run);
 }
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
