@@ -12,9 +12,9 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/faults.hpp"
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/formula.hpp"
+#include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/file/formula.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

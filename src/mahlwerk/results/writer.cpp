@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/cases/setup/stl.hpp"
 #include "mahlwerk/results/grinding.hpp"
 #include "mahlwerk/results/json.hpp"
 #include "mahlwerk/results/pairs.hpp"

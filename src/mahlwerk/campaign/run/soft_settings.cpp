@@ -9,8 +9,8 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/results/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/kinematics/strongest_field.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
-#include "mahlwerk/cases/sweep_words.hpp"
+#include "mahlwerk/cases/sections/sweep_words.hpp"
 
 namespace mahlwerk::cases {
 namespace {

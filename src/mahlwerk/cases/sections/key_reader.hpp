@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/cases/section.hpp"
+#include "mahlwerk/cases/file/section.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 
 namespace mahlwerk::cases {

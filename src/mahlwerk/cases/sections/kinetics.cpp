@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

@@ -9,9 +9,9 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
-#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/cases/setup/stl.hpp"
 
 namespace mahlwerk::cases {
 namespace {

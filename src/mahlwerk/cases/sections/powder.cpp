@@ -9,8 +9,8 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
-#include "mahlwerk/cases/section.hpp"
-#include "mahlwerk/cases/walk.hpp"
+#include "mahlwerk/cases/file/section.hpp"
+#include "mahlwerk/cases/file/walk.hpp"
 
 // The sections of a case, one function each: it names the section's keys with their values to
 // whoever walks over them. What cannot be read is left `unread`.

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
-#include "mahlwerk/cases/sweep_words.hpp"
+#include "mahlwerk/cases/sections/sweep_words.hpp"
 
 namespace mahlwerk::cases {
 

@@ -8,7 +8,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
-#include "mahlwerk/cases/catalogue_read.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_read.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {

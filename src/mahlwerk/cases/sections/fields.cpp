@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <type_traits>
 
-#include "mahlwerk/cases/register.hpp"
+#include "mahlwerk/cases/file/register.hpp"
 
 namespace mahlwerk::cases {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/cases/grid.hpp"
+#include "mahlwerk/cases/setup/grid.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mahlwerk/cases/case.hpp"
-#include "mahlwerk/cases/walk.hpp"
+#include "mahlwerk/cases/file/walk.hpp"
 
 namespace mahlwerk::cases {
 

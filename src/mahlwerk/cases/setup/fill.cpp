@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/fill.hpp"
+#include "mahlwerk/cases/setup/fill.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/places.hpp"
-#include "mahlwerk/cases/push_apart.hpp"
+#include "mahlwerk/cases/setup/places.hpp"
+#include "mahlwerk/cases/setup/push_apart.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/push_apart.hpp"
+#include "mahlwerk/cases/setup/push_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/places.hpp"
+#include "mahlwerk/cases/setup/places.hpp"
 
 namespace mahlwerk::cases {
 namespace {

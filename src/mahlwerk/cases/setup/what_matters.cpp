@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {

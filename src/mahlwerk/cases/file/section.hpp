@@ -14,8 +14,8 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
-#include "mahlwerk/cases/table.hpp"
-#include "mahlwerk/cases/walk.hpp"
+#include "mahlwerk/cases/file/table.hpp"
+#include "mahlwerk/cases/file/walk.hpp"
 
 namespace mahlwerk::cases {
 

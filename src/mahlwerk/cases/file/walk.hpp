@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "mahlwerk/base/field.hpp"
-#include "mahlwerk/cases/register.hpp"
+#include "mahlwerk/cases/file/register.hpp"
 
 namespace mahlwerk::cases {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/sweep_words.hpp"
-#include "mahlwerk/cases/writer.hpp"
+#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sweep_words.hpp"
 
 namespace mahlwerk::cases {
 namespace {

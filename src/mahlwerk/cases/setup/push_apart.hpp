@@ -5,7 +5,7 @@
 #include <atomic>
 #include <vector>
 
-#include "mahlwerk/cases/grid.hpp"
+#include "mahlwerk/cases/setup/grid.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {

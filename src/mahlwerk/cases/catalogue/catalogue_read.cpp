@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/catalogue_read.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_read.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/catalogue_keys.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
 
 namespace mahlwerk::cases {
 namespace {
