@@ -40,6 +40,10 @@ void Writer::line(std::string_view key, std::string_view value) {
                        origin->unverified ? " (unverified)" : "");
 }
 
+void Writer::plain(std::string_view key, std::string_view value) {
+  text_ += fmt::format("{} = {}\n", key, value);
+}
+
 void Writer::number(const Wanted& wanted, double& value) {
   line(wanted.key, wanted.unit.empty() ? shortest(value) : in_quotes(show(value, wanted.unit)));
 }
@@ -57,7 +61,10 @@ std::string write(const Case& c) {
   Writer out(c);
   Case copy = c;  // a walk may change what it walks over; this one does not
   describe(out, copy);
-  write_sweep(out, c);
+  if (!c.sweep.empty()) write(out, c.sweep);
+  if (c.optimise) write(out, *c.optimise);
+  if (c.match) write(out, *c.match);
+  if (!c.fit.empty()) write(out, c.fit);
   return out.text();
 }
 

@@ -30,7 +30,7 @@ class Writer : public CaseWalk {
     line(formed.key, text());
   }
 
-  void plain(std::string_view text) { text_ += text; }
+  void plain(std::string_view key, std::string_view value);  ///< without an origin
   std::string text() { return std::move(text_); }
 
  private:
@@ -39,8 +39,5 @@ class Writer : public CaseWalk {
   const Case& c_;
   std::string text_, prefix_;
 };
-
-/// [sweep], [optimise], [match] and [fit], those that there are.
-void write_sweep(Writer& out, const Case& c);
 
 }  // namespace mahlwerk::cases

@@ -8,7 +8,10 @@
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
@@ -113,6 +116,11 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& places,
            "`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one",
            "unfitted"});
   }
+}
+
+void write(Writer& out, const std::map<std::string, FitRange>& fit) {
+  out.section("fit");
+  for (const auto& [key, ends] : fit) out.plain(in_quotes(key), list_text({ends[0], ends[1]}));
 }
 
 }  // namespace mahlwerk::cases

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sections/sweep_words.hpp"
 
@@ -103,6 +104,20 @@ void KeyReader::read_list(const std::string& key, const Node& node) {
           "wrong-type");
   std::erase(made.values, "");
   if (!made.values.empty()) keys_.push_back(std::move(made));
+}
+
+std::string list_text(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + in_quotes(word);
+  return "[" + list + "]";
+}
+
+std::string values_text(const SweptKey& key) {
+  if (!key.range) return list_text(key.values);
+  return fmt::format("{{ from = {}, to = {}{}{} }}", in_quotes(key.values[0]),
+                     in_quotes(key.values[1]),
+                     key.steps > 0 ? fmt::format(", steps = {}", key.steps) : "",
+                     key.logarithmic ? ", spacing = \"logarithmic\"" : "");
 }
 
 }  // namespace mahlwerk::cases

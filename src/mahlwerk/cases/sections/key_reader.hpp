@@ -40,4 +40,8 @@ class KeyReader {
   std::map<std::string, std::string> derived_;
 };
 
+/// The values of a key, and words in quotes, as a case writes them.
+std::string values_text(const SweptKey& key);
+std::string list_text(const std::vector<std::string>& words);
+
 }  // namespace mahlwerk::cases

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
@@ -76,6 +78,17 @@ std::vector<Limit> read_limits(Section& in) {
   return limits;
 }
 
+template <class Looks>
+void write_search(Writer& out, const Looks& looks) {
+  out.plain("settings", std::to_string(looks.settings));
+  out.plain("replicates", std::to_string(looks.replicates));
+  std::string over;
+  for (const SweptKey& key : looks.over)
+    over +=
+        fmt::format("{}{} = {}", over.empty() ? "" : ", ", in_quotes(key.key), values_text(key));
+  out.plain("over", "{ " + over + " }");
+}
+
 }  // namespace
 
 Optimise read_optimise(const Node* table, Findings& findings) {
@@ -100,6 +113,22 @@ Match read_match(const Node* table, Findings& findings) {
   read_search(in, *table, wanted);
   in.close();
   return wanted;
+}
+
+void write(Writer& out, const Optimise& wanted) {
+  out.section("optimise");
+  out.plain(wanted.maximise ? "maximise" : "minimise", in_quotes(wanted.quantity));
+  std::string limits;
+  for (const Limit& limit : wanted.limits)
+    limits += fmt::format("{}{} = {}", limits.empty() ? "" : ", ", in_quotes(limit.quantity),
+                          in_quotes((limit.below ? "below " : "above ") + limit.bound));
+  if (!limits.empty()) out.plain("limits", "{ " + limits + " }");
+  write_search(out, wanted);
+}
+
+void write(Writer& out, const Match& wanted) {
+  out.section("match");
+  write_search(out, wanted);
 }
 
 }  // namespace mahlwerk::cases

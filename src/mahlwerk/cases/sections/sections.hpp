@@ -17,6 +17,7 @@
 namespace mahlwerk::cases {
 
 using contact::ContactModel;
+class Writer;
 
 /// Of all sections but those about many runs, in the order in which they are written. A case is
 /// read section by section instead: some follow from others.
@@ -127,5 +128,9 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& places, 
 Sweep read_sweep(const Node* table, std::map<std::string, std::string>& places, Findings& findings);
 Optimise read_optimise(const Node* table, Findings& findings);
 Match read_match(const Node* table, Findings& findings);
+void write(Writer& out, const std::map<std::string, FitRange>& fit);
+void write(Writer& out, const Sweep& sweep);
+void write(Writer& out, const Optimise& wanted);
+void write(Writer& out, const Match& wanted);
 
 }  // namespace mahlwerk::cases

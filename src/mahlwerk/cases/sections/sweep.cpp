@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sections/sweep_words.hpp"
@@ -130,6 +132,19 @@ Sweep read_sweep(const Node* table, KeyReader::Places& places, Findings& finding
   sweep.together = read_together(table->find("together"), sweep, findings);
   if (!word.empty()) check_design(*table, sweep, places, findings);
   return sweep;
+}
+
+void write(Writer& out, const Sweep& sweep) {
+  out.section("sweep");
+  out.plain("design", in_quotes(design_words()[static_cast<std::size_t>(sweep.design)]));
+  if (sweep.samples > 0) out.plain("samples", std::to_string(sweep.samples));
+  std::string groups;
+  for (const auto& group : sweep.together)
+    groups += (groups.empty() ? "" : ", ") + list_text(group);
+  if (!groups.empty()) out.plain("together", "[" + groups + "]");
+  for (const SweptKey& key : sweep.keys) out.plain(in_quotes(key.key), values_text(key));
+  for (const auto& [key, formula] : sweep.derived)
+    out.plain(in_quotes(key), in_quotes("=" + formula));
 }
 
 }  // namespace mahlwerk::cases
