@@ -14,7 +14,7 @@ namespace {
 
 using Chosen = std::map<std::string, std::size_t>;  ///< key -> place of the word under it
 
-/// What all walks together have found.
+/// What all visits together have found.
 struct Found {
   std::vector<KeyInfo> keys;
   std::set<std::pair<std::string, std::size_t>> tried;  ///< words
@@ -22,14 +22,14 @@ struct Found {
 };
 
 /// Lists the keys under some words; others that could stand there are left to do.
-class KeyList : public CaseWalk {
+class KeyList : public CaseVisitor {
  public:
   KeyList(Found& found, Chosen chosen) : found_(found), chosen_(std::move(chosen)) {}
 
   void section(std::string_view name, std::size_t) override { prefix_ = std::string(name) + "."; }
-  void number(const Wanted& wanted, double&) override { also(wanted); }
-  void maybe(const Wanted& wanted, std::optional<double>&) override { also(wanted); }
-  void also(const Wanted& wanted) override {
+  void number(const Wanted& wanted, double&) override { alternative(wanted); }
+  void maybe(const Wanted& wanted, std::optional<double>&) override { alternative(wanted); }
+  void alternative(const Wanted& wanted) override {
     add({prefix_ + std::string(wanted.key),
          std::string(wanted.unit),
          wanted.range,
@@ -47,8 +47,8 @@ class KeyList : public CaseWalk {
   void text(std::string_view key, std::string&) override {
     add({prefix_ + std::string(key), "", {}, {}, ""});
   }
-  void formed(const Formed& formed, const std::function<std::string()>&) override {
-    add({prefix_ + std::string(formed.key), "", {}, {}, std::string(formed.about)});
+  void custom(const CustomKey& key, const std::function<std::string()>&) override {
+    add({prefix_ + std::string(key.key), "", {}, {}, std::string(key.about)});
   }
   bool choose(const Choice& choice, std::size_t& place) override {
     const std::string key = prefix_ + std::string(choice.key);

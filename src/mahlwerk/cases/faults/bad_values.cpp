@@ -17,7 +17,7 @@ namespace mahlwerk::cases {
 namespace {
 
 /// Checks of single values, for a case that no reader has seen.
-class ValueCheck : public CaseWalk {
+class ValueCheck : public CaseVisitor {
  public:
   explicit ValueCheck(const Case& c) : c_(c) {}
 
@@ -42,8 +42,8 @@ class ValueCheck : public CaseWalk {
     if (!sound) fault(choice.key, "{} must be {}", listed(choice.words));
     return sound;
   }
-  void formed(const Formed& formed, const std::function<std::string()>&) override {
-    if (!formed.sound) fault(formed.key, "{} is out of range: {}", formed.about);
+  void custom(const CustomKey& key, const std::function<std::string()>&) override {
+    if (!key.sound) fault(key.key, "{} is out of range: {}", key.about);
   }
   /// `what` with the dotted key as its first value.
   template <class... Values>
@@ -79,7 +79,7 @@ void check_classes(ValueCheck& check, BallSet& set) {
 std::vector<Fault> bad_values(const Case& c) {
   ValueCheck check(c);
   if (c.balls.empty()) check.fault("balls", "there are no {}");
-  Case copy = c;  // a walk may change what it walks over; this one does not
+  Case copy = c;  // a visitor may change values; this one does not
   describe(check, copy);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     check.section("balls", i + 1);

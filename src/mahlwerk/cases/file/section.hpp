@@ -14,8 +14,8 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/file/table.hpp"
-#include "mahlwerk/cases/file/walk.hpp"
 
 namespace mahlwerk::cases {
 
@@ -33,7 +33,7 @@ constexpr double unread = std::numeric_limits<double>::quiet_NaN();  ///< a valu
 
 /// Reads one section of a case strictly: every fault and every origin goes into the findings, and
 /// reading goes on with `unread` in place of what was wrong.
-class Section : public Walk {
+class Section : public KeyVisitor {
  public:
   /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or
   /// empty.
@@ -48,14 +48,14 @@ class Section : public Walk {
   void flag(const Flag& flag, bool& value) override;
   void text(std::string_view key, std::string& value) override { value = text(key).value_or(""); }
   bool choose(const Choice& choice, std::size_t& place) override;
-  void formed(const Formed&, const std::function<std::string()>&) override {}
+  void custom(const CustomKey&, const std::function<std::string()>&) override {}
   std::string_view one_of(std::initializer_list<std::string_view> keys,
                           std::string_view /*now*/) override {
     return one_of(keys);
   }
   Section* reading() override { return this; }
   bool gives(std::string_view key) override { return find(key) != nullptr; }
-  void leave_open() override { open_ = true; }
+  void ignore_unknown_keys() override { open_ = true; }
   void refuse(std::initializer_list<std::string_view> keys, std::string_view why,
               const std::string& remedy) override;
 

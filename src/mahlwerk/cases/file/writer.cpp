@@ -59,7 +59,7 @@ bool Writer::choose(const Choice& choice, std::size_t& place) {
 
 std::string write(const Case& c) {
   Writer out(c);
-  Case copy = c;  // a walk may change what it walks over; this one does not
+  Case copy = c;  // a visitor may change values; this one does not
   describe(out, copy);
   if (!c.sweep.empty()) write(out, c.sweep);
   if (c.optimise) write(out, *c.optimise);

@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "mahlwerk/cases/case.hpp"
-#include "mahlwerk/cases/file/walk.hpp"
+#include "mahlwerk/cases/file/key_visitor.hpp"
 
 namespace mahlwerk::cases {
 
 /// Lines of a case file, with the origin of each value behind it.
-class Writer : public CaseWalk {
+class Writer : public CaseVisitor {
  public:
   explicit Writer(const Case& c) : c_(c) {}
 
@@ -26,8 +26,8 @@ class Writer : public CaseWalk {
   void flag(const Flag& flag, bool& value) override { line(flag.key, value ? "true" : "false"); }
   void text(std::string_view key, std::string& value) override;
   bool choose(const Choice& choice, std::size_t& place) override;
-  void formed(const Formed& formed, const std::function<std::string()>& text) override {
-    line(formed.key, text());
+  void custom(const CustomKey& key, const std::function<std::string()>& text) override {
+    line(key.key, text());
   }
 
   void plain(std::string_view key, std::string_view value);  ///< without an origin

@@ -100,24 +100,24 @@ double mean_diameter(Distribution of) {
   return mean_volume_diameter(size_shares(of));
 }
 
-void describe_count(Walk& w, BallSet& set) {
-  w.also({"model", "", any_number, "name of a ball set in the catalogue"});
-  w.also(mass_of_set);
-  w.also(filling_of_set);
+void describe_count(KeyVisitor& v, BallSet& set) {
+  v.alternative({"model", "", any_number, "name of a ball set in the catalogue"});
+  v.alternative(mass_of_set);
+  v.alternative(filling_of_set);
   const std::vector<Vec3>& places = set.positions;
-  if (!places.empty() || w.lists())
-    w.formed(
+  if (!places.empty() || v.lists())
+    v.custom(
         {"positions", "places of centres, from the jar's centre",
          std::cmp_equal(places.size(), set.count) &&
              std::ranges::all_of(places, [](const Vec3& p) { return std::isfinite(norm(p)); })},
         [&] { return places_text(places); });
-  if (places.empty() || w.lists()) w.whole({"count", 1, most_balls, "how many balls"}, set.count);
+  if (places.empty() || v.lists()) v.whole({"count", 1, most_balls, "how many balls"}, set.count);
 }
 
 /// False after a fault.
-bool describe_sizes(Walk& w, BallSet& set) {
-  const bool sound = describe(w, set.distribution, set.diameter);
-  Section* in = w.reading();
+bool describe_sizes(KeyVisitor& v, BallSet& set) {
+  const bool sound = describe(v, set.distribution, set.diameter);
+  Section* in = v.reading();
   if (in == nullptr || set.distribution.law == Distribution::Law::equal) return sound;
   set.diameter = sound ? mean_diameter(set.distribution) : unread;
   if (const Node* places = in->find("positions"); places != nullptr)
@@ -126,9 +126,9 @@ bool describe_sizes(Walk& w, BallSet& set) {
   return sound;
 }
 
-void describe_material(Walk& w, BallSet& set) {
+void describe_material(KeyVisitor& v, BallSet& set) {
   const Wanted density("density", "kg/m3", positive, "density of a ball");
-  if (Section* in = w.reading()) {
+  if (Section* in = v.reading()) {
     const auto given = read_density(*in, density, set.material);
     if (!given)
       in->missing(
@@ -140,25 +140,25 @@ void describe_material(Walk& w, BallSet& set) {
                             set.material));
     set.density = given.value_or(unread);
   } else {
-    w.number(density, set.density);
-    w.text("material", set.material);
+    v.number(density, set.density);
+    v.text("material", set.material);
   }
-  describe(w, set.elastic, set.material);
-  describe(w, set.substance, set.material);
+  describe(v, set.elastic, set.material);
+  describe(v, set.substance, set.material);
 }
 
 }  // namespace
 
-void describe(Walk& w, BallSet& set, const Jar& jar) {
-  Section* in = w.reading();
+void describe(KeyVisitor& v, BallSet& set, const Jar& jar) {
+  Section* in = v.reading();
   if (in == nullptr) {
-    describe_count(w, set);
+    describe_count(v, set);
   } else if (const Node* model = in->find("model")) {
     in->text("model");
     if (const auto entry = look_up(*in, "media", *model)) in->lend(*entry);
   }
-  const bool sound = describe_sizes(w, set);
-  describe_material(w, set);
+  const bool sound = describe_sizes(v, set);
+  describe_material(v, set);
   if (in == nullptr) return;
   set.count = read_count(*in, set, jar);
   if (set.distribution.law == Distribution::Law::equal || !sound || set.count <= 0 ||

@@ -149,25 +149,25 @@ Restitution read_restitution(Section& in, const Restitution* all) {
   return value;
 }
 
-void describe_restitution(Walk& w, Restitution& e, const Restitution* all) {
-  if (Section* in = w.reading()) {
+void describe_restitution(KeyVisitor& v, Restitution& e, const Restitution* all) {
+  if (Section* in = v.reading()) {
     e = read_restitution(*in, all);
     return;
   }
   RestitutionLaw law = e.law();
   double value = e.value(), speed = e.speed();
-  w.word({"restitution_law", restitution_laws(), "constant"}, law);
+  v.word({"restitution_law", restitution_laws(), "constant"}, law);
   if (law == RestitutionLaw::tabulated)
-    w.formed({"restitution_table", "speeds of approach with their restitution"},
+    v.custom({"restitution_table", "speeds of approach with their restitution"},
              [&] { return table_text(e); });
   else
-    w.number(restitution_value(), value);
-  if (law == RestitutionLaw::viscoelastic) w.number(restitution_speed(), speed);
+    v.number(restitution_value(), value);
+  if (law == RestitutionLaw::viscoelastic) v.number(restitution_speed(), speed);
 }
 
 /// "constant" or "walton", and why if it is not said.
-Choice bounce_of(Walk& w, const BounceRule* all) {
-  const bool friction = w.gives("friction");
+Choice bounce_of(KeyVisitor& v, const BounceRule* all) {
+  const bool friction = v.gives("friction");
   Choice choice{"bounce",
                 {"constant", "walton"},
                 "walton",
@@ -175,7 +175,7 @@ Choice bounce_of(Walk& w, const BounceRule* all) {
   if (!friction && all != nullptr) {
     choice.standard = std::isfinite(all->friction) ? "walton" : "constant";
     choice.source = inherited;
-  } else if (!friction && w.gives("tangential_restitution")) {
+  } else if (!friction && v.gives("tangential_restitution")) {
     choice.standard = "constant";
     choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
   }
@@ -184,18 +184,18 @@ Choice bounce_of(Walk& w, const BounceRule* all) {
 
 }  // namespace
 
-void describe(Walk& w, BounceRule& rule, const BounceRule* all) {
-  describe_restitution(w, rule.restitution, all ? &all->restitution : nullptr);
+void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
+  describe_restitution(v, rule.restitution, all ? &all->restitution : nullptr);
   std::size_t walton = rule.friction == std::numeric_limits<double>::infinity() ? 0 : 1;
-  if (!w.choose(bounce_of(w, all), walton)) walton = 1;
+  if (!v.choose(bounce_of(v, all), walton)) walton = 1;
   Wanted tangential("tangential_restitution", "", tangential_range,
                     "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
   tangential = tangential.with_default(
       0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
   if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
-  w.number(tangential, rule.tangential_restitution);
+  v.number(tangential, rule.tangential_restitution);
   if (!walton) {
-    w.refuse({"friction"}, "under bounce = \"constant\"",
+    v.refuse({"friction"}, "under bounce = \"constant\"",
              "remove friction, or write bounce = \"walton\"");
     return;
   }
@@ -203,7 +203,7 @@ void describe(Walk& w, BounceRule& rule, const BounceRule* all) {
                         .with_default(0.3, "uncalibrated, 0.1-0.6");
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, inherited);
-  w.number(friction, rule.friction);
+  v.number(friction, rule.friction);
 }
 
 }  // namespace mahlwerk::cases

@@ -12,35 +12,35 @@
 namespace mahlwerk::cases {
 namespace {
 
-void describe_top(Walk& w, Case& c) {
-  w.formed({"title", "what it is about"}, [&] { return in_quotes(c.title); });
-  w.formed({"seed", "chooses the starts among those that chance allows"}, [&] {
+void describe_top(KeyVisitor& v, Case& c) {
+  v.custom({"title", "what it is about"}, [&] { return in_quotes(c.title); });
+  v.custom({"seed", "chooses the starts among those that chance allows"}, [&] {
     const std::string seed = std::to_string(c.seed);
     return std::in_range<std::int64_t>(c.seed) ? seed : in_quotes(seed);
   });
-  w.fields(c, case_fields());
+  v.fields(c, case_fields());
 }
 
 }  // namespace
 
-void describe(CaseWalk& w, Case& c) {
+void describe(CaseVisitor& v, Case& c) {
   const auto section = [&](const char* name, auto&&... parts) {
-    w.section(name);
-    describe(w, parts...);
+    v.section(name);
+    describe(v, parts...);
   };
-  describe_top(w, c);
+  describe_top(v, c);
   section("mill", c.mill, c);
   section("jar", c.jar);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     if (c.balls[i].grains) continue;  // [powder] says them
-    w.section("balls", i + 1);
-    describe(w, c.balls[i], c.jar);
+    v.section("balls", i + 1);
+    describe(v, c.balls[i], c.jar);
   }
   if (c.powder) section("powder", *c.powder, c.balls, c.jar);
   section("contact", c.contact, c);
   for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
-    w.section("contact.pairs", i + 1);
-    describe(w, c.contact.pairs[i], c.contact, &c.contact.model);
+    v.section("contact.pairs", i + 1);
+    describe(v, c.contact.pairs[i], c.contact, &c.contact.model);
   }
   section("run", c.run);
   section("observe", c.observe);

@@ -27,11 +27,11 @@ double field_of(const Case& c) {
 }
 
 /// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
-void describe_contact_time(Walk& w, Contact& contact, const Case& c) {
+void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
   /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
   constexpr Range times{.least = 0, .most = 1e-3, .without_least = true};
   constexpr double one_g = 9.80665, usual = 1e-4;  // [m/s2], [s]
-  const double strength = w.reading() != nullptr ? field_of(c) / one_g : 1;
+  const double strength = v.reading() != nullptr ? field_of(c) / one_g : 1;
   const std::string stronger = fmt::format(
       "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
       "its motion shorter by the root of that",
@@ -40,23 +40,23 @@ void describe_contact_time(Walk& w, Contact& contact, const Case& c) {
               "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
               "a few times a steel ball's contact time, at 1 g or less");
   if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
-  w.number(time, contact.contact_time);
+  v.number(time, contact.contact_time);
 }
 
 /// Numbers of the event engine, and how soft all is.
-void describe_numbers(Walk& w, Contact& contact, const Case& c) {
+void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
   Wanted friction("lasting_friction", "", not_negative,
                   "Coulomb's friction coefficient of lasting contacts", 0.3,
                   "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
   if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
-  w.number(friction, contact.lasting_friction);
-  w.number({"lasting_speed", "m/s", not_negative,
+  v.number(friction, contact.lasting_friction);
+  v.number({"lasting_speed", "m/s", not_negative,
             "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
             "far below the speeds that count"},
            contact.lasting_speed);
-  describe_contact_time(w, contact, c);
-  w.number({"softening",
+  describe_contact_time(v, contact, c);
+  v.number({"softening",
             "",
             {.least = 0, .most = 1, .without_least = true},
             "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
@@ -67,20 +67,20 @@ void describe_numbers(Walk& w, Contact& contact, const Case& c) {
 
 /// Of [contact], and of a pair, which inherits those of `all`. Silent where the model is not known.
 template <class Owner>
-void describe_touch(Walk& w, Owner& owner, const ContactModel* model, const Contact* all) {
+void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, const Contact* all) {
   const auto general = touch_fields<Contact>();
   std::size_t i = 0;
   for (const auto& field : touch_fields<Owner>()) {
     const auto of_all = general[i++].value;
-    if (!has_use(w, field.key, model)) {
-      if (w.reading() != nullptr) owner.*field.value = 0;
+    if (!has_use(v, field.key, model)) {
+      if (v.reading() != nullptr) owner.*field.value = 0;
       continue;
     }
     Wanted wanted(field);
     wanted.unit = unit_of(field.key, field.unit, *model);
     if (wanted.unit != field.unit) wanted.standard.reset();  // none is known in that unit
     if (all != nullptr) wanted = wanted.with_default(all->*of_all, "as [contact] says");
-    w.number(wanted, owner.*field.value);
+    v.number(wanted, owner.*field.value);
   }
 }
 
@@ -88,10 +88,10 @@ std::string between_text(const PairRule& pair) {
   return fmt::format("[{}, {}]", in_quotes(pair.between[0]), in_quotes(pair.between[1]));
 }
 
-void describe_between(Walk& w, PairRule& pair) {
-  constexpr Formed between{"between", "the two the rule is for"};
-  w.formed(between, [&] { return between_text(pair); });
-  Section* in = w.reading();
+void describe_between(KeyVisitor& v, PairRule& pair) {
+  constexpr CustomKey between{"between", "the two the rule is for"};
+  v.custom(between, [&] { return between_text(pair); });
+  Section* in = v.reading();
   if (in == nullptr) return;
   constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
   const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
@@ -126,21 +126,21 @@ std::vector<PairRule> read_pairs(const Node* list, const Contact& all, const Con
 
 }  // namespace
 
-void describe(Walk& w, PairRule& pair, const Contact& all, const ContactModel* model) {
-  describe_between(w, pair);
-  describe(w, pair.rule, &all.rule);
-  describe_touch(w, pair, model, &all);
+void describe(KeyVisitor& v, PairRule& pair, const Contact& all, const ContactModel* model) {
+  describe_between(v, pair);
+  describe(v, pair.rule, &all.rule);
+  describe_touch(v, pair, model, &all);
 }
 
-const ContactModel* describe(Walk& w, Contact& contact, const Case& c) {
-  const bool known = describe(w, contact.model);
+const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
+  const bool known = describe(v, contact.model);
   const ContactModel* model = known ? &contact.model : nullptr;
-  describe(w, contact.rule, nullptr);
-  if (w.reading() == nullptr) describe_touch(w, contact, model, nullptr);
-  describe_numbers(w, contact, c);
-  if (w.reading() != nullptr) describe_touch(w, contact, model, nullptr);
+  describe(v, contact.rule, nullptr);
+  if (v.reading() == nullptr) describe_touch(v, contact, model, nullptr);
+  describe_numbers(v, contact, c);
+  if (v.reading() != nullptr) describe_touch(v, contact, model, nullptr);
   const bool several = balls_count(c.balls) > 1;
-  w.word({"lasting",
+  v.word({"lasting",
           {"roll", "tc", "none"},
           several ? "tc" : "roll",
           several ? "with several balls lasting contacts are carried by the TC rule"

@@ -15,9 +15,9 @@ namespace mahlwerk::cases {
 namespace {
 
 /// A number that only measurements on the powder can tell, or a default.
-void describe_constant(Walk& w, const Wanted& wanted, double& value, const Case& c) {
-  Section* in = w.reading();
-  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return w.number(wanted, value);
+void describe_constant(KeyVisitor& v, const Wanted& wanted, double& value, const Case& c) {
+  Section* in = v.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
   value = unread;
   const std::string powder =
       c.powder && !c.powder->material.empty() ? c.powder->material : "this powder";
@@ -30,23 +30,23 @@ void describe_constant(Walk& w, const Wanted& wanted, double& value, const Case&
 /// A bed breaks as its grains do, where the breakage model knows how.
 template <class M>
 Wanted wanted(const Field<M>& field, bool remembering) {
-  const Wanted w(field);
+  const Wanted usual(field);
   return std::is_same_v<M, powder::Barrios> && remembering
-             ? w.with_default(0, "that of [breakage], size by size")
-             : w;
+             ? usual.with_default(0, "that of [breakage], size by size")
+             : usual;
 }
 
 /// The model and its numbers; false after an unknown word. `remembering`: the breakage model knows
 /// how strong grains are.
 template <class... Models>
-bool describe_model(Walk& w, std::variant<Models...>& any, const Case& c, bool remembering) {
-  if (!w.model("model", any)) {
-    w.leave_open();
+bool describe_model(KeyVisitor& v, std::variant<Models...>& any, const Case& c, bool remembering) {
+  if (!v.model("model", any)) {
+    v.ignore_unknown_keys();
     return false;
   }
   const auto numbers = [&](auto& model) {
     for (const auto& field : model.fields())
-      describe_constant(w, wanted(field, remembering), model.*field.value, c);
+      describe_constant(v, wanted(field, remembering), model.*field.value, c);
   };
   std::visit(numbers, any);
   return true;
@@ -63,24 +63,24 @@ std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalo
   }
 }
 
-void describe_method(Walk& w, Grinding& g) {
+void describe_method(KeyVisitor& v, Grinding& g) {
   using Method = Grinding::Method;
-  w.word(
+  v.word(
       {"method", {"balance", "statistical", "both"}, "balance", "what is expected, without chance"},
       g.method);
   if (g.method == Method::balance)
-    w.refuse({"sample"}, "under method = \"balance\"",
+    v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
   else
-    w.whole({"sample", least_sample, most_sample, "grains of the statistical method",
+    v.whole({"sample", least_sample, most_sample, "grains of the statistical method",
              Grinding().sample, "shares are off by 0.5 % at most, by chance"},
             g.sample);
-  w.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
+  v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
 }
 
 /// The finest size.
-void describe_smallest(Walk& w, Grinding& g, const Case& c) {
-  Section* in = w.reading();
+void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
+  Section* in = v.reading();
   const bool sized = c.powder && c.powder->size;
   if (in != nullptr && !in->gives("smallest") && sized) {
     g.smallest = c.powder->feed.largest() / octaves_below;
@@ -88,17 +88,17 @@ void describe_smallest(Walk& w, Grinding& g, const Case& c) {
   } else if (in != nullptr && !sized) {
     g.smallest = unread;
   } else {
-    w.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
+    v.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
   }
 }
 
 /// How many classes there are above it.
-void describe_per_octave(Walk& w, Grinding& g, bool remembering) {
-  w.whole({"classes_per_octave", size_step, most_per_octave, "classes of size, a multiple of three",
+void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
+  v.whole({"classes_per_octave", size_step, most_per_octave, "classes of size, a multiple of three",
            remembering ? size_step : 2 * size_step,
            remembering ? "few, as each has many strengths" : "a size every 12 %"},
           g.classes_per_octave);
-  Section* in = w.reading();
+  Section* in = v.reading();
   if (in != nullptr && g.classes_per_octave % size_step != 0)
     in->fault(*in->find("classes_per_octave"),
               fmt::format("classes_per_octave = {} is no multiple of {}", g.classes_per_octave,
@@ -106,17 +106,17 @@ void describe_per_octave(Walk& w, Grinding& g, bool remembering) {
               "write 3, 6, 9 or 12: half the volume is then a class further down", "out-of-range");
 }
 
-void describe_sticking_and_welding(Walk& w, Grinding& g) {
-  const bool read = w.reading() != nullptr;
-  w.fields(g, grinding_shares());
-  if (!read || w.gives("sticking"))
-    w.maybe({"sticking_size", "m", positive, "largest grain size that sticks"}, g.sticking_size);
+void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
+  const bool read = v.reading() != nullptr;
+  v.fields(g, grinding_shares());
+  if (!read || v.gives("sticking"))
+    v.maybe({"sticking_size", "m", positive, "largest grain size that sticks"}, g.sticking_size);
   else
-    w.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
-  if (!read || w.gives("welding"))
-    w.number(Wanted(welding_energy), g.welding_energy);
+    v.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
+  if (!read || v.gives("welding"))
+    v.number(Wanted(welding_energy), g.welding_energy);
   else
-    w.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
+    v.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
 }
 
 /// [breakage], [fragments] and [grinding] stand together or not at all.
@@ -145,46 +145,47 @@ bool remembers(const powder::AnyBreakage& breakage) {
 
 }  // namespace
 
-void describe_milling_time(Walk& w, Wanted wanted, double& time, const Case& c, bool of_grinding) {
+void describe_milling_time(KeyVisitor& v, Wanted wanted, double& time, const Case& c,
+                           bool of_grinding) {
   if (!of_grinding && c.grinding)
     wanted = wanted.with_default(c.grinding->time, "that of [grinding]");
   else if (c.heat)
     wanted = wanted.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
                                  "all milling of [heat]");
-  w.number(wanted, time);
+  v.number(wanted, time);
 }
 
-void describe(Walk& w, Capture& capture, const Case& c, bool remembering) {
+void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) {
   const auto energy = [&] {
-    w.word({"energy",
+    v.word({"energy",
             {"normal", "contact-point", "lost"},
             "normal",
             "what presses along the line of centres; sliding does not"},
            capture.energy);
-    w.number(Wanted(energy_share), capture.energy_share);
+    v.number(Wanted(energy_share), capture.energy_share);
   };
-  if (w.reading() != nullptr) energy();
-  if (describe_model(w, capture.model, c, remembering) && w.reading() == nullptr) energy();
+  if (v.reading() != nullptr) energy();
+  if (describe_model(v, capture.model, c, remembering) && v.reading() == nullptr) energy();
 }
 
-void describe(Walk& w, powder::AnyBreakage& breakage, const Case& c) {
-  Section* in = w.reading();
+void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c) {
+  Section* in = v.reading();
   if (in != nullptr)
     if (const auto material = material_of(c, in->catalogue())) in->lend(*material);
-  describe_model(w, breakage, c, false);
+  describe_model(v, breakage, c, false);
 }
 
-void describe(Walk& w, powder::AnyFragments& fragments, const Case& c) {
-  describe_model(w, fragments, c, false);
+void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c) {
+  describe_model(v, fragments, c, false);
 }
 
-void describe(Walk& w, Grinding& g, const Case& c) {
+void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   constexpr Range times{.least = 0, .most = 1e8, .without_least = true};  // three years
-  describe_milling_time(w, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
-  describe_method(w, g);
-  describe_smallest(w, g, c);
-  describe_per_octave(w, g, remembers(g.breakage));
-  describe_sticking_and_welding(w, g);
+  describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
+  describe_method(v, g);
+  describe_smallest(v, g, c);
+  describe_per_octave(v, g, remembers(g.breakage));
+  describe_sticking_and_welding(v, g);
 }
 
 void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {

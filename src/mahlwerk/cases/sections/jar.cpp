@@ -102,12 +102,12 @@ void read_shape(Section& in, S& shape) {
   }
 }
 
-void describe_shape(Walk& w, geometry::AnyShape& any) {
-  Section* in = w.reading();
+void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
+  Section* in = v.reading();
   const auto numbers = [&]<class S>(S& shape) {
     if (in == nullptr) {
-      w.fields(shape, S::fields());
-      if (is_plain<S>) w.also(inner_volume);
+      v.fields(shape, S::fields());
+      if (is_plain<S>) v.alternative(inner_volume);
     }
     if constexpr (!std::is_same_v<S, geometry::Mesh>)  // has a reader of its own
       if (in != nullptr) read_shape(*in, shape);
@@ -123,18 +123,18 @@ Jar unread_jar() {
   return {.model = "", .material = "", .shape = nothing};
 }
 
-void describe(Walk& w, Jar& jar) {
+void describe(KeyVisitor& v, Jar& jar) {
   Model model;
-  const bool known = describe_kind(w, "jars", jar.shape, jar.model, model);
-  if (w.reading() != nullptr) w.text("material", jar.material);
+  const bool known = describe_kind(v, "jars", jar.shape, jar.model, model);
+  if (v.reading() != nullptr) v.text("material", jar.material);
   if (!known) {
     jar.shape = unread_jar().shape;
-    return w.leave_open();
+    return v.ignore_unknown_keys();
   }
-  if (std::holds_alternative<geometry::Mesh>(jar.shape)) describe_mesh(w, jar);
-  describe_shape(w, jar.shape);
-  if (w.reading() == nullptr) w.text("material", jar.material);
-  describe_wall(w, jar);
+  if (std::holds_alternative<geometry::Mesh>(jar.shape)) describe_mesh(v, jar);
+  describe_shape(v, jar.shape);
+  if (v.reading() == nullptr) v.text("material", jar.material);
+  describe_wall(v, jar);
 }
 
 }  // namespace mahlwerk::cases

@@ -12,9 +12,9 @@
 namespace mahlwerk::cases {
 namespace {
 
-void describe_conversion(Walk& w, const Wanted& wanted, double& value) {
-  Section* in = w.reading();
-  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return w.number(wanted, value);
+void describe_conversion(KeyVisitor& v, const Wanted& wanted, double& value) {
+  Section* in = v.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
   in->missing(wanted.key, wanted.about,
               fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
                           "what was measured",
@@ -22,29 +22,29 @@ void describe_conversion(Walk& w, const Wanted& wanted, double& value) {
 }
 
 /// A property goes from a first value to a last one.
-void describe_property(Walk& w, Kinetics& k) {
-  w.text("property", k.property);
-  if (k.property.empty() && !w.lists())
-    return w.refuse({"initial", "final"}, "without `property`",
+void describe_property(KeyVisitor& v, Kinetics& k) {
+  v.text("property", k.property);
+  if (k.property.empty() && !v.lists())
+    return v.refuse({"initial", "final"}, "without `property`",
                     "remove it, or write property = \"amorphous content\" or so");
-  w.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);
-  w.number({"final", "", any_number, "the property of what is all converted"}, k.final);
+  v.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);
+  v.number({"final", "", any_number, "the property of what is all converted"}, k.final);
 }
 
 }  // namespace
 
-void describe(Walk& w, Kinetics& k, const Case& c) {
+void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
   std::size_t avrami = k.conversion.exponent != 1 ? 1 : 0;
-  w.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
+  v.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
   for (const auto& field : kinetics_fields())
     if (avrami || field.value != &powder::Conversion::exponent)
-      describe_conversion(w, Wanted(field), k.conversion.*field.value);
+      describe_conversion(v, Wanted(field), k.conversion.*field.value);
   if (!avrami)
-    w.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
-  w.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},
+    v.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
+  v.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},
          k.dose);
-  describe_milling_time(w, {"time", "s", positive, "how long the mill mills"}, k.time, c, false);
-  describe_property(w, k);
+  describe_milling_time(v, {"time", "s", positive, "how long the mill mills"}, k.time, c, false);
+  describe_property(v, k);
 }
 
 }  // namespace mahlwerk::cases

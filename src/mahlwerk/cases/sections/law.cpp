@@ -19,9 +19,9 @@ void without_meaning(Section& in, std::string_view key, std::string_view kind,
 }
 
 template <class L>
-void describe_switch(Walk& w, L& law, const contact::LawSwitch<L>& one) {
+void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
   const std::string first(one.words[0]), second(one.words[1]);
-  w.word({one.key, {first, second}, first, one.source}, law.*one.second);
+  v.word({one.key, {first, second}, first, one.source}, law.*one.second);
 }
 
 /// A number of the law, or the one that takes its place.
@@ -52,11 +52,11 @@ void read_key(Section& in, L& law, std::string_view key) {
 }
 
 /// The law's own keys, its switches apart; `model` is null where it is not known.
-void describe_law(Walk& w, ContactModel* model) {
-  Section* in = w.reading();
+void describe_law(KeyVisitor& v, ContactModel* model) {
+  Section* in = v.reading();
   const auto given = [&]<class L>(L& law) {
     for (const auto& f : L::fields())
-      if (w.lists() || contact::is_given(law, f)) w.number(Wanted(f), law.*f.value);
+      if (v.lists() || contact::is_given(law, f)) v.number(Wanted(f), law.*f.value);
   };
   if (in == nullptr) return std::visit(given, model->law);
   for (const std::string_view key : law_keys()) {
@@ -67,18 +67,18 @@ void describe_law(Walk& w, ContactModel* model) {
   }
 }
 
-void describe_switches(Walk& w, ContactModel& model) {
+void describe_switches(KeyVisitor& v, ContactModel& model) {
   const auto each = [&]<class L>(L& law) {
-    for (const auto& one : contact::switches_of<L>()) describe_switch(w, law, one);
+    for (const auto& one : contact::switches_of<L>()) describe_switch(v, law, one);
   };
-  if (w.reading() == nullptr) std::visit(each, model.law);  // read with the law's numbers
+  if (v.reading() == nullptr) std::visit(each, model.law);  // read with the law's numbers
 }
 
 }  // namespace
 
-bool has_use(Walk& w, std::string_view key, const ContactModel* model) {
-  Section* in = w.reading();
-  if (in == nullptr) return w.lists() || has_meaning(key, *model);
+bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.lists() || has_meaning(key, *model);
   in->find(key);                       // it is known, whatever is chosen
   if (model == nullptr) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;
@@ -89,19 +89,19 @@ bool has_use(Walk& w, std::string_view key, const ContactModel* model) {
   return false;
 }
 
-bool describe(Walk& w, ContactModel& model) {
-  const bool law = w.model("law", model.law, contact_laws().front(),
+bool describe(KeyVisitor& v, ContactModel& model) {
+  const bool law = v.model("law", model.law, contact_laws().front(),
                            "elastic spheres that stick and slip, the usual law of mills");
-  const bool rolling = w.word(
+  const bool rolling = v.word(
       {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B"},
       model.rolling);
   ContactModel* known = law && rolling ? &model : nullptr;
-  describe_switches(w, model);
-  if (has_use(w, rolling_damping.key, known))
-    w.number(Wanted(rolling_damping), model.rolling_damping);
-  describe_law(w, known);
-  w.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
-  w.flag({"rescaled_unloading", false, "the tangential spring stays as it is while unloading"},
+  describe_switches(v, model);
+  if (has_use(v, rolling_damping.key, known))
+    v.number(Wanted(rolling_damping), model.rolling_damping);
+  describe_law(v, known);
+  v.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
+  v.flag({"rescaled_unloading", false, "the tangential spring stays as it is while unloading"},
          model.rescaled_unloading);
   return known != nullptr;
 }

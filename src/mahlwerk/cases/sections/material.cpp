@@ -85,9 +85,10 @@ double of_material(Section& in, const Wanted& wanted, const std::string& materia
 }
 
 template <class Owner, class Fields>
-void describe_fields(Walk& w, Owner& owner, const Fields& fields, const std::string& material) {
-  Section* in = w.reading();
-  if (in == nullptr) return w.fields(owner, fields);
+void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
+                     const std::string& material) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.fields(owner, fields);
   const auto entry = known_material(*in, material);
   for (const auto& field : fields)
     owner.*field.value = of_material(*in, Wanted(field), material, entry);
@@ -103,19 +104,19 @@ std::optional<double> read_density(Section& in, const Wanted& wanted, std::strin
   return entry ? of_entry(in, wanted, *entry) : unread;
 }
 
-void describe(Walk& w, contact::Elastic& elastic, const std::string& material) {
-  describe_fields(w, elastic, elastic_fields(), material);
+void describe(KeyVisitor& v, contact::Elastic& elastic, const std::string& material) {
+  describe_fields(v, elastic, elastic_fields(), material);
 }
 
-void describe(Walk& w, Substance& substance, const std::string& material) {
-  describe_fields(w, substance, substance_fields(), material);
+void describe(KeyVisitor& v, Substance& substance, const std::string& material) {
+  describe_fields(v, substance, substance_fields(), material);
 }
 
-void describe_wall(Walk& w, Jar& jar) {
-  describe(w, jar.elastic, jar.material);
-  describe(w, jar.substance, jar.material);
-  describe_fields(w, jar, std::array{wall_density}, jar.material);
-  w.number(Wanted(wall_thickness), jar.wall);
+void describe_wall(KeyVisitor& v, Jar& jar) {
+  describe(v, jar.elastic, jar.material);
+  describe(v, jar.substance, jar.material);
+  describe_fields(v, jar, std::array{wall_density}, jar.material);
+  v.number(Wanted(wall_thickness), jar.wall);
 }
 
 }  // namespace mahlwerk::cases

@@ -186,11 +186,11 @@ class MeshReader {
 
 }  // namespace
 
-void describe_mesh(Walk& w, Jar& jar) {
-  if (Section* in = w.reading()) return MeshReader(*in, jar).read();
-  w.formed({"file", "the jar's inner surface"}, [&] { return in_quotes(jar.mesh.file); });
-  w.formed({"unit", "the unit of the file's numbers"}, [&] { return in_quotes(jar.mesh.unit); });
-  w.word(mesh_origin(), jar.mesh.centred);
+void describe_mesh(KeyVisitor& v, Jar& jar) {
+  if (Section* in = v.reading()) return MeshReader(*in, jar).read();
+  v.custom({"file", "the jar's inner surface"}, [&] { return in_quotes(jar.mesh.file); });
+  v.custom({"unit", "the unit of the file's numbers"}, [&] { return in_quotes(jar.mesh.unit); });
+  v.word(mesh_origin(), jar.mesh.centred);
 }
 
 }  // namespace mahlwerk::cases

@@ -116,12 +116,12 @@ double read_motion_number(Section& in, const Wanted& wanted, const Case& c) {
 }
 
 template <class M>
-void describe_motion(Walk& w, M& motion, const Case& c, const Model& model) {
-  Section* in = w.reading();
+void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model) {
+  Section* in = v.reading();
   if (in == nullptr) {
-    w.fields(motion, M::fields());
+    v.fields(motion, M::fields());
     std::size_t relative = 0;
-    if (std::is_same_v<M, Planetary>) w.choose(ratio_convention(), relative);
+    if (std::is_same_v<M, Planetary>) v.choose(ratio_convention(), relative);
     return;
   }
   for (const auto& field : M::fields()) {
@@ -132,9 +132,9 @@ void describe_motion(Walk& w, M& motion, const Case& c, const Model& model) {
   }
 }
 
-void describe_measured(Walk& w, Mill& mill) {
-  Section* in = w.reading();
-  if (in == nullptr) return w.text("file", mill.motion_file);
+void describe_measured(KeyVisitor& v, Mill& mill) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.text("file", mill.motion_file);
   const auto file = in->text("file");
   if (!file) {
     if (!in->gives("file"))
@@ -147,11 +147,11 @@ void describe_measured(Walk& w, Mill& mill) {
       read_motion_file(path.generic_string(), mill.jar_axis, *in->find("file"), in->findings());
 }
 
-void describe_axis(Walk& w, Mill& mill) {
+void describe_axis(KeyVisitor& v, Mill& mill) {
   const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, mill.motion);
   const std::array axes{kinematics::upright, kinematics::lying};
   auto place = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
-  const bool sound = w.choose({"jar_axis",
+  const bool sound = v.choose({"jar_axis",
                                {"vertical", "horizontal"},
                                standard == kinematics::upright ? "vertical" : "horizontal",
                                "as such mills are built"},
@@ -160,12 +160,12 @@ void describe_axis(Walk& w, Mill& mill) {
 }
 
 /// Of a catalogue's mill that of the machine, which is a number among others there.
-void describe_jars(Walk& w, std::int64_t& carried) {
+void describe_jars(KeyVisitor& v, std::int64_t& carried) {
   const Wanted wanted("jars_carried", "", {.least = 1, .most = most_jars},
                       "how many jars, all alike, the mill carries");
-  Section* in = w.reading();
+  Section* in = v.reading();
   if (in == nullptr) {
-    if (carried != 1 || w.lists()) w.whole({wanted.key, 1, most_jars, wanted.about}, carried);
+    if (carried != 1 || v.lists()) v.whole({wanted.key, 1, most_jars, wanted.about}, carried);
     return;
   }
   const double jars = in->maybe(wanted).value_or(1);
@@ -177,15 +177,15 @@ void describe_jars(Walk& w, std::int64_t& carried) {
 
 }  // namespace
 
-void describe(Walk& w, Mill& mill, const Case& c) {
+void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
-  if (!describe_kind(w, "mills", mill.motion, mill.model, model)) return w.leave_open();
-  if (w.reading() != nullptr) describe_axis(w, mill);
-  if (w.lists() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(w, mill);
+  if (!describe_kind(v, "mills", mill.motion, mill.model, model)) return v.ignore_unknown_keys();
+  if (v.reading() != nullptr) describe_axis(v, mill);
+  if (v.lists() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(v, mill);
   if (!std::holds_alternative<Tabulated>(mill.motion))
-    std::visit([&](auto& motion) { describe_motion(w, motion, c, model); }, mill.motion);
-  if (w.reading() == nullptr) describe_axis(w, mill);
-  describe_jars(w, mill.jars_carried);
+    std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, mill.motion);
+  if (v.reading() == nullptr) describe_axis(v, mill);
+  describe_jars(v, mill.jars_carried);
 }
 
 }  // namespace mahlwerk::cases

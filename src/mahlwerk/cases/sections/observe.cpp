@@ -6,14 +6,14 @@
 
 namespace mahlwerk::cases {
 
-void describe(Walk& w, Observe& observe) {
-  w.number({"threshold", "m/s", not_negative,
+void describe(KeyVisitor& v, Observe& observe) {
+  v.number({"threshold", "m/s", not_negative,
             "slower touches are left out of the rates above the threshold", 0.1,
             "project convention; rates are given with and without it"},
            observe.threshold);
-  w.flag({"collisions", false, "no record of every collision is kept"}, observe.collisions);
-  w.maybe({"frames", "s", positive, "time between two frames for replay"}, observe.frames);
-  w.word({"frames_format", {"both", "xyz", "vtk"}, "both", "for OVITO and for ParaView"},
+  v.flag({"collisions", false, "no record of every collision is kept"}, observe.collisions);
+  v.maybe({"frames", "s", positive, "time between two frames for replay"}, observe.frames);
+  v.word({"frames_format", {"both", "xyz", "vtk"}, "both", "for OVITO and for ParaView"},
          observe.frames_format);
 }
 

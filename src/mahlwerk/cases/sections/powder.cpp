@@ -86,20 +86,20 @@ double read_grain_size(Section& in, const Powder& powder) {
 }
 
 /// How the sizes spread as fed; of one size, unread, after a fault.
-void describe_feed(Walk& w, Powder& powder) {
+void describe_feed(KeyVisitor& v, Powder& powder) {
   using Law = powder::Feed::Law;
-  Section* in = w.reading();
+  Section* in = v.reading();
   const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
   powder::Feed& feed = powder.feed;
-  if (in == nullptr ? feed.law != Law::equal || w.lists() : w.gives("distribution"))
-    w.word({"distribution", words, ""}, feed.law);
+  if (in == nullptr ? feed.law != Law::equal || v.lists() : v.gives("distribution"))
+    v.word({"distribution", words, ""}, feed.law);
   const auto refuse = [&](std::initializer_list<std::string_view> keys) {
-    w.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),
+    v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),
              "remove it, or choose another distribution");
   };
   if (feed.law == Law::sieves) {
     refuse({"size", "spread"});
-    describe_sieves(w, feed.passing, most_powder_sieves);
+    describe_sieves(v, feed.passing, most_powder_sieves);
     if (in != nullptr && feed.passing.empty()) {
       feed = {.size = unread};
       powder.size = unread;
@@ -110,15 +110,15 @@ void describe_feed(Walk& w, Powder& powder) {
   }
   if (feed.law == Law::equal) {
     refuse({"spread"});
-    w.maybe({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
+    v.maybe({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
     if (in != nullptr) feed.size = powder.size.value_or(0);
   }
   if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
     const bool normal = feed.law == Law::lognormal;
-    w.number({"size", "m", positive,
+    v.number({"size", "m", positive,
               normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"},
              feed.size);
-    w.number({"spread", "", feed_spreads(feed.law),
+    v.number({"spread", "", feed_spreads(feed.law),
               normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"},
              feed.spread);
   }
@@ -188,25 +188,25 @@ void read_part(Section& in, Powder& powder, std::vector<BallSet>& balls) {
 
 }  // namespace
 
-void describe(Walk& w, Powder& powder, std::vector<BallSet>& balls, const Jar& jar) {
-  if (Section* in = w.reading()) {
+void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const Jar& jar) {
+  if (Section* in = v.reading()) {
     powder.density = read_density(*in, density_of_solid, powder.material);
     powder.mass = read_powder_mass(*in, powder, balls, jar);
-    describe_feed(w, powder);
+    describe_feed(v, powder);
     return read_part(*in, powder, balls);
   }
-  w.text("material", powder.material);
-  w.number(mass_of_powder, powder.mass);
-  w.also(ball_to_powder);
-  w.also(filling_of_powder);
-  describe_feed(w, powder);
-  w.maybe(density_of_solid, powder.density);
+  v.text("material", powder.material);
+  v.number(mass_of_powder, powder.mass);
+  v.alternative(ball_to_powder);
+  v.alternative(filling_of_powder);
+  describe_feed(v, powder);
+  v.maybe(density_of_solid, powder.density);
   if (!powder.grain_size) return;
   std::size_t grains = 1;
-  w.choose({"as", {"mass", "grains"}, ""}, grains);
-  w.maybe(size_of_grains, powder.grain_size);
-  describe(w, balls.back().elastic, powder.material);
-  describe(w, balls.back().substance, powder.material);
+  v.choose({"as", {"mass", "grains"}, ""}, grains);
+  v.maybe(size_of_grains, powder.grain_size);
+  describe(v, balls.back().elastic, powder.material);
+  describe(v, balls.back().substance, powder.material);
 }
 
 }  // namespace mahlwerk::cases

@@ -112,13 +112,14 @@ bool cumulative(Section& in, const Node& at, const Sieves& rows) {
 
 }  // namespace
 
-void describe_sieves(Walk& w, Sieves& rows, std::int64_t most) {
-  constexpr Formed passing{"passing",
-                           "openings of sieves with the share of the mass that passes them"};
-  Section* in = w.reading();
+void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most) {
+  constexpr CustomKey passing{"passing",
+                              "openings of sieves with the share of the mass that passes them"};
+  Section* in = v.reading();
   if (in == nullptr) {
-    w.also({"retained", "", any_number, "openings of sieves with the share that each keeps"});
-    return w.formed({passing.key, passing.about, rise_to_all(rows)},
+    v.alternative(
+        {"retained", "", any_number, "openings of sieves with the share that each keeps"});
+    return v.custom({passing.key, passing.about, rise_to_all(rows)},
                     [&] { return passing_text(rows); });
   }
   const std::string_view key = in->one_of({"passing", "retained"});

@@ -17,11 +17,11 @@ namespace {
 using SizeLaw = Distribution::Law;
 
 /// The numbers of normal, lognormal or uniform. False after a fault.
-bool describe_spread(Walk& w, Distribution& d) {
+bool describe_spread(KeyVisitor& v, Distribution& d) {
   if (d.law == SizeLaw::uniform) {
-    w.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
-    w.number({"largest", "m", positive, "diameter of the largest balls"}, d.largest);
-    if (Section* in = w.reading(); in != nullptr && d.largest <= d.smallest)
+    v.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
+    v.number({"largest", "m", positive, "diameter of the largest balls"}, d.largest);
+    if (Section* in = v.reading(); in != nullptr && d.largest <= d.smallest)
       in->fault(*in->find("largest"),
                 fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
                             show_rounded(d.smallest, "m")),
@@ -29,12 +29,12 @@ bool describe_spread(Walk& w, Distribution& d) {
     return d.largest > d.smallest;
   }
   const bool normal = d.law == SizeLaw::normal;
-  w.number({"diameter", "m", positive,
+  v.number({"diameter", "m", positive,
             normal ? "mean diameter, by number" : "median diameter, by number"},
            d.diameter);
   constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
   constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
-  w.number({"spread", "", normal ? deviations : ratios,
+  v.number({"spread", "", normal ? deviations : ratios,
             normal ? "standard deviation over the mean diameter"
                    : "geometric standard deviation, a pure number above 1"},
            d.spread);
@@ -43,15 +43,15 @@ bool describe_spread(Walk& w, Distribution& d) {
 
 /// A few sizes stand for the distribution; how many is found out from the number of balls where
 /// nobody says it.
-void describe_classes(Walk& w, Distribution& d) {
-  if (w.reading() == nullptr || w.gives("classes"))
-    w.whole({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
+void describe_classes(KeyVisitor& v, Distribution& d) {
+  if (v.reading() == nullptr || v.gives("classes"))
+    v.whole({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
 }
 
 /// Keys that a law has no use for.
-void refuse_others(Walk& w, SizeLaw law) {
+void refuse_others(KeyVisitor& v, SizeLaw law) {
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
-    w.refuse(keys,
+    v.refuse(keys,
              fmt::format("under distribution = \"{}\"",
                          distribution_words()[static_cast<std::size_t>(law)]),
              "remove it, or choose another distribution");
@@ -70,22 +70,22 @@ void refuse_others(Walk& w, SizeLaw law) {
 
 }  // namespace
 
-bool describe(Walk& w, Distribution& d, double& diameter) {
-  const Section* in = w.reading();
-  if (in == nullptr ? d.law != SizeLaw::equal || w.lists() : w.gives("distribution"))
-    w.word({"distribution", distribution_words(), ""}, d.law);
-  refuse_others(w, d.law);
+bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
+  const Section* in = v.reading();
+  if (in == nullptr ? d.law != SizeLaw::equal || v.lists() : v.gives("distribution"))
+    v.word({"distribution", distribution_words(), ""}, d.law);
+  refuse_others(v, d.law);
   if (d.law == SizeLaw::equal) {
-    w.number({"diameter", "m", positive, "diameter of a ball"}, diameter);
+    v.number({"diameter", "m", positive, "diameter of a ball"}, diameter);
     return true;
   }
   bool sound = true;
   if (d.law == SizeLaw::sieves) {
-    describe_sieves(w, d.passing, most_classes);
+    describe_sieves(v, d.passing, most_classes);
     sound = !d.passing.empty();
   } else {
-    sound = describe_spread(w, d);
-    describe_classes(w, d);
+    sound = describe_spread(v, d);
+    describe_classes(v, d);
   }
   return sound;
 }

@@ -72,19 +72,19 @@ struct Flag {
 };
 
 /// A value with a form of its own, a list for instance.
-struct Formed {
+struct CustomKey {
   std::string_view key, about;
   bool sound = true;  ///< whether the value makes sense
 };
 
 class Section;
 
-/// One walk over the keys of a section, which a function `describe` of the section names one by
-/// one, each with its value. Who walks decides what becomes of them: Section reads them, Writer
-/// writes them, ValueCheck looks for values out of range, KeyList lists the keys.
-class Walk {
+/// Visits the keys of a section, which a function `describe` of the section names one by one, each
+/// with its value. Section reads them, Writer writes them, ValueCheck looks for values out of
+/// range, KeyList lists the keys.
+class KeyVisitor {
  public:
-  virtual ~Walk() = default;
+  virtual ~KeyVisitor() = default;
 
   virtual void number(const Wanted& wanted, double& value) = 0;
   virtual void maybe(const Wanted& wanted, std::optional<double>& value) = 0;
@@ -93,8 +93,8 @@ class Walk {
   virtual void text(std::string_view key, std::string& value) = 0;  ///< empty: left out
   /// `place` is that of the word; false after a fault, the first then.
   virtual bool choose(const Choice& choice, std::size_t& place) = 0;
-  /// `text` is how it is written; a section that is read reads it by itself.
-  virtual void formed(const Formed& formed, const std::function<std::string()>& text) = 0;
+  /// `text` is how it is written. Its own function reads it.
+  virtual void custom(const CustomKey& key, const std::function<std::string()>& text) = 0;
   /// Of keys that exclude each other the one that counts: `now`, unless the section is read. Empty
   /// if none is given.
   virtual std::string_view one_of(std::initializer_list<std::string_view>, std::string_view now) {
@@ -102,17 +102,17 @@ class Walk {
   }
 
   /// A number that may be given in place of others, where they are read.
-  virtual void also(const Wanted&) {}
+  virtual void alternative(const Wanted&) {}
 
   /// The section, where it is read: some values are found in more ways than they are written. Null
-  /// on other walks.
+  /// for other visitors.
   virtual Section* reading() { return nullptr; }
   /// Whether the section is read and says something under `key`.
   virtual bool gives(std::string_view) { return false; }
   /// Whether every key is asked for, with a meaning under the values or without.
   virtual bool lists() { return false; }
   /// What else the section may say depends on a value that had a fault: no key is called unknown.
-  virtual void leave_open() {}
+  virtual void ignore_unknown_keys() {}
   /// Keys that have no meaning `why`: a fault where they are read.
   virtual void refuse(std::initializer_list<std::string_view>, std::string_view /*why*/,
                       const std::string& /*remedy*/) {}
@@ -121,6 +121,7 @@ class Walk {
   void fields(Model& model, const Fields& all) {
     for (const auto& f : all) number(Wanted(f), model.*f.value);
   }
+  /// A word by its place in an enum; false after a fault.
   template <class Enum>
   bool word(const Choice& choice, Enum& value) {
     auto place = static_cast<std::size_t>(value);
@@ -128,7 +129,8 @@ class Walk {
     value = static_cast<Enum>(place);
     return sound;
   }
-  void one_word(const Choice& choice, std::string& value) {
+  /// The same of a value that is the word itself.
+  void word_text(const Choice& choice, std::string& value) {
     auto place =
         static_cast<std::size_t>(std::ranges::find(choice.words, value) - choice.words.begin());
     choose(choice, place);
@@ -147,8 +149,8 @@ class Walk {
   }
 };
 
-/// A walk over all sections of a case.
-class CaseWalk : public Walk {
+/// Visits all sections of a case.
+class CaseVisitor : public KeyVisitor {
  public:
   /// The keys that follow are those of "mill", of the second of "balls", or of none: "".
   virtual void section(std::string_view name, std::size_t number = 0) = 0;
