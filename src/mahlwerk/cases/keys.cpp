@@ -60,7 +60,7 @@ class KeyList : public CaseVisitor {
     const std::string all = prefix_ + std::string(*keys.begin()) + ", ...";
     return *(keys.begin() + chosen(all, keys.size(), 0));
   }
-  bool lists() override { return true; }
+  bool visits_all() override { return true; }
 
  private:
   void add(KeyInfo info) {

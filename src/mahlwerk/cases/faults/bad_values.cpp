@@ -35,6 +35,7 @@ class ValueCheck : public CaseVisitor {
     if (n < wanted.least || n > wanted.most)
       fault(wanted.key, "{} = {} must be from {} to {}", n, wanted.least, wanted.most);
   }
+  bool visits_all() override { return true; }
   void flag(const Flag&, bool&) override {}
   void text(std::string_view, std::string&) override {}
   bool choose(const Choice& choice, std::size_t& place) override {

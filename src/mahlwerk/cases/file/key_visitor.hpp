@@ -109,8 +109,8 @@ class KeyVisitor {
   virtual Section* reading() { return nullptr; }
   /// Whether the section is read and says something under `key`.
   virtual bool gives(std::string_view) { return false; }
-  /// Whether every key is asked for, with a meaning under the values or without.
-  virtual bool lists() { return false; }
+  /// Whether keys are asked for, too, that say nothing under the values there are.
+  virtual bool visits_all() { return false; }
   /// What else the section may say depends on a value that had a fault: no key is called unknown.
   virtual void ignore_unknown_keys() {}
   /// Keys that have no meaning `why`: a fault where they are read.

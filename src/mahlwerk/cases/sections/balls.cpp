@@ -105,13 +105,14 @@ void describe_count(KeyVisitor& v, BallSet& set) {
   v.alternative(mass_of_set);
   v.alternative(filling_of_set);
   const std::vector<Vec3>& places = set.positions;
-  if (!places.empty() || v.lists())
+  if (!places.empty() || v.visits_all())
     v.custom(
         {"positions", "places of centres, from the jar's centre",
-         std::cmp_equal(places.size(), set.count) &&
+         (places.empty() || std::cmp_equal(places.size(), set.count)) &&
              std::ranges::all_of(places, [](const Vec3& p) { return std::isfinite(norm(p)); })},
         [&] { return places_text(places); });
-  if (places.empty() || v.lists()) v.whole({"count", 1, most_balls, "how many balls"}, set.count);
+  if (places.empty() || v.visits_all())
+    v.whole({"count", 1, most_balls, "how many balls"}, set.count);
 }
 
 /// False after a fault.

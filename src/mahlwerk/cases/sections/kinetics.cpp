@@ -24,7 +24,7 @@ void describe_conversion(KeyVisitor& v, const Wanted& wanted, double& value) {
 /// A property goes from a first value to a last one.
 void describe_property(KeyVisitor& v, Kinetics& k) {
   v.text("property", k.property);
-  if (k.property.empty() && !v.lists())
+  if (k.property.empty() && !v.visits_all())
     return v.refuse({"initial", "final"}, "without `property`",
                     "remove it, or write property = \"amorphous content\" or so");
   v.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);

@@ -54,11 +54,15 @@ void read_key(Section& in, L& law, std::string_view key) {
 /// The law's own keys, its switches apart; `model` is null where it is not known.
 void describe_law(KeyVisitor& v, ContactModel* model) {
   Section* in = v.reading();
-  const auto given = [&]<class L>(L& law) {
+  const auto numbers = [&]<class L>(L& law) {
+    std::optional<double> left_out;
     for (const auto& f : L::fields())
-      if (v.lists() || contact::is_given(law, f)) v.number(Wanted(f), law.*f.value);
+      if (contact::is_given(law, f))
+        v.number(Wanted(f), law.*f.value);
+      else
+        v.maybe(Wanted(f), left_out);
   };
-  if (in == nullptr) return std::visit(given, model->law);
+  if (in == nullptr) return std::visit(numbers, model->law);
   for (const std::string_view key : law_keys()) {
     if (model != nullptr)
       std::visit([&](auto& law) { read_key(*in, law, key); }, model->law);
@@ -78,7 +82,7 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
 
 bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
   Section* in = v.reading();
-  if (in == nullptr) return v.lists() || has_meaning(key, *model);
+  if (in == nullptr) return v.visits_all() || has_meaning(key, *model);
   in->find(key);                       // it is known, whatever is chosen
   if (model == nullptr) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;

@@ -165,7 +165,7 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
                       "how many jars, all alike, the mill carries");
   Section* in = v.reading();
   if (in == nullptr) {
-    if (carried != 1 || v.lists()) v.whole({wanted.key, 1, most_jars, wanted.about}, carried);
+    if (carried != 1 || v.visits_all()) v.whole({wanted.key, 1, most_jars, wanted.about}, carried);
     return;
   }
   const double jars = in->maybe(wanted).value_or(1);
@@ -181,7 +181,7 @@ void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
   if (!describe_kind(v, "mills", mill.motion, mill.model, model)) return v.ignore_unknown_keys();
   if (v.reading() != nullptr) describe_axis(v, mill);
-  if (v.lists() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(v, mill);
+  if (v.visits_all() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(v, mill);
   if (!std::holds_alternative<Tabulated>(mill.motion))
     std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, mill.motion);
   if (v.reading() == nullptr) describe_axis(v, mill);

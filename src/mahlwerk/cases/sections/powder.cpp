@@ -91,7 +91,7 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   Section* in = v.reading();
   const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
   powder::Feed& feed = powder.feed;
-  if (in == nullptr ? feed.law != Law::equal || v.lists() : v.gives("distribution"))
+  if (in == nullptr ? feed.law != Law::equal || v.visits_all() : v.gives("distribution"))
     v.word({"distribution", words, ""}, feed.law);
   const auto refuse = [&](std::initializer_list<std::string_view> keys) {
     v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),

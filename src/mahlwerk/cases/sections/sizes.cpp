@@ -72,7 +72,7 @@ void refuse_others(KeyVisitor& v, SizeLaw law) {
 
 bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
   const Section* in = v.reading();
-  if (in == nullptr ? d.law != SizeLaw::equal || v.lists() : v.gives("distribution"))
+  if (in == nullptr ? d.law != SizeLaw::equal || v.visits_all() : v.gives("distribution"))
     v.word({"distribution", distribution_words(), ""}, d.law);
   refuse_others(v, d.law);
   if (d.law == SizeLaw::equal) {
