@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "command.hpp"
+#include "commands.hpp"
+#include "mahlwerk/cases/keys.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -43,6 +44,10 @@ _mahlwerk() {
   case $command in
 )";
 constexpr std::string_view tail = R"(  esac
+  if [[ ${COMP_WORDS[COMP_CWORD - 1]} == --set ]]; then
+    words="@KEYS@" files=''
+    compopt -o nospace 2>/dev/null
+  fi
   COMPREPLY=($(compgen -W "$words" -- "$cur"))
   [[ $files && $cur != -* ]] && COMPREPLY+=($(compgen -f -- "$cur"))
   return 0
@@ -56,18 +61,21 @@ constexpr std::string_view zsh =
 int completion(const Request& request) {
   const std::vector<Command> all = commands();
   std::string parts = " ";  // " sweep status, sweep export,"
-  std::string names, below;
+  std::string names, below, keys;
   for (const Command& command : all) {
     for (const Command& part : command.parts)
       parts += fmt::format("{} {}, ", command.name, part.name);
     names += command.name + " ";
     below += branches(command.name, command);
   }
-  std::string script(head);
-  script.replace(script.find("@PARTS@"), 7, parts);
+  for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
   // Two commands are the launcher's own.
+  std::string script(head);
   script += fmt::format("    '') words=\"test bench {}--help --version\" ;;\n", names) + below;
-  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script + std::string(tail));
+  script += tail;
+  script.replace(script.find("@PARTS@"), 7, parts);
+  script.replace(script.find("@KEYS@"), 6, keys);
+  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script);
   return fine;
 }
 

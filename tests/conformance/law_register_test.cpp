@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "register_types.hpp"
 #include "unit/cases/sample.hpp"
 

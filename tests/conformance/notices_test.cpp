@@ -28,7 +28,7 @@ void find(const std::string& text, const std::regex& pattern, Codes& found) {
 
 TEST(Notices, EveryCodeHasAHeadingInTheDocs) {
   const fs::path home = MAHLWERK_HOME;
-  const std::regex made(R"([^.\w](?:note|warning|invalid)\(\s*"([^"]*)\")"),
+  const std::regex made(R"([^.>\w](?:note|warning|invalid)\(\s*"([^"]*)\")"),
       heading("\n### (\\S+)\n");
   Codes used, told;
   for (const char* part : {"src", "apps"})

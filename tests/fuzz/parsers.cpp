@@ -17,7 +17,7 @@
 #include "mahlwerk/campaign/run/checkpoint.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/cases/setup/stl.hpp"
 
 namespace {
 

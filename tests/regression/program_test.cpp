@@ -147,6 +147,7 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
   EXPECT_EQ(offered("sweep st"), "status\n");
   EXPECT_EQ(offered("stat"), "\n") << "a part of a command is none";
   EXPECT_EQ(offered("list mi"), "mills\n");
+  EXPECT_EQ(offered("run case.toml --set mill.sp"), "mill.speed=\n");
   std::ofstream(here_ / "mine.toml") << "";
   EXPECT_EQ(offered("run mi"), "mine.toml\n");
 }

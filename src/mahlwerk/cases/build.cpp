@@ -3,7 +3,7 @@
 #include "mahlwerk/cases/build.hpp"
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/cases/fill.hpp"
+#include "mahlwerk/cases/setup/fill.hpp"
 
 namespace mahlwerk::cases {
 

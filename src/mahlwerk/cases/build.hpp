@@ -49,6 +49,8 @@ contact::PairTable pair_table(const Case& c);
 /// What a user should know of the jar before trusting a run in it; empty if all is well.
 Notices jar_warnings(const Case& c);
 
+/// What the engine does not look at, or nobody asked for, is no assumption of the results.
+void keep_what_matters(Case& c);
 /// Keys that the case gives and `engine` does not look at.
 Notices ignored_keys(const Case& c, EngineName engine);
 

@@ -12,7 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/spelling.hpp"
-#include "mahlwerk/cases/catalogue_read.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_read.hpp"
 
 namespace mahlwerk::cases {
 namespace {

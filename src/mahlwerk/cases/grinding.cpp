@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mahlwerk/cases/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -11,10 +11,11 @@
 #include <limits>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/fields.hpp"
-#include "mahlwerk/cases/formula.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/kinematics/strongest_field.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/file/formula.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -24,7 +25,9 @@ constexpr std::string_view no_such_key = "unknown-key";
 class CaseReader {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
-      : root_(std::move(root)), file_(std::move(file)), catalogue_(catalogue) {}
+      : root_(std::move(root)),
+        file_(std::move(file)),
+        findings_{.catalogue = &catalogue, .folder = file_.parent_path().generic_string()} {}
 
   Case read(const std::vector<Override>& overrides) {
     c_.file = file_.generic_string();
@@ -204,43 +207,48 @@ class CaseReader {
     return seed;
   }
 
-  /// [m/s2] the strongest of the mill.
-  double field() const {
-    return std::visit(
-        [&](const auto& motion) {
-          return kinematics::strongest_field({0, 0, -c_.gravity}, motion.bounds().acceleration,
-                                             motion.period(),
-                                             [&](double t) { return motion.ride(t); });
-        },
-        c_.mill.motion);
+  /// A section as it is described, if it is given or `needed`.
+  template <class What, class... Around>
+  std::optional<What> described(const char* name, bool needed, const Around&... around) {
+    const Node* table = section(name, needed);
+    if (table == nullptr) return std::nullopt;
+    return read_table<What>(table, name, around...);
+  }
+  template <class What, class... Around>
+  What read_table(const Node* table, const char* name, const Around&... around) {
+    What what;
+    Section in(table, name, findings_);
+    describe(in, what, around...);
+    in.close();
+    return what;
   }
 
   void read_sections() {
-    if (const Node* jar = section("jar", true)) {
-      c_.jar = read_jar(jar, file_.parent_path().generic_string(), catalogue_, findings_);
-    } else {
-      c_.jar = unread_jar();
-    }
+    c_.jar = described<Jar>("jar", true).value_or(unread_jar());
     Node no_balls;
     no_balls.where = file_.generic_string();
     const Node* balls = root_.find("balls");
-    c_.balls = read_balls(balls ? balls : &no_balls, c_.jar, catalogue_, findings_);
-    if (const Node* mill = section("mill", true))
-      c_.mill = read_mill(mill, c_, file_.parent_path().generic_string(), catalogue_, findings_);
-    if (const Node* powder = section("powder", false))
-      read_powder(powder, c_, catalogue_, findings_);
-    c_.contact = read_contact(section("contact", false), c_.balls, field(), findings_);
-    if (const Node* run = section("run", true)) c_.run = read_run(run, findings_);
-    c_.observe = read_observe(section("observe", false), findings_);
-    if (const Node* wear = section("wear", false)) c_.wear = read_wear(wear, findings_);
-    if (const Node* heat = section("heat", false)) c_.heat = read_heat(heat, findings_);
+    c_.balls = read_balls(balls ? balls : &no_balls, c_.jar, findings_);
+    c_.mill = described<Mill>("mill", true, c_).value_or(Mill());
+    if (const Node* powder = section("powder", false)) read_powder(powder);
+    c_.contact = read_contact(section("contact", false), c_, findings_);
+    c_.run = described<Run>("run", true).value_or(Run());
+    c_.observe = read_table<Observe>(section("observe", false), "observe");
+    c_.wear = described<Wear>("wear", false);
+    c_.heat = described<Heat>("heat", false);
     read_grinding({.capture = section("capture", false),
                    .breakage = section("breakage", false),
                    .fragments = section("fragments", false),
                    .grinding = section("grinding", false)},
-                  c_, catalogue_, findings_);
-    if (const Node* kinetics = section("kinetics", false))
-      c_.kinetics = read_kinetics(kinetics, c_, findings_);
+                  c_, findings_);
+    c_.kinetics = described<Kinetics>("kinetics", false, c_);
+  }
+
+  /// Grains become the last ball set.
+  void read_powder(const Node* table) {
+    Section in(table, "powder", findings_);
+    describe(in, c_.powder.emplace(), c_.balls, c_.jar);
+    in.close();
   }
 
   /// By line, so that a user mends the file from top to bottom; what is not in the file last.
@@ -258,7 +266,6 @@ class CaseReader {
 
   Node root_;
   std::filesystem::path file_;
-  const Catalogue& catalogue_;
   Findings findings_;
   Case c_;
 };

@@ -10,7 +10,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
-#include "mahlwerk/cases/table.hpp"
+#include "mahlwerk/cases/file/table.hpp"
 
 namespace mahlwerk::cases {
 

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {

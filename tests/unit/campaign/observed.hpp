@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/run/replicate.hpp"
-#include "mahlwerk/cases/fields.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 // Runs of every kind, short enough to be run to their end in every test of what is observed.
 namespace mahlwerk::campaign {

@@ -12,8 +12,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/catalogue_keys.hpp"
-#include "mahlwerk/cases/catalogue_read.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_read.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/fill.hpp"
+#include "mahlwerk/cases/setup/fill.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/push_apart.hpp"
+#include "mahlwerk/cases/setup/push_apart.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::cases {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/formula.hpp"
+#include "mahlwerk/cases/file/formula.hpp"
 
 #include <gtest/gtest.h>
 

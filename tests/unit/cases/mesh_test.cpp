@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/fill.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
-#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/cases/setup/fill.hpp"
+#include "mahlwerk/cases/setup/stl.hpp"
 #include "meshes.hpp"
 #include "sample.hpp"
 #include "statement.hpp"

@@ -4,7 +4,6 @@
 
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -9,9 +9,8 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/fields.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 

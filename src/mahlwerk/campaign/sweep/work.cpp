@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/cases/read_parts.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
 

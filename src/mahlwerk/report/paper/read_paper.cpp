@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/section.hpp"
+#include "mahlwerk/cases/file/section.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
 
 namespace mahlwerk::report {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/stl.hpp"
+#include "mahlwerk/cases/setup/stl.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_file.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"

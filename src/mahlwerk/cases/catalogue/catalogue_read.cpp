@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/catalogue/catalogue_read.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr std::string_view bad_file = "bad-catalogue-file";
+
+class EntryReader {
+ public:
+  explicit EntryReader(CatalogueEntry& entry) : entry_(entry) {}
+
+  void read(const toml::table& top) {
+    entry_.title = text(top, "title");
+    entry_.about = text(top, "about");
+    read_kind(top);
+    const auto keys = catalogue_keys(entry_.room, entry_.kind);
+    for (const auto& [key, node] : top) read_top(key.str(), node, keys);
+    if (entry_.values.empty() && faults_.empty())
+      fault(top, "the file gives no value", "add at least one value with its source");
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+ private:
+  void fault(const toml::node& at, std::string what, std::string remedy) {
+    faults_.push_back({fmt::format("{}:{}", entry_.file, at.source().begin.line), std::move(what),
+                       std::move(remedy), std::string(bad_file)});
+  }
+
+  /// A text that must be there and not be blank.
+  std::string text(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
+    const auto found = node ? node->value_exact<std::string>() : std::nullopt;
+    if (found && found->find_first_not_of(" \t\n") != std::string::npos) return *found;
+    const toml::node& at = node ? *node : table;
+    fault(at, fmt::format("{} {}", key, node ? "must be a text that is not empty" : "is missing"),
+          fmt::format("write {} = \"...\"", key));
+    return {};
+  }
+
+  void only(const toml::table& table, const std::vector<std::string>& known) {
+    for (const auto& [key, node] : table)
+      if (std::ranges::find(known, key.str()) == known.end())
+        fault(node, fmt::format("unknown key '{}'", key.str()), suggestion(key.str(), known));
+  }
+
+  void read_kind(const toml::table& top) {
+    const auto kinds = catalogue_kinds(entry_.room);
+    if (kinds.empty()) return;  // read_top() refuses a kind where there is none
+    entry_.kind = text(top, "kind");
+    if (entry_.kind.empty() || std::ranges::find(kinds, entry_.kind) != kinds.end()) return;
+    fault(*top.get("kind"), fmt::format("unknown kind '{}'", entry_.kind),
+          suggestion(entry_.kind, kinds));
+    kind_known_ = false;
+  }
+
+  void read_top(std::string_view key, const toml::node& node,
+                const std::vector<CatalogueKey>& keys) {
+    if (key == "title" || key == "about") return;
+    if (key == "kind" && !catalogue_kinds(entry_.room).empty()) return;
+    if (key == "jars" && entry_.room == "mills") return read_jars(node);
+    if (key == "check") return read_checks(node);
+    const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
+    if (known != keys.end()) return read_value(*known, node);
+    if (!kind_known_) return;  // its keys are not known either
+    std::vector<std::string> words{"title", "about", "check"};
+    for (const CatalogueKey& k : keys) words.push_back(k.key);
+    fault(node, fmt::format("unknown key '{}'", key), suggestion(key, words));
+  }
+
+  void read_value(const CatalogueKey& key, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (!table)
+      return fault(node, fmt::format("{} has no source", key.key),
+                   fmt::format("write [{}] with value = \"...\" and source = \"...\"", key.key));
+    only(*table, {"value", "source", "confidence"});
+    CatalogueValue value{text(*table, "value"), text(*table, "source"), false};
+    if (table->contains("confidence")) {
+      value.unverified = text(*table, "confidence") == "unverified";
+      if (!value.unverified)
+        fault(*table->get("confidence"), "confidence can only be \"unverified\"",
+              "leave it out where the source can be looked up");
+    }
+    if (!value.text.empty()) check_number(key, value.text, *table->get("value"));
+    entry_.values.emplace(key.key, std::move(value));
+  }
+
+  void check_number(const CatalogueKey& key, const std::string& written, const toml::node& node) {
+    if (key.unit == a_material) return;
+    try {
+      const double number = number_of(written, key);
+      if (!std::isfinite(number) || !key.range.holds(number))
+        fault(node, fmt::format("{} = \"{}\" is out of range", key.key, written), key.about);
+    } catch (const UnitError& error) {
+      fault(node, fmt::format("{}: {}", key.key, error.what()), key.about);
+    }
+  }
+
+  void read_jars(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list) return fault(node, "jars must be a list of names", "write jars = [\"...\"]");
+    for (const toml::node& name : *list) {
+      if (const auto found = name.value_exact<std::string>())
+        entry_.jars.push_back(*found);
+      else
+        fault(name, "jars must be a list of names", "write jars = [\"...\"]");
+    }
+  }
+
+  void read_checks(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list || !list->is_array_of_tables())
+      return fault(node, "check must be a list of tables", "write [[check]]");
+    for (const toml::node& check : *list) read_check(*check.as_table());
+  }
+
+  void read_check(const toml::table& table) {
+    only(table, {"quantity", "equals", "within", "source"});
+    CatalogueCheck check{text(table, "quantity"), 0, 0, text(table, "source")};
+    std::vector<std::string> known;
+    for (const CheckQuantity& q : check_quantities()) known.emplace_back(q.name);
+    if (!check.quantity.empty() && std::ranges::find(known, check.quantity) == known.end())
+      fault(*table.get("quantity"), fmt::format("unknown quantity '{}'", check.quantity),
+            suggestion(check.quantity, known));
+    const auto equals = table["equals"].value<double>();
+    if (!equals)
+      fault(table, "equals must be a number in the quantity's unit", "write equals = 95");
+    check.expected = equals.value_or(0);
+    const std::string within = text(table, "within");
+    if (!within.empty()) check.tolerance = tolerance(within, *table.get("within"));
+    entry_.checks.push_back(std::move(check));
+  }
+
+  double tolerance(const std::string& within, const toml::node& at) {
+    const std::string remedy = "write within = \"2 %\"";
+    try {
+      const double share = parse_in(within, "");
+      if (share > 0 && share < 1) return share;
+      fault(at, fmt::format("within = \"{}\" is no tolerance", within), remedy);
+    } catch (const UnitError& error) {
+      fault(at, fmt::format("within: {}", error.what()), remedy);
+    }
+    return 0;
+  }
+
+  CatalogueEntry& entry_;
+  std::vector<Fault> faults_;
+  bool kind_known_ = true;
+};
+
+toml::table parsed(std::string_view text, std::string_view file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(Fault{fmt::format("{}:{}", file, error.source().begin.line),
+                           std::string(error.description()), "mend the TOML there",
+                           std::string(bad_file)});
+  }
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+  std::string line;  // fmt::join of texts trips a false warning of g++ 12
+  for (const std::string& word : words) line.append(line.empty() ? "" : between).append(word);
+  return line;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  const std::string near = nearest(word, known);
+  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
+  return known.empty() ? "remove it" : "one of: " + joined(known, ", ");
+}
+
+CatalogueEntry read_entry(std::string_view text, std::string_view room, std::string_view name,
+                          std::string_view file) {
+  CatalogueEntry entry;
+  entry.room = room;
+  entry.name = name;
+  entry.file = file;
+  EntryReader(entry).read(parsed(text, file));
+  return entry;
+}
+
+}  // namespace mahlwerk::cases

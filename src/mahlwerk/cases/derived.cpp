@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/derived.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mahlwerk::cases {
+
+double jar_volume(const Jar& jar) {
+  return std::visit([](const auto& s) { return s.volume(); }, jar.shape);
+}
+
+double ball_volume(const BallSet& set) {
+  return std::numbers::pi * set.diameter * set.diameter * set.diameter / 6;
+}
+
+double balls_mass(const std::vector<BallSet>& balls) {
+  double mass = 0;
+  for (const BallSet& set : balls)
+    if (!set.grains) mass += static_cast<double>(set.count) * set.mass();
+  return mass;
+}
+
+double balls_volume(const std::vector<BallSet>& balls) {
+  double volume = 0;
+  for (const BallSet& set : balls)
+    if (!set.grains) volume += static_cast<double>(set.count) * ball_volume(set);
+  return volume;
+}
+
+std::int64_t balls_count(const std::vector<BallSet>& balls) {
+  std::int64_t count = 0;
+  for (const BallSet& set : balls) count += set.count;
+  return count;
+}
+
+double largest_ball(const std::vector<BallSet>& balls) {
+  double diameter = 0;
+  for (const BallSet& set : balls) {
+    if (std::isnan(set.diameter)) return set.diameter;
+    for (const SizeClass& size : set.sizes()) diameter = std::max(diameter, size.diameter);
+  }
+  return diameter;
+}
+
+double smallest_ball(const std::vector<BallSet>& balls) {
+  double diameter = std::numeric_limits<double>::infinity();
+  for (const BallSet& set : balls) {
+    if (set.grains) continue;
+    for (const SizeClass& size : set.sizes()) diameter = std::min(diameter, size.diameter);
+  }
+  return diameter;
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Values that are out of range, each for itself.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Checks of single values, for a case that no reader has seen.
+class ValueCheck : public CaseVisitor {
+ public:
+  explicit ValueCheck(const Case& c) : c_(c) {}
+
+  void section(std::string_view name, std::size_t number = 0) override {
+    prefix_ = number > 0 ? fmt::format("{}.{}.", name, number) : fmt::format("{}.", name);
+  }
+  void number(const Wanted& wanted, double& value) override {
+    if (!std::isfinite(value) || !wanted.range.holds(value))
+      fault(wanted.key, "{} = {} is out of range", show(value, wanted.unit));
+  }
+  void maybe(const Wanted& wanted, std::optional<double>& value) override {
+    if (value) number(wanted, *value);
+  }
+  void whole(const Whole& wanted, std::int64_t& n) override {
+    if (n < wanted.least || n > wanted.most)
+      fault(wanted.key, "{} = {} must be from {} to {}", n, wanted.least, wanted.most);
+  }
+  bool visits_all() override { return true; }
+  void flag(const Flag&, bool&) override {}
+  void text(std::string_view, std::string&) override {}
+  bool choose(const Choice& choice, std::size_t& place) override {
+    const bool sound = place < choice.words.size();
+    if (!sound) fault(choice.key, "{} must be {}", listed(choice.words));
+    return sound;
+  }
+  void custom(const CustomKey& key, const std::function<std::string()>&) override {
+    if (!key.sound) fault(key.key, "{} is out of range: {}", key.about);
+  }
+  /// `what` with the dotted key as its first value.
+  template <class... Values>
+  void fault(std::string_view key, fmt::format_string<const std::string&, const Values&...> what,
+             const Values&... values) {
+    const std::string dotted = prefix_ + std::string(key);
+    found.push_back({place_of(c_, dotted), fmt::format(what, dotted, values...),
+                     "see docs/cases.md for the values of a case", "out-of-range"});
+  }
+
+  std::vector<Fault> found;
+
+ private:
+  const Case& c_;
+  std::string prefix_;
+};
+
+/// Classes that do not make up their set.
+void check_classes(ValueCheck& check, BallSet& set) {
+  if (set.classes.empty()) return;
+  std::int64_t count = 0;
+  for (SizeClass& size : set.classes) {
+    check.number({"diameter", "m", positive, ""}, size.diameter);
+    check.whole({"count", 1, most_balls, ""}, size.count);
+    count += size.count;
+  }
+  if (count != set.count)
+    check.fault("count", "{} = {}, but its classes have {} balls", set.count, count);
+}
+
+}  // namespace
+
+std::vector<Fault> bad_values(const Case& c) {
+  ValueCheck check(c);
+  if (c.balls.empty()) check.fault("balls", "there are no {}");
+  Case copy = c;  // a visitor may change values; this one does not
+  describe(check, copy);
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    check.section("balls", i + 1);
+    check_classes(check, copy.balls[i]);
+  }
+  if (c.grinding && c.grinding->classes_per_octave % size_step != 0) {
+    check.section("grinding");
+    check.fault("classes_per_octave", "{} = {} is no multiple of {}",
+                c.grinding->classes_per_octave, size_step);
+  }
+  return std::move(check.found);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// A soft contact has one damping, whatever the speed.
+std::vector<Fault> soft_faults(const Case& c) {
+  std::vector<Fault> found;
+  const auto check = [&](const std::string& section, const contact::Restitution& e) {
+    if (e.law() == contact::Restitution::Law::constant) return;
+    found.push_back(
+        {place_of(c, section + "restitution_law"),
+         fmt::format("restitution_law = \"{}\": the soft engine takes one restitution for all "
+                     "speeds",
+                     restitution_laws()[static_cast<std::size_t>(e.law())]),
+         "write restitution_law = \"constant\" and restitution = 0.8 or so, or engine = \"event\"",
+         "constant-restitution"});
+  };
+  const contact::Restitution& all = c.contact.rule.restitution;
+  check("contact.", all);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i)
+    if (const auto& own = c.contact.pairs[i].rule.restitution; own != all)
+      check(fmt::format("contact.pairs.{}.", i + 1), own);
+  return found;
+}
+
+std::vector<Fault> event_faults(const Case& c) {
+  if (!geometry::exact_touches(c.jar.shape))
+    return {{place_of(c, "run.engine"),
+             fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
+                         "times of touch from a formula",
+                         geometry::name_of(c.jar.shape)),
+             "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
+  if (c.run.engine == EngineName::event && fits_exactly(c))
+    return {
+        {place_of(c, "run.engine"),
+         "two balls fit exactly across the jar: hard spheres would be wedged there without any "
+         "room to bounce",
+         "write engine = \"soft\" or \"auto\", or change the diameter of a ball by a thousandth",
+         "exact-fit"}};
+  if (c.contact.lasting != Lasting::roll) return {};
+  const std::int64_t count = balls_count(c.balls);
+  if (count > 1)
+    return {{place_of(c, "contact.lasting"),
+             fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
+             "write lasting = \"tc\"", "roll-one-ball"}};
+  if (c.contact.model.rolling == contact::Rolling::viscous)
+    return {{place_of(c, "contact.rolling"),
+             "rolling = \"viscous\" is for the soft engine: in the event engine the resistance is "
+             "the same at every speed",
+             "write rolling = \"cdt\" with a rolling_friction without unit", "viscous-rolling"}};
+  return {};
+}
+
+}  // namespace
+
+bool fits_exactly(const Case& c) {
+  constexpr double tight = 1e-6;
+  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  std::vector<double> diameters;  // those there are two of, twice
+  for (const BallSet& set : c.balls)
+    for (const SizeClass& size : set.sizes())
+      diameters.insert(diameters.end(), size.count > 1 ? 2 : 1, size.diameter);
+  for (std::size_t i = 0; i < diameters.size(); ++i)
+    for (std::size_t j = i + 1; j < diameters.size(); ++j)
+      if (std::abs(diameters[i] + diameters[j] - jar) < tight * jar) return true;
+  return false;
+}
+
+std::vector<Fault> engine_faults(const Case& c) {
+  const bool exact = geometry::exact_touches(c.jar.shape);  // others "auto" takes to soft
+  const bool soft =
+      c.run.engine == EngineName::soft || (!exact && c.run.engine == EngineName::automatic);
+  return soft ? soft_faults(c) : event_faults(c);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/faults/faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// The key that says how large the balls of a set are.
+std::string size_key(const Case& c, std::size_t set) {
+  using Law = Distribution::Law;
+  const Law law = c.balls[set].distribution.law;
+  return fmt::format("balls.{}.{}", set + 1,
+                     law == Law::uniform  ? "largest"
+                     : law == Law::sieves ? "passing"
+                                          : "diameter");
+}
+
+void balls_too_large(const Case& c, std::vector<Fault>& found) {
+  constexpr double room = 1e-6;  // of the jar: less would leave no place to start from
+  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    if (c.balls[i].count < 1) continue;  // reported elsewhere
+    const double ball = largest_ball({c.balls[i]});
+    if (!(ball >= jar * (1 - room))) continue;
+    found.push_back({place_of(c, c.balls[i].grains ? "powder.grain_size" : size_key(c, i)),
+                     fmt::format("the ball ({}) is larger than the jar ({}): it cannot move",
+                                 show(ball, "m"), show_rounded(jar, "m")),
+                     "give a smaller ball or a larger jar", "ball-too-large"});
+  }
+}
+
+void fillet_too_large(const Case& c, std::vector<Fault>& found) {
+  const auto* jar = std::get_if<geometry::RoundedCylinder>(&c.jar.shape);
+  if (jar == nullptr) return;
+  const double most = 0.5 * std::min(jar->diameter, jar->height);
+  if (!(jar->fillet > most)) return;
+  found.push_back(
+      {place_of(c, "jar.fillet"),
+       fmt::format("the fillet ({}) is larger than half the jar's diameter or height ({})",
+                   show(jar->fillet, "m"), show_rounded(most, "m")),
+       "give a smaller fillet; a jar that is all fillet is a capsule or a sphere",
+       "fillet-too-large"});
+}
+
+/// Parts of a jar that do not fit together.
+void impossible_jar(const Case& c, std::vector<Fault>& found) {
+  const std::string flaw = std::visit(
+      [](const auto& s) -> std::string {
+        if constexpr (requires { s.flaw(); })
+          return std::isnan(s.volume()) ? "" : s.flaw();  // a size was no good: said already
+        else
+          return "";
+      },
+      c.jar.shape);
+  if (flaw.empty()) return;
+  found.push_back({place_of(c, "jar.kind"),
+                   fmt::format("there is no such {}: {}", geometry::name_of(c.jar.shape), flaw),
+                   "see docs/theory/geometry.md for what the sizes mean", "impossible-jar"});
+}
+
+/// Without walls there is nothing that could move or carry the balls.
+void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
+  if (!std::holds_alternative<geometry::PeriodicBox>(c.jar.shape)) return;
+  const auto fault = [&](const char* key, const char* what, const char* remedy) {
+    found.push_back({place_of(c, key), what, remedy, "periodic-box"});
+  };
+  if (!std::holds_alternative<kinematics::Still>(c.mill.motion))
+    fault("mill.kind", "a periodic box has no walls that a mill could move",
+          "write kind = \"still\", or take a jar with walls");
+  if (c.gravity != 0)
+    fault("gravity", "in a periodic box balls would fall for ever",
+          "write gravity = \"0 m/s2\", or take a jar with walls");
+  if (c.heat)
+    fault("heat.milling", "a periodic box has no wall that heat could pass", "remove [heat]");
+  const double widest = largest_ball(c.balls);
+  const double period = 2 * std::get<geometry::PeriodicBox>(c.jar.shape).inradius();
+  if (period <= 2 * widest && widest < period)
+    fault("balls.1.diameter", "a ball of half a periodic box meets another and its image at once",
+          "give smaller balls or a larger box");
+}
+
+void too_many_balls(const Case& c, std::vector<Fault>& found) {
+  double volume = 0;
+  for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
+  const double jar = jar_volume(c.jar);
+  std::set<double> sizes;
+  for (const BallSet& set : c.balls) {
+    double last = 0;  // of a distribution those count that are small enough to fill gaps
+    for (const SizeClass& size : set.sizes())
+      if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);
+  }
+  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
+  if (!(volume > most * jar)) return;
+  found.push_back(
+      {place_of(c, "balls.1.count"),
+       fmt::format("the balls ({}) fill more than {} % of the jar ({}), the densest packing",
+                   show_rounded(volume, "m3"), show_rounded(100 * most, ""),
+                   show_rounded(jar, "m3")),
+       "give fewer or smaller balls or a larger jar", "too-many-balls"});
+}
+
+/// A wall faster than any material bears: a slip of a unit.
+void absurd_speed(const Case& c, std::vector<Fault>& found) {
+  constexpr double most = 1000;  // [m/s]
+  const kinematics::Bounds bounds =
+      std::visit([](const auto& motion) { return motion.bounds(); }, c.mill.motion);
+  const double reach = std::visit([](const auto& s) { return s.reach(); }, c.jar.shape);
+  const double speed = bounds.speed + bounds.spin * reach;
+  if (!(speed > most)) return;
+  found.push_back({place_of(c, "mill.kind"),
+                   fmt::format("the jar's wall would move at up to {}, more than {} m/s",
+                               show_rounded(speed, "m/s"), most),
+                   "check the units of the mill's numbers", "absurd-speed"});
+}
+
+/// Each two have rules and statistics of their own.
+void too_many_sets(const Case& c, std::vector<Fault>& found) {
+  if (c.balls.size() <= most_sets) return;
+  found.push_back({place_of(c, "balls"),
+                   fmt::format("there are {} ball sets, more than {}", c.balls.size(), most_sets),
+                   "let sets differ by material or rules only: one set may have a distribution of "
+                   "sizes",
+                   "too-many-sets"});
+}
+
+/// A file that nobody can want, by a slip of the unit.
+void too_many_frames(const Case& c, std::vector<Fault>& found) {
+  if (!c.observe.frames || !(*c.observe.frames > 0)) return;
+  const double count = c.run.time / *c.observe.frames;
+  const double each = frame_bytes(c), size = count * each;
+  if (!(count > most_frames) && !(size > largest_frames)) return;
+  const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames);
+  found.push_back({place_of(c, "observe.frames"),
+                   fmt::format("a frame every {} makes {:.2g} frames and about {:.2g} GB for each "
+                               "replicate, more than {:.0g} frames or {:.0f} GB",
+                               show_rounded(*c.observe.frames, "s"), count, size / 1e9, most_frames,
+                               largest_frames / 1e9),
+                   fmt::format("write frames = \"{}\" or more, or leave it out",
+                               show_rounded(1.05 * enough, "s")),
+                   "too-many-frames"});
+}
+
+/// Names that mean nobody, and pairs that never meet. Silent where the jar or its balls could not
+/// be read.
+void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
+  if (c.balls.empty() || std::isnan(jar_volume(c.jar))) return;
+  const std::vector<std::string> known = party_names(c);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
+    const auto& [one, other] = c.contact.pairs[i].between;
+    if (one.empty() && other.empty()) continue;  // reported where it was read
+    const std::string place = place_of(c, fmt::format("contact.pairs.{}.between", i + 1));
+    const Party a = party(one, c), b = party(other, c);
+    for (const auto& [name, who] : {std::pair{&one, &a}, std::pair{&other, &b}}) {
+      if (!who->nobody()) continue;
+      const std::string near = nearest_word(*name, known);
+      found.push_back({place, fmt::format("nothing in the case is called \"{}\"", *name),
+                       (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) +
+                           fmt::format("known: {}", listed(known)),
+                       "unknown-name"});
+    }
+    if (!a.nobody() && !b.nobody() && a.kinds.empty() && b.kinds.empty())
+      found.push_back({place, fmt::format("\"{}\" and \"{}\" are both the jar", one, other),
+                       "name balls as one of the two", "no-such-pair"});
+  }
+}
+
+}  // namespace
+
+std::string place_of(const Case& c, const std::string& key) {
+  const auto origin = std::ranges::find(c.origins, key, &Origin::key);
+  if (origin == c.origins.end() || origin->source.starts_with("default: ")) return key;
+  const std::string place = origin->source.substr(0, origin->source.find(": "));
+  const std::string name = std::filesystem::path(c.file).filename().string();
+  return !name.empty() && place.starts_with(name + ":") ? c.file + place.substr(name.size())
+                                                        : place;
+}
+
+std::vector<Fault> misfits(const Case& c) {
+  std::vector<Fault> found;
+  pairs_of_nobody(c, found);
+  const std::size_t so_far = found.size();
+  balls_too_large(c, found);
+  fillet_too_large(c, found);
+  impossible_jar(c, found);
+  periodic_box_in_a_mill(c, found);
+  if (found.size() == so_far) too_many_balls(c, found);
+  if (found.size() == so_far) bad_powder(c, found);
+  if (found.size() == so_far) bad_places(c, found);
+  if (found.size() == so_far) absurd_speed(c, found);
+  too_many_sets(c, found);
+  too_many_frames(c, found);
+  bad_grinding(c, found);
+  return found;
+}
+
+std::vector<Fault> faults(const Case& c) {
+  std::vector<Fault> found = bad_values(c);
+  std::ranges::move(misfits(c), std::back_inserter(found));
+  return found;
+}
+
+}  // namespace mahlwerk::cases

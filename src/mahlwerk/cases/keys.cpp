@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/keys.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using Chosen = std::map<std::string, std::size_t>;  ///< key -> place of the word under it
+
+/// What all visits together have found.
+struct Found {
+  std::vector<KeyInfo> keys;
+  std::set<std::pair<std::string, std::size_t>> tried;  ///< words
+  std::vector<Chosen> todo;                             ///< that lead to words not tried yet
+};
+
+/// Lists the keys under some words; others that could stand there are left to do.
+class KeyList : public CaseVisitor {
+ public:
+  KeyList(Found& found, Chosen chosen) : found_(found), chosen_(std::move(chosen)) {}
+
+  void section(std::string_view name, std::size_t) override { prefix_ = std::string(name) + "."; }
+  void number(const Wanted& wanted, double&) override { alternative(wanted); }
+  void maybe(const Wanted& wanted, std::optional<double>&) override { alternative(wanted); }
+  void alternative(const Wanted& wanted) override {
+    add({prefix_ + std::string(wanted.key),
+         std::string(wanted.unit),
+         wanted.range,
+         {},
+         std::string(wanted.about)});
+  }
+  void whole(const Whole& wanted, std::int64_t&) override {
+    const Range range{.least = static_cast<double>(wanted.least),
+                      .most = static_cast<double>(wanted.most)};
+    add({prefix_ + std::string(wanted.key), "", range, {}, std::string(wanted.about)});
+  }
+  void flag(const Flag& flag, bool&) override {
+    add({prefix_ + std::string(flag.key), "", {}, {"true", "false"}, ""});
+  }
+  void text(std::string_view key, std::string&) override {
+    add({prefix_ + std::string(key), "", {}, {}, ""});
+  }
+  void custom(const CustomKey& key, const std::function<std::string()>&) override {
+    add({prefix_ + std::string(key.key), "", {}, {}, std::string(key.about)});
+  }
+  bool choose(const Choice& choice, std::size_t& place) override {
+    const std::string key = prefix_ + std::string(choice.key);
+    add({key, "", {}, choice.words, ""});
+    place = chosen(key, choice.words.size(), place);
+    return true;
+  }
+  std::string_view one_of(std::initializer_list<std::string_view> keys, std::string_view) override {
+    const std::string all = prefix_ + std::string(*keys.begin()) + ", ...";
+    return *(keys.begin() + chosen(all, keys.size(), 0));
+  }
+  bool visits_all() override { return true; }
+
+ private:
+  void add(KeyInfo info) {
+    auto& keys = found_.keys;
+    if (std::ranges::find(keys, info.key, &KeyInfo::key) != keys.end()) return;
+    const auto of_section = [&](const KeyInfo& k) {
+      return k.key.substr(0, k.key.rfind('.') + 1) == prefix_;
+    };
+    const auto last = std::ranges::find_if(keys.rbegin(), keys.rend(), of_section);
+    keys.insert(last == keys.rend() ? keys.end() : last.base(), std::move(info));
+  }
+  std::size_t chosen(const std::string& key, std::size_t count, std::size_t now) {
+    if (const auto own = chosen_.find(key); own != chosen_.end()) return own->second;
+    for (std::size_t place = 0; place < count; ++place) {
+      if (!found_.tried.emplace(key, place).second || place == now) continue;
+      Chosen other = chosen_;
+      other[key] = place;
+      found_.todo.push_back(std::move(other));
+    }
+    return now;
+  }
+
+  Found& found_;
+  Chosen chosen_;
+  std::string prefix_;
+};
+
+/// A case with every section.
+Case whole_case() {
+  Case c;
+  c.balls.resize(2);
+  c.balls.back().grains = true;
+  c.powder.emplace().grain_size = 1e-3;
+  c.contact.pairs.emplace_back();
+  c.wear.emplace();
+  c.heat.emplace();
+  c.capture.emplace();
+  c.grinding.emplace();
+  c.kinetics.emplace();
+  return c;
+}
+
+}  // namespace
+
+const std::vector<KeyInfo>& all_keys() {
+  static const std::vector<KeyInfo> keys = [] {
+    Found found{.keys = {}, .tried = {}, .todo = {{}}};
+    while (!found.todo.empty()) {
+      KeyList list(found, std::exchange(found.todo.back(), {}));
+      found.todo.pop_back();
+      Case c = whole_case();
+      describe(list, c);
+    }
+    KeyList list(found, {});
+    Case c = whole_case();
+    c.run.until.emplace();
+    describe(list, c);
+    return std::move(found.keys);
+  }();
+  return keys;
+}
+
+}  // namespace mahlwerk::cases

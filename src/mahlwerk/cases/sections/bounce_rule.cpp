@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How a bounce ends: what [contact] and each of [[contact.pairs]] say about it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using contact::BounceRule;
+using contact::Restitution;
+using RestitutionLaw = Restitution::Law;
+
+constexpr std::string_view inherited = "as [contact] says";
+
+const Wanted& restitution_value() {
+  static const Wanted wanted("restitution", "", restitution_range,
+                             "normal speed after over before a bounce");
+  return wanted;
+}
+
+const Wanted& restitution_speed() {
+  static const Wanted wanted("restitution_speed", "m/s", positive,
+                             "the speed at which `restitution` holds");
+  return wanted;
+}
+
+/// One row of a table, speed and value; nothing after a fault.
+std::optional<std::pair<double, double>> read_row(Section& in, const Node& row) {
+  if (row.kind != Node::Kind::list || row.items.size() != 2) {
+    in.fault(row, "a row of `restitution_table` is a speed and a value",
+             "write it as [\"1 m/s\", 0.8]", "wrong-type");
+    return std::nullopt;
+  }
+  const double speed = in.quantity(
+      row.items[0], {"restitution_table", "m/s", positive, "speed of approach, then restitution"});
+  const double value = in.quantity(row.items[1], {"restitution_table", "", restitution_range,
+                                                  "speed of approach, then restitution"});
+  if (std::isnan(speed) || std::isnan(value)) return std::nullopt;
+  return std::pair{speed, value};
+}
+
+std::string table_text(const contact::Restitution& tabulated) {
+  std::string rows;
+  for (const auto& [speed, value] : tabulated.points())
+    rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(show(speed, "m/s")),
+                        shortest(value));
+  return "[" + rows + "]";
+}
+
+Restitution read_table(Section& in, const Node& at) {
+  Restitution::Points points;
+  bool sound = at.kind == Node::Kind::list && !at.items.empty();
+  if (!sound)
+    in.fault(at, "`restitution_table` must be a list of rows",
+             "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]", "wrong-type");
+  else
+    for (const Node& row : at.items) {
+      const auto point = read_row(in, row);
+      sound = sound && point;
+      if (!point) continue;
+      if (!points.empty() && point->first <= points.back().first) {
+        in.fault(row, "the speeds of `restitution_table` do not rise",
+                 "sort the rows by speed, each once", "out-of-range");
+        sound = false;
+      }
+      points.push_back(*point);
+    }
+  if (!sound) return unread;
+  const Restitution made = Restitution::tabulated(std::move(points));
+  in.note("restitution_table", table_text(made), &at);
+  return made;
+}
+
+/// The word under `restitution_law`; what is given decides where it is not said.
+RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* all) {
+  Choice choice{"restitution_law", restitution_laws(), "constant", "the same at every speed"};
+  if (given == "restitution_table") {
+    choice.standard = "tabulated";
+    choice.source = "a restitution_table is given";
+  } else if (all != nullptr &&
+             !(given == "restitution" && all->law() == RestitutionLaw::tabulated)) {
+    choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
+    choice.source = inherited;
+  }
+  const std::string word = in.choice(choice);
+  const auto at = std::ranges::find(restitution_laws(), word);
+  return at == restitution_laws().end()
+             ? RestitutionLaw::constant
+             : static_cast<RestitutionLaw>(at - restitution_laws().begin());
+}
+
+/// A key that a law has no use for.
+void useless(Section& in, std::string_view key, std::string_view law, const std::string& remedy) {
+  in.refuse({key}, fmt::format("under restitution_law = \"{}\"", law), remedy);
+}
+
+Restitution read_tabulated(Section& in, const Restitution* all) {
+  useless(in, "restitution_speed", "tabulated", "remove it");
+  if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
+  if (all != nullptr && all->law() == RestitutionLaw::tabulated) {
+    in.note_default("restitution_table", table_text(*all), inherited);
+    return *all;
+  }
+  in.missing("restitution_table", "speeds of approach with their restitution",
+             "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]");
+  return unread;
+}
+
+Restitution read_viscoelastic(Section& in, double value, const Restitution* all) {
+  useless(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
+  Wanted speed = restitution_speed();
+  if (all != nullptr && all->law() == RestitutionLaw::viscoelastic)
+    speed = speed.with_default(all->speed(), inherited);
+  const double at = in.value(speed);
+  if (const Node* zero = in.find("restitution"); value == 0 && zero != nullptr)
+    in.fault(*zero, "a viscoelastic restitution is above 0", "give a restitution above 0",
+             "out-of-range");
+  else if (value == 0)
+    in.missing("restitution", "a viscoelastic one is above 0", "give a restitution above 0");
+  return std::isnan(value) || std::isnan(at) || value == 0 ? Restitution(unread)
+                                                           : Restitution::viscoelastic(value, at);
+}
+
+Restitution read_restitution(Section& in, const Restitution* all) {
+  const std::string_view given = in.one_of({"restitution", "restitution_table"});
+  const RestitutionLaw law = read_law(in, given, all);
+  if (law == RestitutionLaw::tabulated) {
+    if (given == "restitution") useless(in, given, "tabulated", "remove it, or restitution_law");
+    return read_tabulated(in, all);
+  }
+  Wanted wanted = restitution_value().with_default(
+      0.8, "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
+  if (all != nullptr && all->law() != RestitutionLaw::tabulated)
+    wanted = wanted.with_default(all->value(), inherited);
+  const double value = in.value(wanted);
+  if (law == RestitutionLaw::viscoelastic) return read_viscoelastic(in, value, all);
+  if (given == "restitution_table")
+    useless(in, given, "constant", "write restitution_law = \"tabulated\"");
+  useless(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
+  return value;
+}
+
+void describe_restitution(KeyVisitor& v, Restitution& e, const Restitution* all) {
+  if (Section* in = v.reading()) {
+    e = read_restitution(*in, all);
+    return;
+  }
+  RestitutionLaw law = e.law();
+  double value = e.value(), speed = e.speed();
+  v.word({"restitution_law", restitution_laws(), "constant"}, law);
+  if (law == RestitutionLaw::tabulated)
+    v.custom({"restitution_table", "speeds of approach with their restitution"},
+             [&] { return table_text(e); });
+  else
+    v.number(restitution_value(), value);
+  if (law == RestitutionLaw::viscoelastic) v.number(restitution_speed(), speed);
+}
+
+/// "constant" or "walton", and why if it is not said.
+Choice bounce_of(KeyVisitor& v, const BounceRule* all) {
+  const bool friction = v.gives("friction");
+  Choice choice{"bounce",
+                {"constant", "walton"},
+                "walton",
+                "sticking below the Coulomb limit, sliding above it"};
+  if (!friction && all != nullptr) {
+    choice.standard = std::isfinite(all->friction) ? "walton" : "constant";
+    choice.source = inherited;
+  } else if (!friction && v.gives("tangential_restitution")) {
+    choice.standard = "constant";
+    choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
+  }
+  return choice;
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
+  describe_restitution(v, rule.restitution, all ? &all->restitution : nullptr);
+  std::size_t walton = rule.friction == std::numeric_limits<double>::infinity() ? 0 : 1;
+  if (!v.choose(bounce_of(v, all), walton)) walton = 1;
+  Wanted tangential("tangential_restitution", "", tangential_range,
+                    "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
+  tangential = tangential.with_default(
+      0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
+  if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
+  v.number(tangential, rule.tangential_restitution);
+  if (!walton) {
+    v.refuse({"friction"}, "under bounce = \"constant\"",
+             "remove friction, or write bounce = \"walton\"");
+    return;
+  }
+  Wanted friction = Wanted("friction", "", not_negative, "Coulomb's friction coefficient mu")
+                        .with_default(0.3, "uncalibrated, 0.1-0.6");
+  if (all != nullptr && std::isfinite(all->friction))
+    friction = friction.with_default(all->friction, inherited);
+  v.number(friction, rule.friction);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A case from its first section to its last.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+void describe_top(KeyVisitor& v, Case& c) {
+  v.custom({"title", "what it is about"}, [&] { return in_quotes(c.title); });
+  v.custom({"seed", "chooses the starts among those that chance allows"}, [&] {
+    const std::string seed = std::to_string(c.seed);
+    return std::in_range<std::int64_t>(c.seed) ? seed : in_quotes(seed);
+  });
+  v.fields(c, case_fields());
+}
+
+}  // namespace
+
+void describe(CaseVisitor& v, Case& c) {
+  const auto section = [&](const char* name, auto&&... parts) {
+    v.section(name);
+    describe(v, parts...);
+  };
+  describe_top(v, c);
+  section("mill", c.mill, c);
+  section("jar", c.jar);
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    if (c.balls[i].grains) continue;  // [powder] says them
+    v.section("balls", i + 1);
+    describe(v, c.balls[i], c.jar);
+  }
+  if (c.powder) section("powder", *c.powder, c.balls, c.jar);
+  section("contact", c.contact, c);
+  for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
+    v.section("contact.pairs", i + 1);
+    describe(v, c.contact.pairs[i], c.contact, &c.contact.model);
+  }
+  section("run", c.run);
+  section("observe", c.observe);
+  if (c.wear) section("wear", *c.wear);
+  if (c.heat) section("heat", *c.heat);
+  if (c.capture) section("capture", *c.capture, c, false);
+  if (c.grinding) {
+    section("breakage", c.grinding->breakage, c);
+    section("fragments", c.grinding->fragments, c);
+    section("grinding", *c.grinding, c);
+  }
+  if (c.kinetics) section("kinetics", *c.kinetics, c);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [contact] and [[contact.pairs]]: what happens where two touch.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// [m/s2] the strongest of the mill.
+double field_of(const Case& c) {
+  return std::visit(
+      [&](const auto& motion) {
+        return kinematics::strongest_field({0, 0, -c.gravity}, motion.bounds().acceleration,
+                                           motion.period(),
+                                           [&](double t) { return motion.ride(t); });
+      },
+      c.mill.motion);
+}
+
+/// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
+void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
+  /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
+  constexpr Range times{.least = 0, .most = 1e-3, .without_least = true};
+  constexpr double one_g = 9.80665, usual = 1e-4;  // [m/s2], [s]
+  const double strength = v.reading() != nullptr ? field_of(c) / one_g : 1;
+  const std::string stronger = fmt::format(
+      "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
+      "its motion shorter by the root of that",
+      strength);
+  Wanted time("contact_time", "s", times,
+              "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
+              "a few times a steel ball's contact time, at 1 g or less");
+  if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
+  v.number(time, contact.contact_time);
+}
+
+/// Numbers of the event engine, and how soft all is.
+void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
+  Wanted friction("lasting_friction", "", not_negative,
+                  "Coulomb's friction coefficient of lasting contacts", 0.3,
+                  "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
+  if (std::isfinite(contact.rule.friction))
+    friction = friction.with_default(contact.rule.friction, "the friction of bounces");
+  v.number(friction, contact.lasting_friction);
+  v.number({"lasting_speed", "m/s", not_negative,
+            "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
+            "far below the speeds that count"},
+           contact.lasting_speed);
+  describe_contact_time(v, contact, c);
+  v.number({"softening",
+            "",
+            {.least = 0, .most = 1, .without_least = true},
+            "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
+            1.0,
+            "moduli as they are"},
+           contact.softening);
+}
+
+/// Of [contact], and of a pair, which inherits those of `all`. Silent where the model is not known.
+template <class Owner>
+void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, const Contact* all) {
+  const auto general = touch_fields<Contact>();
+  std::size_t i = 0;
+  for (const auto& field : touch_fields<Owner>()) {
+    const auto of_all = general[i++].value;
+    if (!has_use(v, field.key, model)) {
+      if (v.reading() != nullptr) owner.*field.value = 0;
+      continue;
+    }
+    Wanted wanted(field);
+    wanted.unit = unit_of(field.key, field.unit, *model);
+    if (wanted.unit != field.unit) wanted.standard.reset();  // none is known in that unit
+    if (all != nullptr) wanted = wanted.with_default(all->*of_all, "as [contact] says");
+    v.number(wanted, owner.*field.value);
+  }
+}
+
+std::string between_text(const PairRule& pair) {
+  return fmt::format("[{}, {}]", in_quotes(pair.between[0]), in_quotes(pair.between[1]));
+}
+
+void describe_between(KeyVisitor& v, PairRule& pair) {
+  constexpr CustomKey between{"between", "the two the rule is for"};
+  v.custom(between, [&] { return between_text(pair); });
+  Section* in = v.reading();
+  if (in == nullptr) return;
+  constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
+  const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
+  const Node* at = in->find(between.key);
+  if (at == nullptr) {
+    in->missing(between.key, between.about, std::string(form));
+  } else if (at->items.size() != 2 || !std::ranges::all_of(at->items, is_text)) {
+    in->fault(*at, "`between` must name two", std::string(form), "wrong-type");
+  } else {
+    pair.between = {at->items[0].text, at->items[1].text};
+    in->note(between.key, between_text(pair), at);
+  }
+}
+
+std::vector<PairRule> read_pairs(const Node* list, const Contact& all, const ContactModel* model,
+                                 Findings& findings) {
+  std::vector<PairRule> pairs;
+  if (list == nullptr) return pairs;
+  const auto is_table = [](const Node& n) { return n.kind == Node::Kind::table; };
+  if (list->kind != Node::Kind::list || !std::ranges::all_of(list->items, is_table)) {
+    findings.faults.push_back({list->where, "`contact.pairs` must be a list of sections",
+                               "write [[contact.pairs]] and its values below", "wrong-type"});
+    return pairs;
+  }
+  for (const Node& item : list->items) {
+    Section in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
+    describe(in, pairs.emplace_back(), all, model);
+    in.close();
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, PairRule& pair, const Contact& all, const ContactModel* model) {
+  describe_between(v, pair);
+  describe(v, pair.rule, &all.rule);
+  describe_touch(v, pair, model, &all);
+}
+
+const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
+  const bool known = describe(v, contact.model);
+  const ContactModel* model = known ? &contact.model : nullptr;
+  describe(v, contact.rule, nullptr);
+  if (v.reading() == nullptr) describe_touch(v, contact, model, nullptr);
+  describe_numbers(v, contact, c);
+  if (v.reading() != nullptr) describe_touch(v, contact, model, nullptr);
+  const bool several = balls_count(c.balls) > 1;
+  v.word({"lasting",
+          {"roll", "tc", "none"},
+          several ? "tc" : "roll",
+          several ? "with several balls lasting contacts are carried by the TC rule"
+                  : "a ball may come to stay, and roll or slide"},
+         contact.lasting);
+  return model;
+}
+
+Contact read_contact(const Node* table, const Case& c, Findings& findings) {
+  Contact contact;
+  Section in(table, "contact", findings);
+  const ContactModel* model = describe(in, contact, c);
+  const Node* pairs = in.find("pairs");
+  in.close();
+  contact.pairs = read_pairs(pairs, contact, model, findings);
+  return contact;
+}
+
+}  // namespace mahlwerk::cases

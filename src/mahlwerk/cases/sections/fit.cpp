@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [fit]: keys of the case, each with the range it may be chosen from.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+class RangeReader {
+ public:
+  explicit RangeReader(Findings& findings) : findings_(findings) {}
+
+  DottedLists read(const Node* table) {
+    if (table != nullptr && table->kind == Node::Kind::table) read_table(*table, "");
+    return std::move(lists_);
+  }
+
+ private:
+  void read_table(const Node& table, const std::string& prefix) {
+    for (const auto& [key, node] : table.members) {
+      if (node.kind == Node::Kind::table)
+        read_table(node, prefix + key + ".");
+      else
+        read_values(prefix + key, node);
+    }
+  }
+  void read_values(const std::string& key, const Node& node) {
+    std::vector<std::string> values;
+    bool sound = node.kind == Node::Kind::list && node.items.size() == 2;
+    for (const Node& item : node.items) {
+      sound = sound && (item.kind == Node::Kind::text || item.kind == Node::Kind::number ||
+                        item.kind == Node::Kind::boolean);
+      values.push_back(item.text);
+    }
+    if (!sound)
+      findings_.faults.push_back(
+          {node.where, fmt::format("\"{}\" must be two values, the least and the most", key),
+           fmt::format("write \"{}\" = [\"...\", \"...\"], texts or numbers", key), "wrong-type"});
+    else
+      lists_.values.emplace(key, std::move(values));
+    lists_.places.emplace(key, node.where);
+  }
+
+  Findings& findings_;
+  DottedLists lists_;
+};
+
+/// Whether both ends can be read, rise, and lie where the number may lie.
+void check_range(const Adjustable& number, const FitRange& range, const std::string& place,
+                 Findings& findings) {
+  std::array<double, 2> ends{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    try {
+      ends[i] = parse_in(range[i], number.unit);
+    } catch (const UnitError& error) {
+      findings.faults.push_back({place, fmt::format("{} of [fit]: {}", number.key, error.what()),
+                                 fmt::format("write for instance \"{}\"", example_of(number.unit)),
+                                 "bad-quantity"});
+      return;
+    }
+    if (!number.range.holds(ends[i]))
+      findings.faults.push_back(
+          {place, fmt::format("{} of [fit]: \"{}\" is out of range", number.key, range[i]),
+           fmt::format("{}: {}", number.about, in_words(number.range, number.unit)),
+           "out-of-range"});
+  }
+  if (!(ends[0] < ends[1]))
+    findings.faults.push_back(
+        {place,
+         fmt::format("{} of [fit]: \"{}\" is not below \"{}\"", number.key, range[0], range[1]),
+         "write the least first, then the most", "out-of-range"});
+}
+
+}  // namespace
+
+DottedLists read_fit(const Node* table, Findings& findings) {
+  return RangeReader(findings).read(table);
+}
+
+void check_fit(const Case& c, const std::map<std::string, std::string>& places,
+               Findings& findings) {
+  const std::vector<Adjustable> all = adjustables(c);
+  const bool sound = findings.faults.empty();  // else a model may not be known
+  for (const auto& [key, range] : c.fit) {
+    const std::string& place = places.at(key);
+    const auto number = std::ranges::find(all, key, &Adjustable::key);
+    if (number == all.end()) {
+      if (!sound) continue;
+      std::vector<std::string> known;
+      for (const Adjustable& one : all) known.push_back(one.key);
+      const std::string near = nearest_word(key, known);
+      findings.faults.push_back(
+          {place, fmt::format("[fit] cannot choose {}", key),
+           !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
+           : known.empty() ? "it chooses numbers of [capture], [breakage], [fragments], [grinding] "
+                             "and [kinetics], of which the case has none"
+                           : fmt::format("it may choose {}", listed(known)),
+           "unknown-key"});
+      continue;
+    }
+    check_range(*number, range, place, findings);
+    if (findings.awaited.contains(key))
+      findings.faults.push_back(
+          {place, fmt::format("{} has no value yet: [fit] only says where to look for one", key),
+           "`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one",
+           "unfitted"});
+  }
+}
+
+void write(Writer& out, const std::map<std::string, FitRange>& fit) {
+  out.section("fit");
+  for (const auto& [key, ends] : fit) out.plain(in_quotes(key), list_text({ends[0], ends[1]}));
+}
+
+}  // namespace mahlwerk::cases

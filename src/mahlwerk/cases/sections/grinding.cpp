@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [capture], [breakage], [fragments] and [grinding]: what collisions catch and how it breaks.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// A number that only measurements on the powder can tell, or a default.
+void describe_constant(KeyVisitor& v, const Wanted& wanted, double& value, const Case& c) {
+  Section* in = v.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
+  value = unread;
+  const std::string powder =
+      c.powder && !c.powder->material.empty() ? c.powder->material : "this powder";
+  in->missing(wanted.key, wanted.about,
+              fmt::format("nothing published is at hand for {}: give it, for instance {} = \"{}\", "
+                          "or let `mahlwerk fit` find it from measured sizes",
+                          powder, wanted.key, example_of(wanted.unit)));
+}
+
+/// A bed breaks as its grains do, where the breakage model knows how.
+template <class M>
+Wanted wanted(const Field<M>& field, bool remembering) {
+  const Wanted usual(field);
+  return std::is_same_v<M, powder::Barrios> && remembering
+             ? usual.with_default(0, "that of [breakage], size by size")
+             : usual;
+}
+
+/// The model and its numbers; false after an unknown word. `remembering`: the breakage model knows
+/// how strong grains are.
+template <class... Models>
+bool describe_model(KeyVisitor& v, std::variant<Models...>& any, const Case& c, bool remembering) {
+  if (!v.model("model", any)) {
+    v.ignore_unknown_keys();
+    return false;
+  }
+  const auto numbers = [&](auto& model) {
+    for (const auto& field : model.fields())
+      describe_constant(v, wanted(field, remembering), model.*field.value, c);
+  };
+  std::visit(numbers, any);
+  return true;
+}
+
+/// The powder's material, if the catalogue has it.
+std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalogue) {
+  const std::string name = c.powder ? c.powder->material : "";
+  if (!catalogue.has("materials", name)) return {};
+  try {
+    return catalogue.find("materials", name);
+  } catch (const InputError&) {
+    return {};  // [powder] has reported it
+  }
+}
+
+void describe_method(KeyVisitor& v, Grinding& g) {
+  using Method = Grinding::Method;
+  v.word(
+      {"method", {"balance", "statistical", "both"}, "balance", "what is expected, without chance"},
+      g.method);
+  if (g.method == Method::balance)
+    v.refuse({"sample"}, "under method = \"balance\"",
+             "remove it, or write method = \"statistical\" or \"both\"");
+  else
+    v.whole({"sample", least_sample, most_sample, "grains of the statistical method",
+             Grinding().sample, "shares are off by 0.5 % at most, by chance"},
+            g.sample);
+  v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
+}
+
+/// The finest size.
+void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
+  Section* in = v.reading();
+  const bool sized = c.powder && c.powder->size;
+  if (in != nullptr && !in->gives("smallest") && sized) {
+    g.smallest = c.powder->feed.largest() / octaves_below;
+    in->note_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
+  } else if (in != nullptr && !sized) {
+    g.smallest = unread;
+  } else {
+    v.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
+  }
+}
+
+/// How many classes there are above it.
+void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
+  v.whole({"classes_per_octave", size_step, most_per_octave, "classes of size, a multiple of three",
+           remembering ? size_step : 2 * size_step,
+           remembering ? "few, as each has many strengths" : "a size every 12 %"},
+          g.classes_per_octave);
+  Section* in = v.reading();
+  if (in != nullptr && g.classes_per_octave % size_step != 0)
+    in->fault(*in->find("classes_per_octave"),
+              fmt::format("classes_per_octave = {} is no multiple of {}", g.classes_per_octave,
+                          size_step),
+              "write 3, 6, 9 or 12: half the volume is then a class further down", "out-of-range");
+}
+
+void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
+  const bool read = v.reading() != nullptr;
+  v.fields(g, grinding_shares());
+  if (!read || v.gives("sticking"))
+    v.maybe({"sticking_size", "m", positive, "largest grain size that sticks"}, g.sticking_size);
+  else
+    v.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
+  if (!read || v.gives("welding"))
+    v.number(Wanted(welding_energy), g.welding_energy);
+  else
+    v.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
+}
+
+/// [breakage], [fragments] and [grinding] stand together or not at all.
+void lone_sections(const GrindingTables& t, Findings& findings) {
+  const auto fault = [&](const Node* at, std::string what, std::string remedy) {
+    findings.faults.push_back({at->where, std::move(what), std::move(remedy), "lone-section"});
+  };
+  const auto part = [&](const Node* table, std::string_view name, std::string_view what,
+                        const std::vector<std::string>& models) {
+    if (table != nullptr && t.grinding == nullptr)
+      fault(table, fmt::format("[{}] stands without [grinding], which alone uses it", name),
+            "add [grinding] with time = \"30 s\" or so, or remove it");
+    if (table == nullptr && t.grinding != nullptr)
+      fault(t.grinding, fmt::format("[grinding] needs [{}]: {}", name, what),
+            fmt::format("add [{}] with model = ..., one of {}", name, listed(models)));
+  };
+  part(t.breakage, "breakage", "which hits break a grain",
+       model_names(std::type_identity<powder::AnyBreakage>{}));
+  part(t.fragments, "fragments", "into what a grain breaks",
+       model_names(std::type_identity<powder::AnyFragments>{}));
+}
+
+bool remembers(const powder::AnyBreakage& breakage) {
+  return std::visit([](const auto& model) { return model.remembers; }, breakage);
+}
+
+}  // namespace
+
+void describe_milling_time(KeyVisitor& v, Wanted wanted, double& time, const Case& c,
+                           bool of_grinding) {
+  if (!of_grinding && c.grinding)
+    wanted = wanted.with_default(c.grinding->time, "that of [grinding]");
+  else if (c.heat)
+    wanted = wanted.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
+                                 "all milling of [heat]");
+  v.number(wanted, time);
+}
+
+void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) {
+  const auto energy = [&] {
+    v.word({"energy",
+            {"normal", "contact-point", "lost"},
+            "normal",
+            "what presses along the line of centres; sliding does not"},
+           capture.energy);
+    v.number(Wanted(energy_share), capture.energy_share);
+  };
+  if (v.reading() != nullptr) energy();
+  if (describe_model(v, capture.model, c, remembering) && v.reading() == nullptr) energy();
+}
+
+void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c) {
+  Section* in = v.reading();
+  if (in != nullptr)
+    if (const auto material = material_of(c, in->catalogue())) in->lend(*material);
+  describe_model(v, breakage, c, false);
+}
+
+void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c) {
+  describe_model(v, fragments, c, false);
+}
+
+void describe(KeyVisitor& v, Grinding& g, const Case& c) {
+  constexpr Range times{.least = 0, .most = 1e8, .without_least = true};  // three years
+  describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
+  describe_method(v, g);
+  describe_smallest(v, g, c);
+  describe_per_octave(v, g, remembers(g.breakage));
+  describe_sticking_and_welding(v, g);
+}
+
+void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
+  lone_sections(t, findings);
+  Grinding g;
+  const auto read = [&](const Node* table, const char* name, auto& what, auto... more) {
+    Section in(table, name, findings);
+    describe(in, what, c, more...);
+    in.close();
+  };
+  if (t.breakage != nullptr) {
+    g.breakage = powder::VogelPeukert{unread, unread};
+    read(t.breakage, "breakage", g.breakage);
+  }
+  if (t.fragments != nullptr) read(t.fragments, "fragments", g.fragments);
+  if (t.capture != nullptr) {
+    Capture capture{.model = powder::Barrios{unread}};
+    read(t.capture, "capture", capture, remembers(g.breakage));
+    c.capture = capture;
+  }
+  if (t.grinding == nullptr) return;
+  read(t.grinding, "grinding", g);
+  c.grinding = g;
+}
+
+}  // namespace mahlwerk::cases

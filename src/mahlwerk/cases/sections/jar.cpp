@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+template <class S>
+constexpr bool has_height = requires(S s) {
+  s.height;
+};
+template <class S>
+constexpr bool is_round = requires(S s) {
+  s.diameter;
+};
+template <class S>
+constexpr bool has_fillet = requires(S s) {
+  s.fillet;
+};
+
+/// Its sizes follow from a volume; others have parts in them.
+template <class S>
+constexpr bool is_plain = geometry::has_exact_touches<S>;
+
+constexpr Wanted inner_volume("volume", "m3", positive, "inner volume");
+
+/// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
+template <class S>
+double size_for(S shape, double volume) {
+  if constexpr (!is_round<S>) {
+    shape.height = 1;
+    return volume / shape.volume();
+  } else if constexpr (has_height<S>) {
+    shape.height = 0;
+    const double radius = 0.5 * shape.diameter;
+    const double height = (volume - shape.volume()) / (std::numbers::pi * radius * radius);
+    constexpr double rounding = 1e-12;  // a capsule without a cylinder is a capsule still
+    return std::abs(height) < rounding * shape.diameter ? 0 : height;
+  } else {
+    return std::cbrt(6 * volume / std::numbers::pi);
+  }
+}
+
+/// The volume at which the height is the least the shape can have.
+template <class S>
+double least_volume(S shape) {
+  if constexpr (has_fillet<S>) {
+    shape.height = 2 * shape.fillet;
+  } else {
+    shape.height = 0;
+  }
+  return shape.volume();
+}
+
+template <class S>
+void size_from_volume(Section& in, S& shape, std::string_view follows, double S::*size) {
+  const Node& at = *in.find("volume");
+  const double volume = in.quantity(at, inner_volume);
+  shape.*size = size_for(shape, volume);
+  if constexpr (has_height<S> && is_round<S>) {
+    const double least = least_volume(shape);
+    if (volume < least || (volume == least && !std::is_same_v<S, geometry::Capsule>)) {
+      in.fault(at,
+               fmt::format("volume = \"{}\" is too small for a diameter of {}: the {} holds more "
+                           "than {} without any height",
+                           at.text, show(shape.diameter, "m"), S::name, show_rounded(least, "m3")),
+               "give a larger volume or a smaller diameter", "volume-too-small");
+      shape.*size = unread;
+    }
+  }
+  if (!std::isnan(shape.*size))
+    in.note(follows, show(shape.*size, "m"), &at,
+            fmt::format("follows from volume = \"{}\"", at.text));
+}
+
+template <class S>
+void read_shape(Section& in, S& shape) {
+  constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
+  const bool by_volume = is_plain<S> && in.one_of({follows, "volume"}) == "volume";
+  double S::*size = nullptr;
+  for (const auto& field : S::fields()) {
+    if (field.key == follows && by_volume) {
+      size = field.value;
+      continue;
+    }
+    Wanted wanted(field);
+    if (field.key == follows && is_plain<S>) wanted.instead = "volume";
+    shape.*field.value = in.value(wanted);
+  }
+  if constexpr (is_plain<S>) {
+    if (size != nullptr) size_from_volume(in, shape, follows, size);
+  } else {
+    shape.complete();
+  }
+}
+
+void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
+  Section* in = v.reading();
+  const auto numbers = [&]<class S>(S& shape) {
+    if (in == nullptr) {
+      v.fields(shape, S::fields());
+      if (is_plain<S>) v.alternative(inner_volume);
+    }
+    if constexpr (!std::is_same_v<S, geometry::Mesh>)  // has a reader of its own
+      if (in != nullptr) read_shape(*in, shape);
+  };
+  std::visit(numbers, any);
+}
+
+}  // namespace
+
+Jar unread_jar() {
+  geometry::Sphere nothing;
+  nothing.diameter = unread;
+  return {.model = "", .material = "", .shape = nothing};
+}
+
+void describe(KeyVisitor& v, Jar& jar) {
+  Model model;
+  const bool known = describe_kind(v, "jars", jar.shape, jar.model, model);
+  if (v.reading() != nullptr) v.text("material", jar.material);
+  if (!known) {
+    jar.shape = unread_jar().shape;
+    return v.ignore_unknown_keys();
+  }
+  if (std::holds_alternative<geometry::Mesh>(jar.shape)) describe_mesh(v, jar);
+  describe_shape(v, jar.shape);
+  if (v.reading() == nullptr) v.text("material", jar.material);
+  describe_wall(v, jar);
+}
+
+}  // namespace mahlwerk::cases

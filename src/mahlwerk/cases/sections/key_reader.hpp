@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/cases/file/section.hpp"
+#include "mahlwerk/cases/sweep.hpp"
+
+namespace mahlwerk::cases {
+
+/// Reads dotted keys of one section, each with the values it takes.
+class KeyReader {
+ public:
+  using Places = std::map<std::string, std::string>;
+
+  KeyReader(std::string section, Places& places, Findings& findings)
+      : section_(std::move(section)), places_(places), findings_(findings) {}
+
+  /// Keys of `table` but the names in `own`, which are the section's.
+  void read(const Node& table, const std::set<std::string_view>& own = {});
+
+  std::vector<SweptKey> keys() { return std::move(keys_); }
+  std::map<std::string, std::string> derived() { return std::move(derived_); }
+
+ private:
+  void fault(const Node& at, std::string what, std::string remedy, const char* code);
+  void read_key(const std::string& key, const Node& node);
+  void read_range(const std::string& key, const Node& node);
+  void read_list(const std::string& key, const Node& node);
+
+  std::string section_;
+  Places& places_;
+  Findings& findings_;
+  std::vector<SweptKey> keys_;
+  std::map<std::string, std::string> derived_;
+};
+
+/// The values of a key, and words in quotes, as a case writes them.
+std::string values_text(const SweptKey& key);
+std::string list_text(const std::vector<std::string>& words);
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [kinetics]: what a dose of energy does.
+#include <fmt/format.h>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+void describe_conversion(KeyVisitor& v, const Wanted& wanted, double& value) {
+  Section* in = v.reading();
+  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
+  in->missing(wanted.key, wanted.about,
+              fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
+                          "what was measured",
+                          wanted.key, example_of(wanted.unit)));
+}
+
+/// A property goes from a first value to a last one.
+void describe_property(KeyVisitor& v, Kinetics& k) {
+  v.text("property", k.property);
+  if (k.property.empty() && !v.visits_all())
+    return v.refuse({"initial", "final"}, "without `property`",
+                    "remove it, or write property = \"amorphous content\" or so");
+  v.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);
+  v.number({"final", "", any_number, "the property of what is all converted"}, k.final);
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
+  std::size_t avrami = k.conversion.exponent != 1 ? 1 : 0;
+  v.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
+  for (const auto& field : kinetics_fields())
+    if (avrami || field.value != &powder::Conversion::exponent)
+      describe_conversion(v, Wanted(field), k.conversion.*field.value);
+  if (!avrami)
+    v.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
+  v.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},
+         k.dose);
+  describe_milling_time(v, {"time", "s", positive, "how long the mill mills"}, k.time, c, false);
+  describe_property(v, k);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The contact model of the soft engine: what [contact] says about it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+void without_meaning(Section& in, std::string_view key, std::string_view kind,
+                     std::string_view chosen) {
+  in.refuse({key}, fmt::format("under {} = \"{}\"", kind, chosen),
+            fmt::format("remove it, or choose another {}", kind));
+}
+
+template <class L>
+void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
+  const std::string first(one.words[0]), second(one.words[1]);
+  v.word({one.key, {first, second}, first, one.source}, law.*one.second);
+}
+
+/// A number of the law, or the one that takes its place.
+template <class L>
+void read_number(Section& in, L& law, const contact::LawField<L>& field) {
+  for (const auto& other : L::fields())
+    if (other.instead_of == field.key && in.one_of({field.key, other.key}) == other.key) {
+      law.*other.value = in.value(Wanted(other));
+      return;
+    }
+  if (field.unless_given.empty() || in.gives(field.key))
+    law.*field.value = in.value(Wanted(field));
+  else
+    in.note_default(field.key, std::string(field.unless_given), field.source);
+}
+
+/// A key of the chosen law, or of another, which is a fault.
+template <class L>
+void read_key(Section& in, L& law, std::string_view key) {
+  for (const auto& one : contact::switches_of<L>())
+    if (one.key == key) return describe_switch(in, law, one);
+  for (const auto& field : L::fields())
+    if (field.key == key) {
+      if (field.instead_of.empty()) read_number(in, law, field);
+      return;
+    }
+  without_meaning(in, key, "law", L::name);
+}
+
+/// The law's own keys, its switches apart; `model` is null where it is not known.
+void describe_law(KeyVisitor& v, ContactModel* model) {
+  Section* in = v.reading();
+  const auto numbers = [&]<class L>(L& law) {
+    std::optional<double> left_out;
+    for (const auto& f : L::fields())
+      if (contact::is_given(law, f))
+        v.number(Wanted(f), law.*f.value);
+      else
+        v.maybe(Wanted(f), left_out);
+  };
+  if (in == nullptr) return std::visit(numbers, model->law);
+  for (const std::string_view key : law_keys()) {
+    if (model != nullptr)
+      std::visit([&](auto& law) { read_key(*in, law, key); }, model->law);
+    else
+      in->find(key);
+  }
+}
+
+void describe_switches(KeyVisitor& v, ContactModel& model) {
+  const auto each = [&]<class L>(L& law) {
+    for (const auto& one : contact::switches_of<L>()) describe_switch(v, law, one);
+  };
+  if (v.reading() == nullptr) std::visit(each, model.law);  // read with the law's numbers
+}
+
+}  // namespace
+
+bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.visits_all() || has_meaning(key, *model);
+  in->find(key);                       // it is known, whatever is chosen
+  if (model == nullptr) return false;  // the law itself is at fault
+  if (has_meaning(key, *model)) return true;
+  if (key.starts_with("rolling"))
+    without_meaning(*in, key, "rolling", contact::rule_of(model->rolling).name);
+  else
+    without_meaning(*in, key, "law", contact::name_of(model->law));
+  return false;
+}
+
+bool describe(KeyVisitor& v, ContactModel& model) {
+  const bool law = v.model("law", model.law, contact_laws().front(),
+                           "elastic spheres that stick and slip, the usual law of mills");
+  const bool rolling = v.word(
+      {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B"},
+      model.rolling);
+  ContactModel* known = law && rolling ? &model : nullptr;
+  describe_switches(v, model);
+  if (has_use(v, rolling_damping.key, known))
+    v.number(Wanted(rolling_damping), model.rolling_damping);
+  describe_law(v, known);
+  v.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
+  v.flag({"rescaled_unloading", false, "the tangential spring stays as it is while unloading"},
+         model.rescaled_unloading);
+  return known != nullptr;
+}
+
+}  // namespace mahlwerk::cases

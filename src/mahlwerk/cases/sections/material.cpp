@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a section takes from the material it names.
+#include <fmt/format.h>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Of a ball or a jar, for the soft engine.
+constexpr auto elastic_fields() {
+  using E = contact::Elastic;
+  return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
+                             "Young's modulus of the material", steel.youngs_modulus,
+                             "steel, handbook; uncalibrated"},
+                    Field<E>{"poisson_ratio", "", &E::poisson_ratio, poisson_ratios,
+                             "Poisson's ratio of the material", steel.poisson_ratio,
+                             "steel, handbook; uncalibrated"}};
+}
+
+/// Of a ball or a jar, for wear and heat.
+constexpr auto substance_fields() {
+  using S = Substance;
+  constexpr std::string_view source = "hardened steel (1.4034), handbook; uncalibrated";
+  return std::array{Field<S>{"hardness", "", &S::hardness, positive, "Vickers hardness number",
+                             hardened_steel.hardness, source},
+                    Field<S>{"conductivity", "W/m/K", &S::conductivity, positive,
+                             "thermal conductivity", hardened_steel.conductivity, source},
+                    Field<S>{"heat_capacity", "J/kg/K", &S::heat_capacity, positive,
+                             "specific heat capacity", hardened_steel.heat_capacity, source}};
+}
+
+/// Of a jar's wall.
+constexpr Field<Jar> wall_density{"density",
+                                  "kg/m3",
+                                  &Jar::density,
+                                  positive,
+                                  "density of the jar's wall",
+                                  hardened_steel_density,
+                                  "hardened steel (1.4034), handbook; uncalibrated"};
+constexpr Field<Jar> wall_thickness{"wall",
+                                    "m",
+                                    &Jar::wall,
+                                    positive,
+                                    "thickness of the jar's wall",
+                                    usual_wall,
+                                    "a small steel jar's; uncalibrated, 3-15 mm"};
+
+/// Whether the material's name counts, not what is said under `key` itself.
+bool by_material(Section& in, std::string_view key) {
+  const Node *own = in.find(key), *name = in.find("material");
+  return name != nullptr && !name->text.empty() && (own == nullptr || name->rank > own->rank);
+}
+
+/// What the catalogue says under `key`, noted; nothing if it is silent.
+std::optional<double> of_entry(Section& in, const Wanted& wanted, const CatalogueEntry& entry) {
+  const auto found = entry.values.find(std::string(wanted.key));
+  if (found == entry.values.end()) return std::nullopt;
+  Node node = loose_value(found->second.text, entry.file, Rank::catalogue);
+  node.source = fmt::format("catalogue materials/{}: {}", entry.name, found->second.source);
+  node.unverified = found->second.unverified;
+  const double value = in.quantity(node, wanted);
+  in.note(wanted.key, show(value, wanted.unit), &node);
+  return value;
+}
+
+/// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
+std::optional<CatalogueEntry> known_material(Section& in, const std::string& material) {
+  if (!in.catalogue().has("materials", material)) return std::nullopt;
+  return look_up(in, "materials", *in.find("material"));
+}
+
+/// From where it is said, from the material, or the default.
+double of_material(Section& in, const Wanted& wanted, const std::string& material,
+                   const std::optional<CatalogueEntry>& entry) {
+  if (!by_material(in, wanted.key)) return in.value(wanted);
+  if (const auto found = entry ? of_entry(in, wanted, *entry) : std::nullopt) return *found;
+  in.note_default(wanted.key, show(*wanted.standard, wanted.unit),
+                  fmt::format("{}; the catalogue gives none for {}", wanted.source, material));
+  return *wanted.standard;
+}
+
+template <class Owner, class Fields>
+void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
+                     const std::string& material) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.fields(owner, fields);
+  const auto entry = known_material(*in, material);
+  for (const auto& field : fields)
+    owner.*field.value = of_material(*in, Wanted(field), material, entry);
+}
+
+}  // namespace
+
+std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material) {
+  const Node* name = in.find("material");
+  if (name != nullptr) material = in.text("material").value_or("");
+  if (material.empty() || !by_material(in, wanted.key)) return in.maybe(wanted);
+  const auto entry = look_up(in, "materials", *name);
+  return entry ? of_entry(in, wanted, *entry) : unread;
+}
+
+void describe(KeyVisitor& v, contact::Elastic& elastic, const std::string& material) {
+  describe_fields(v, elastic, elastic_fields(), material);
+}
+
+void describe(KeyVisitor& v, Substance& substance, const std::string& material) {
+  describe_fields(v, substance, substance_fields(), material);
+}
+
+void describe_wall(KeyVisitor& v, Jar& jar) {
+  describe(v, jar.elastic, jar.material);
+  describe(v, jar.substance, jar.material);
+  describe_fields(v, jar, std::array{wall_density}, jar.material);
+  v.number(Wanted(wall_thickness), jar.wall);
+}
+
+}  // namespace mahlwerk::cases

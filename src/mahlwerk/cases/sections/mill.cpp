@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using kinematics::Planetary;
+using kinematics::Tabulated;
+using kinematics::Tumbling;
+
+/// "1:-2" as a number, jar over disc; other texts as they are.
+double ratio_of(Section& in, const Node& at, const Wanted& wanted) {
+  const auto colon = at.text.find(':');
+  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, wanted);
+  try {
+    const double disc = parse_in(at.text.substr(0, colon), "");
+    const double ratio = parse_in(at.text.substr(colon + 1), "") / disc;
+    if (disc != 0 && std::isfinite(ratio)) return ratio;
+    in.fault(at, fmt::format("ratio = \"{}\" divides by zero", at.text),
+             "write disc to jar: \"1:-2\"", "bad-quantity");
+  } catch (const UnitError& error) {
+    in.fault(at, fmt::format("ratio = \"{}\": {}", at.text, error.what()),
+             "write disc to jar, \"1:-2\", or the number -2", "bad-quantity");
+  }
+  return unread;
+}
+
+Choice ratio_convention() {
+  return {"ratio_convention",
+          {"relative", "absolute"},
+          "relative",
+          "the makers' convention, jar relative to disc"};
+}
+
+double read_ratio(Section& in, const Wanted& wanted) {
+  const Node* at = in.find(wanted.key);
+  const bool said = in.gives("ratio_convention");
+  const std::string convention = in.choice(ratio_convention());
+  if (at == nullptr) return in.value(wanted);
+  if (said && at->rank == Rank::catalogue) {
+    in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
+             "give `ratio` too, or remove it", "missing-value");
+    return unread;
+  }
+  const double given = ratio_of(in, *at, wanted);
+  if (std::isnan(given)) return unread;
+  const double ratio = convention == "absolute" ? given - 1 : given;  // (kin.12)
+  in.note(wanted.key, show(ratio, ""), at,
+          convention == "absolute"
+              ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
+              : "");
+  // Stored relative, whatever was said.
+  for (Origin& o : in.findings().origins)
+    if (o.key == "mill.ratio_convention") o.value = "\"relative\"";
+  return ratio;
+}
+
+/// A drum's speed, which may be given as a share of the critical one.
+double read_drum_speed(Section& in, const Wanted& wanted, const Case& c) {
+  const Node* at = in.find(wanted.key);
+  if (at == nullptr || at->kind != Node::Kind::text || at->text.find('%') == std::string::npos)
+    return in.value(wanted);
+  const double share = in.quantity(*at, {wanted.key, "", any_number, wanted.about});
+  const double critical = critical_speed(c.jar, c.balls, c.gravity);
+  const double speed = share * critical;
+  if (std::isnan(share)) return unread;
+  if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, which is reported as such
+  in.note(
+      wanted.key, show(speed, wanted.unit), at,
+      fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, wanted.unit)));
+  return speed;
+}
+
+/// What the maker of a catalogue's mill offers.
+void check_offer(Section& in, const Wanted& wanted, double value, const CatalogueEntry& entry) {
+  const Node* at = in.find(wanted.key);
+  if (at == nullptr || at->rank == Rank::catalogue) return;
+  const auto offered = [&](std::string_view end) -> std::optional<double> {
+    const auto found = entry.values.find(fmt::format("{}_{}", wanted.key, end));
+    if (found == entry.values.end()) return std::nullopt;
+    return parse_in(found->second.text, wanted.unit);
+  };
+  try {
+    const auto least = offered("least"), most = offered("most");
+    const bool low = least && value < *least, high = most && value > *most;
+    if (!low && !high) return;
+    const auto text = [&](std::string_view end) {
+      const auto found = entry.values.find(fmt::format("{}_{}", wanted.key, end));
+      return found == entry.values.end() ? std::string("any") : found->second.text;
+    };
+    in.fault(*at,
+             fmt::format("{} = \"{}\" is outside what {} offers: {} to {}", wanted.key, at->text,
+                         entry.title, text("least"), text("most")),
+             "stay within it, or give `kind` and the mill's own numbers instead of `model`",
+             "outside-mill-range");
+  } catch (const UnitError&) {
+    return;  // a "1:-2" among ranges, which the catalogue's own tests look after
+  }
+}
+
+/// A number as it is read, with what is special to a mill.
+template <class M>
+double read_motion_number(Section& in, const Wanted& wanted, const Case& c) {
+  if (std::is_same_v<M, Planetary> && wanted.key == "ratio") return read_ratio(in, wanted);
+  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, wanted, c);
+  return in.value(wanted);
+}
+
+template <class M>
+void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model) {
+  Section* in = v.reading();
+  if (in == nullptr) {
+    v.fields(motion, M::fields());
+    std::size_t relative = 0;
+    if (std::is_same_v<M, Planetary>) v.choose(ratio_convention(), relative);
+    return;
+  }
+  for (const auto& field : M::fields()) {
+    const Wanted wanted(field);
+    const double value = read_motion_number<M>(*in, wanted, c);
+    if (model.entry) check_offer(*in, wanted, value, *model.entry);
+    motion.*field.value = value;
+  }
+}
+
+void describe_measured(KeyVisitor& v, Mill& mill) {
+  Section* in = v.reading();
+  if (in == nullptr) return v.text("file", mill.motion_file);
+  const auto file = in->text("file");
+  if (!file) {
+    if (!in->gives("file"))
+      in->missing("file", "the measured motion", "write for instance file = \"motion.csv\"");
+    return;
+  }
+  mill.motion_file = *file;
+  const auto path = std::filesystem::path(in->findings().folder) / *file;
+  mill.motion =
+      read_motion_file(path.generic_string(), mill.jar_axis, *in->find("file"), in->findings());
+}
+
+void describe_axis(KeyVisitor& v, Mill& mill) {
+  const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, mill.motion);
+  const std::array axes{kinematics::upright, kinematics::lying};
+  auto place = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
+  const bool sound = v.choose({"jar_axis",
+                               {"vertical", "horizontal"},
+                               standard == kinematics::upright ? "vertical" : "horizontal",
+                               "as such mills are built"},
+                              place);
+  if (place < axes.size()) mill.jar_axis = sound ? axes[place] : standard;
+}
+
+/// Of a catalogue's mill that of the machine, which is a number among others there.
+void describe_jars(KeyVisitor& v, std::int64_t& carried) {
+  const Wanted wanted("jars_carried", "", {.least = 1, .most = most_jars},
+                      "how many jars, all alike, the mill carries");
+  Section* in = v.reading();
+  if (in == nullptr) {
+    if (carried != 1 || v.visits_all()) v.whole({wanted.key, 1, most_jars, wanted.about}, carried);
+    return;
+  }
+  const double jars = in->maybe(wanted).value_or(1);
+  if (const Node* at = in->find(wanted.key); at != nullptr && jars != std::round(jars))
+    in->fault(*at, "`jars_carried` must be a whole number", "write for instance jars_carried = 2",
+              "out-of-range");
+  carried = std::isnan(jars) ? 1 : std::llround(jars);
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, Mill& mill, const Case& c) {
+  Model model;
+  if (!describe_kind(v, "mills", mill.motion, mill.model, model)) return v.ignore_unknown_keys();
+  if (v.reading() != nullptr) describe_axis(v, mill);
+  if (v.visits_all() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(v, mill);
+  if (!std::holds_alternative<Tabulated>(mill.motion))
+    std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, mill.motion);
+  if (v.reading() == nullptr) describe_axis(v, mill);
+  describe_jars(v, mill.jars_carried);
+}
+
+}  // namespace mahlwerk::cases

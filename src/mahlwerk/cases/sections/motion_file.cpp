@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "mahlwerk/base/text.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr std::string_view header = "time_s,x_m,y_m,z_m";
+constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
+constexpr std::size_t most_faults = 10;  // one wrong column would name every row
+
+/// The numbers of a row; nothing if one is none.
+std::optional<std::vector<double>> numbers(std::string_view row) {
+  std::vector<double> out;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = std::min(row.find(',', from), row.size());
+    const std::string_view cell = trimmed(row.substr(from, to - from));
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
+      return std::nullopt;
+    out.push_back(value);
+    if (to == row.size()) return out;
+    from = to + 1;
+  }
+}
+
+class MotionFile {
+ public:
+  MotionFile(const std::string& file, Findings& findings) : file_(file), findings_(findings) {}
+
+  std::vector<kinematics::Sample> read(std::istream& stream) {
+    std::vector<kinematics::Sample> samples;
+    for (std::string line; std::getline(stream, line) && faults_ < most_faults;) {
+      ++line_;
+      const std::string_view row = trimmed(line);
+      if (row.empty() || row.front() == '#') continue;
+      if (columns_ == 0) {
+        if (!read_header(row)) return {};
+      } else if (const auto cells = numbers(row); cells && cells->size() == columns_) {
+        const auto& c = *cells;
+        samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
+        if (samples.size() > 1 && !(c[0] > samples[samples.size() - 2].time))
+          fault("the time does not rise", "sort the rows by time, each once");
+      } else {
+        fault(fmt::format("\"{}\" is not a row of {} numbers", row.substr(0, 60), columns_),
+              "give a finite number in every column");
+      }
+    }
+    return samples;
+  }
+  bool sound() const { return faults_ == 0; }
+
+ private:
+  bool read_header(std::string_view row) {
+    columns_ = row == header ? 4 : row == header_with_angle ? 5 : 0;
+    if (columns_ == 0)
+      fault("the first line does not name the columns",
+            fmt::format("write {} or {}", header, header_with_angle));
+    return columns_ != 0;
+  }
+  void fault(std::string what, std::string remedy) {
+    ++faults_;
+    findings_.faults.push_back({fmt::format("{}:{}", file_, line_), std::move(what),
+                                std::move(remedy), "bad-motion-file"});
+  }
+
+  const std::string& file_;
+  Findings& findings_;
+  std::size_t columns_ = 0, line_ = 0, faults_ = 0;
+};
+
+}  // namespace
+
+kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
+                                       Findings& findings) {
+  std::ifstream stream(file);
+  if (!stream) {
+    findings.faults.push_back({at.where, fmt::format("the motion file {} cannot be read", file),
+                               "name it relative to the case file", "no-such-file"});
+    return {};
+  }
+  MotionFile rows(file, findings);
+  std::vector<kinematics::Sample> samples = rows.read(stream);
+  if (!rows.sound()) return {};
+  try {
+    return kinematics::Tabulated(std::move(samples), axis);
+  } catch (const std::invalid_argument& error) {
+    findings.faults.push_back(
+        {file, error.what(),
+         "see docs/errors.md, \"bad-motion-file\", for the rules of measured motions",
+         "bad-motion-file"});
+    return {};
+  }
+}
+
+}  // namespace mahlwerk::cases

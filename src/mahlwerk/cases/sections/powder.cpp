@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [powder]: how much of what there is, and whether it takes part as grains.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr Wanted mass_of_powder("mass", "kg", positive, "mass of the powder");
+constexpr Wanted ball_to_powder("ball_to_powder", "", positive,
+                                "mass of the balls over mass of the powder");
+constexpr Wanted filling_of_powder("filling", "", {.least = 0, .most = 1, .without_least = true},
+                                   "solid volume of the powder over volume of the jar");
+constexpr Wanted density_of_solid("density", "kg/m3", positive, "density of the solid");
+constexpr Wanted size_of_grains("grain_size", "m", positive,
+                                "diameter of the spheres that stand for the powder");
+
+/// "70:1" or 70, balls to powder by mass.
+double read_ball_to_powder(Section& in, const Node& at) {
+  const auto colon = at.text.find(':');
+  if (at.kind != Node::Kind::text || colon == std::string::npos)
+    return in.quantity(at, ball_to_powder);
+  try {
+    const double ratio =
+        parse_in(at.text.substr(0, colon), "") / parse_in(at.text.substr(colon + 1), "");
+    if (std::isfinite(ratio) && ratio > 0) return ratio;
+    in.fault(at, fmt::format("ball_to_powder = \"{}\" is not a ratio above 0", at.text),
+             "write balls to powder by mass: \"30:1\"", "out-of-range");
+  } catch (const UnitError& error) {
+    in.fault(at, fmt::format("ball_to_powder = \"{}\": {}", at.text, error.what()),
+             "write balls to powder by mass, \"30:1\", or the number 30", "bad-quantity");
+  }
+  return unread;
+}
+
+void no_density(Section& in, const Powder& powder, std::string_view why) {
+  in.missing("density", fmt::format("density of the solid, which {} needs", why),
+             powder.material.empty()
+                 ? "write density = \"4930 kg/m3\", or material with a name `mahlwerk list "
+                   "materials` shows"
+                 : fmt::format("the catalogue gives none for {}: write density = \"4930 kg/m3\"",
+                               powder.material));
+}
+
+/// By mass, by the balls' mass over it, or by its solid share of the jar's volume.
+double read_powder_mass(Section& in, const Powder& powder, const std::vector<BallSet>& balls,
+                        const Jar& jar) {
+  const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling"});
+  Wanted wanted = mass_of_powder;
+  wanted.instead = "ball_to_powder";
+  if (key.empty() || key == "mass") return in.value(wanted);
+  const Node& at = *in.find(key);
+  double mass = unread;
+  if (key == "ball_to_powder") {
+    mass = balls_mass(balls) / read_ball_to_powder(in, at);
+  } else {
+    const double filling = in.quantity(at, filling_of_powder);
+    if (!powder.density) no_density(in, powder, "filling");
+    mass = filling * jar_volume(jar) * powder.density.value_or(unread);
+  }
+  if (!std::isnan(mass))
+    in.note("mass", show(mass, "kg"), &at, fmt::format("{} = \"{}\"", key, at.text));
+  return mass;
+}
+
+/// How large the spheres are; of the powder's own size unless said otherwise.
+double read_grain_size(Section& in, const Powder& powder) {
+  if (in.gives("grain_size")) return in.value(size_of_grains);
+  if (powder.size && powder.feed.law == powder::Feed::Law::equal) {
+    in.note_default("grain_size", show(*powder.size, "m"), "each grain for itself");
+    return *powder.size;
+  }
+  in.missing("grain_size", size_of_grains.about,
+             "write for instance grain_size = \"1 mm\", or give `size`");
+  return unread;
+}
+
+/// How the sizes spread as fed; of one size, unread, after a fault.
+void describe_feed(KeyVisitor& v, Powder& powder) {
+  using Law = powder::Feed::Law;
+  Section* in = v.reading();
+  const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
+  powder::Feed& feed = powder.feed;
+  if (in == nullptr ? feed.law != Law::equal || v.visits_all() : v.gives("distribution"))
+    v.word({"distribution", words, ""}, feed.law);
+  const auto refuse = [&](std::initializer_list<std::string_view> keys) {
+    v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),
+             "remove it, or choose another distribution");
+  };
+  if (feed.law == Law::sieves) {
+    refuse({"size", "spread"});
+    describe_sieves(v, feed.passing, most_powder_sieves);
+    if (in != nullptr && feed.passing.empty()) {
+      feed = {.size = unread};
+      powder.size = unread;
+      return;
+    }
+  } else {
+    refuse({"passing", "retained"});
+  }
+  if (feed.law == Law::equal) {
+    refuse({"spread"});
+    v.maybe({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
+    if (in != nullptr) feed.size = powder.size.value_or(0);
+  }
+  if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
+    const bool normal = feed.law == Law::lognormal;
+    v.number({"size", "m", positive,
+              normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"},
+             feed.size);
+    v.number({"spread", "", feed_spreads(feed.law),
+              normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"},
+             feed.spread);
+  }
+  if (in != nullptr && feed.law != Law::equal) powder.size = feed.quantile(0.5);
+}
+
+/// How many grains there are; 0 after a fault.
+std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
+  const double exact = powder.mass / grain, count = std::max(1.0, std::round(exact));
+  if (std::isnan(exact)) return 0;  // reported where it comes from
+  constexpr double fair = 0.05;     // of the mass, that whole grains may be off by
+  if (std::abs(count - exact) > fair * exact) {
+    in.fault(
+        *in.find("as"),
+        fmt::format("the powder ({}) is {:.2g} grains of {}: whole grains would not have its "
+                    "mass",
+                    show_rounded(powder.mass, "kg"), exact, show_rounded(*powder.grain_size, "m")),
+        "give a smaller grain_size, or more powder", "too-few-grains");
+    return 0;
+  }
+  if (count <= most_grains) {
+    in.note("count", fmt::format("{:.0f}", count), in.find("as"),
+            "mass of the powder over that of a grain");
+    return static_cast<std::int64_t>(count);
+  }
+  constexpr double advised = 1e5;
+  const Node* at = in.find("grain_size") != nullptr ? in.find("grain_size") : in.find("size");
+  in.fault(
+      *at,
+      fmt::format("grains of {} would be {:.3g}, more than {:.0e}",
+                  show_rounded(*powder.grain_size, "m"), count, most_grains),
+      fmt::format("write grain_size = \"{}\": some {:.0e} grains",
+                  show_rounded(*powder.grain_size * std::cbrt(count / advised), "m", 2), advised),
+      "too-many-grains");
+  return 0;
+}
+
+/// The ball set that stands for the powder.
+BallSet read_grains(Section& in, Powder& powder) {
+  powder.grain_size = read_grain_size(in, powder);
+  BallSet set{.count = 0,
+              .diameter = *powder.grain_size,
+              .density = powder.density.value_or(unread),
+              .material = powder.material,
+              .grains = true};
+  describe(in, set.elastic, powder.material);
+  describe(in, set.substance, powder.material);
+  if (!powder.density && in.find("filling") == nullptr) no_density(in, powder, "as = \"grains\"");
+  if (powder.size && *powder.grain_size < *powder.size)
+    in.fault(*in.find("grain_size"),
+             fmt::format("grain_size ({}) is smaller than the powder's own size ({})",
+                         show_rounded(*powder.grain_size, "m"), show_rounded(*powder.size, "m")),
+             "a grain stands for one particle or more: give a larger grain_size", "out-of-range");
+  set.count = grain_count(in, powder, set.mass());
+  return set;
+}
+
+/// Whether it takes part as grains, and which.
+void read_part(Section& in, Powder& powder, std::vector<BallSet>& balls) {
+  if (in.gives("as") && in.choice({"as", {"mass", "grains"}, ""}) == "grains")
+    balls.push_back(read_grains(in, powder));
+  else
+    in.refuse({"grain_size", "youngs_modulus", "poisson_ratio", "hardness", "conductivity",
+               "heat_capacity"},
+              "unless the powder takes part as grains", "remove it, or write as = \"grains\"");
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const Jar& jar) {
+  if (Section* in = v.reading()) {
+    powder.density = read_density(*in, density_of_solid, powder.material);
+    powder.mass = read_powder_mass(*in, powder, balls, jar);
+    describe_feed(v, powder);
+    return read_part(*in, powder, balls);
+  }
+  v.text("material", powder.material);
+  v.number(mass_of_powder, powder.mass);
+  v.alternative(ball_to_powder);
+  v.alternative(filling_of_powder);
+  describe_feed(v, powder);
+  v.maybe(density_of_solid, powder.density);
+  if (!powder.grain_size) return;
+  std::size_t grains = 1;
+  v.choose({"as", {"mass", "grains"}, ""}, grains);
+  v.maybe(size_of_grains, powder.grain_size);
+  describe(v, balls.back().elastic, powder.material);
+  describe(v, balls.back().substance, powder.material);
+}
+
+}  // namespace mahlwerk::cases

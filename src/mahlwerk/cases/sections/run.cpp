@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [run]: for how long, by which engine, and how it begins.
+#include <fmt/format.h>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Three years; what a mill does, it does in minutes.
+constexpr Range run_times{.least = 0, .most = 1e8, .without_least = true};
+constexpr Range settle_times{.least = 0, .most = 1e8};
+/// No mill throws its balls faster than sound travels in air three times over.
+constexpr Range start_speeds{.least = 0, .most = 1000};
+constexpr Range start_spins{.least = 0, .most = 1e6};
+
+constexpr Range until_range{.least = 0, .most = 1, .without_least = true};  // of "until 2 %"
+
+constexpr std::string_view until_word = "until";
+
+bool waits(const Node* time) {
+  return time != nullptr && time->kind == Node::Kind::text && time->text.starts_with(until_word);
+}
+
+/// time = "until 2 %", of what, and how long at most.
+void describe_until(KeyVisitor& v, Run& run) {
+  constexpr std::string_view about =
+      "the half-width of the confidence interval over the mean: \"until 2 %\"";
+  Until& until = *run.until;
+  Section* in = v.reading();
+  const Node* at = in ? in->find("time") : nullptr;
+  if (at != nullptr) {
+    Node share = *at;
+    share.text.erase(0, until_word.size());
+    share.text.erase(0, share.text.find_first_not_of(' '));
+    until.within = in->quantity(share, {"time", "", until_range, about});
+  }
+  v.custom({"time", about, until_range.holds(until.within)},
+           [&] { return in_quotes(fmt::format("{} {}", until_word, show(until.within, ""))); });
+  v.word_text({"until", until_words(), until_words().front(), "what the mill's user pays for"},
+              until.quantity);
+  if (at != nullptr) in->note("time", in_quotes(at->text), at);
+  v.number(
+      {"longest", "s", run_times, "the counted time at which a run ends that is not sure by then",
+       100.0, "a limit that few runs need"},
+      run.time);
+}
+
+/// time = "60 s" or "until 2 %", and how it begins.
+void describe_times(KeyVisitor& v, Run& run) {
+  Section* in = v.reading();
+  if (in != nullptr && waits(in->find("time"))) run.until.emplace();
+  if (!run.until)
+    v.number({"time", "s", run_times, "simulated time that counts"}, run.time);
+  else if (in == nullptr)
+    describe_until(v, run);  // it is read after the others
+  v.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
+            "statistics from the start"},
+           run.settle);
+  v.number({"start_speed", "m/s", start_speeds, "starting speeds are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_speed);
+  v.number({"start_spin", "rad/s", start_spins, "starting spins are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_spin);
+  if (run.until && in != nullptr) describe_until(v, run);
+}
+
+/// The soft engine's step: a time, or a share of the Rayleigh time.
+void describe_step(KeyVisitor& v, Run& run) {
+  const Wanted step("time_step", "s", positive, "time step of the soft engine"), share(step_share);
+  if (v.one_of({step.key, share.key}, run.time_step ? step.key : share.key) == step.key)
+    v.maybe(step, run.time_step);
+  else
+    v.number(share, run.time_step_fraction);
+}
+
+}  // namespace
+
+void describe(KeyVisitor& v, Run& run) {
+  v.word({"engine", engines(), "auto", "chosen by what the case needs"}, run.engine);
+  describe_times(v, run);
+  v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
+  describe_step(v, run);
+  v.flag({"hop", true, "the clock of the soft engine hops over free flight"}, run.hop);
+  v.whole(
+      {"replicates", 1, most_replicates, "runs that differ by chance alone", 5, "as in paper A"},
+      run.replicates);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a ball set says of the sizes of its balls.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using SizeLaw = Distribution::Law;
+
+/// The numbers of normal, lognormal or uniform. False after a fault.
+bool describe_spread(KeyVisitor& v, Distribution& d) {
+  if (d.law == SizeLaw::uniform) {
+    v.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
+    v.number({"largest", "m", positive, "diameter of the largest balls"}, d.largest);
+    if (Section* in = v.reading(); in != nullptr && d.largest <= d.smallest)
+      in->fault(*in->find("largest"),
+                fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
+                            show_rounded(d.smallest, "m")),
+                "exchange them, or write distribution = \"equal\"", "out-of-range");
+    return d.largest > d.smallest;
+  }
+  const bool normal = d.law == SizeLaw::normal;
+  v.number({"diameter", "m", positive,
+            normal ? "mean diameter, by number" : "median diameter, by number"},
+           d.diameter);
+  constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
+  constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
+  v.number({"spread", "", normal ? deviations : ratios,
+            normal ? "standard deviation over the mean diameter"
+                   : "geometric standard deviation, a pure number above 1"},
+           d.spread);
+  return !std::isnan(d.diameter) && !std::isnan(d.spread);
+}
+
+/// A few sizes stand for the distribution; how many is found out from the number of balls where
+/// nobody says it.
+void describe_classes(KeyVisitor& v, Distribution& d) {
+  if (v.reading() == nullptr || v.gives("classes"))
+    v.whole({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
+}
+
+/// Keys that a law has no use for.
+void refuse_others(KeyVisitor& v, SizeLaw law) {
+  const auto useless = [&](std::initializer_list<std::string_view> keys) {
+    v.refuse(keys,
+             fmt::format("under distribution = \"{}\"",
+                         distribution_words()[static_cast<std::size_t>(law)]),
+             "remove it, or choose another distribution");
+  };
+  switch (law) {
+    case SizeLaw::equal:
+      return useless({"spread", "smallest", "largest", "passing", "retained", "classes"});
+    case SizeLaw::sieves:
+      return useless({"diameter", "spread", "smallest", "largest", "classes"});
+    case SizeLaw::uniform:
+      return useless({"passing", "retained", "diameter", "spread"});
+    default:
+      return useless({"passing", "retained", "smallest", "largest"});
+  }
+}
+
+}  // namespace
+
+bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
+  const Section* in = v.reading();
+  if (in == nullptr ? d.law != SizeLaw::equal || v.visits_all() : v.gives("distribution"))
+    v.word({"distribution", distribution_words(), ""}, d.law);
+  refuse_others(v, d.law);
+  if (d.law == SizeLaw::equal) {
+    v.number({"diameter", "m", positive, "diameter of a ball"}, diameter);
+    return true;
+  }
+  bool sound = true;
+  if (d.law == SizeLaw::sieves) {
+    describe_sieves(v, d.passing, most_classes);
+    sound = !d.passing.empty();
+  } else {
+    sound = describe_spread(v, d);
+    describe_classes(v, d);
+  }
+  return sound;
+}
+
+std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count) {
+  if (d.classes == 0 && d.law != SizeLaw::sieves) {
+    d.classes = classes_that_fill(d, count);
+    in.note_default("classes", std::to_string(d.classes),
+                    fmt::format("{} at most, and a ball in each", usual_classes));
+  }
+  const std::vector<SizeShare> shares = size_shares(d);
+  const std::vector<std::int64_t> counts = counted_out(count, shares);
+  std::vector<SizeClass> classes;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    classes.push_back({shares[i].diameter, counts[i]});
+    if (counts[i] > 0) continue;
+    const Node* at = in.find("classes") != nullptr ? in.find("classes") : in.find("distribution");
+    in.fault(*at,
+             fmt::format("none of the {} balls falls between {} and {}", count,
+                         show_rounded(shares[i].low, "m"), show_rounded(shares[i].high, "m")),
+             d.law == SizeLaw::sieves ? "give more balls, or join this sieve with the next"
+                                      : "give more balls, or fewer classes",
+             "empty-size-class");
+    break;
+  }
+  return classes;
+}
+
+}  // namespace mahlwerk::cases

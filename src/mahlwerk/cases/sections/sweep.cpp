@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [sweep]: keys of the case that vary, and how.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/cases/sections/sweep_words.hpp"
+
+namespace mahlwerk::cases {
+
+const std::vector<std::string>& design_words() {
+  static const std::vector<std::string> words{"grid",          "latin-hypercube", "sobol",
+                                              "one-at-a-time", "morris",          "sobol-indices"};
+  return words;
+}
+
+const std::vector<std::string>& spacing_words() {
+  static const std::vector<std::string> words{"linear", "logarithmic"};
+  return words;
+}
+
+namespace {
+
+std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep& sweep,
+                                                    Findings& findings) {
+  std::vector<std::vector<std::string>> groups;
+  if (at == nullptr) return groups;
+  const auto fault = [&](std::string what) {
+    findings.faults.push_back(
+        {at->where, std::move(what),
+         "write together = [[\"mill.speed\", \"run.time\"]]: keys of [sweep] whose lists are "
+         "equally long",
+         "bad-together"});
+  };
+  std::set<std::string> used;
+  for (const Node& group : at->items) {
+    std::vector<std::string> keys;
+    std::size_t length = 0;
+    for (const Node& item : group.items) {
+      const auto key = std::ranges::find(sweep.keys, item.text, &SweptKey::key);
+      if (key == sweep.keys.end()) {
+        fault(fmt::format("`together` names \"{}\", which [sweep] does not vary", item.text));
+        return {};
+      }
+      const std::size_t own =
+          key->range ? static_cast<std::size_t>(key->steps) : key->values.size();
+      if (!keys.empty() && own != length) {
+        fault(fmt::format("\"{}\" and \"{}\" go together but take {} and {} values", keys.front(),
+                          item.text, length, own));
+        return {};
+      }
+      length = own;
+      if (!used.insert(item.text).second) {
+        fault(fmt::format("`together` names \"{}\" twice", item.text));
+        return {};
+      }
+      keys.push_back(item.text);
+    }
+    groups.push_back(std::move(keys));
+  }
+  const bool sound = at->kind == Node::Kind::list && !groups.empty() &&
+                     std::ranges::all_of(groups, [](const auto& g) { return g.size() >= 2; });
+  if (!sound) fault("`together` must be a list of lists of keys");
+  return groups;
+}
+
+/// What a design asks of its keys.
+void check_design(const Node& table, const Sweep& sweep, const KeyReader::Places& places,
+                  Findings& findings) {
+  const std::string& word = design_words()[static_cast<std::size_t>(sweep.design)];
+  for (const SweptKey& key : sweep.keys) {
+    if (needs_ranges(sweep.design) && !key.range)
+      findings.faults.push_back(
+          {places.at(key.key),
+           fmt::format("design = \"{}\" takes ranges, \"{}\" is a list", word, key.key),
+           fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key.key), "bad-design"});
+    if (needs_ranges(sweep.design) && key.steps > 0)
+      findings.faults.push_back(
+          {places.at(key.key),
+           fmt::format("steps has no meaning under design = \"{}\": it draws from the range", word),
+           "take it out, or write design = \"grid\"", "too-much"});
+    if (!needs_ranges(sweep.design) && key.range && key.steps == 0)
+      findings.faults.push_back(
+          {places.at(key.key), fmt::format("the range of \"{}\" lacks `steps`", key.key),
+           "say how many values of it are run: steps = 5; or choose a design that draws from "
+           "ranges: design = \"latin-hypercube\"",
+           "bad-range"});
+  }
+  if (needs_samples(sweep.design) && table.find("samples") == nullptr)
+    findings.faults.push_back({table.where, fmt::format("design = \"{}\" lacks `samples`", word),
+                               "write for instance samples = 32", "missing-value"});
+  if (!needs_samples(sweep.design) && table.find("samples") != nullptr)
+    findings.faults.push_back({table.find("samples")->where,
+                               fmt::format("samples has no meaning under design = \"{}\"", word),
+                               "take it out, or choose another design", "too-much"});
+  if (needs_ranges(sweep.design) && !sweep.together.empty())
+    findings.faults.push_back({table.find("together")->where,
+                               fmt::format("together has no meaning under design = \"{}\"", word),
+                               "let one key follow from the other: \"jar.height\" = \"= 2 * "
+                               "jar.diameter\"",
+                               "too-much"});
+  if (!sweep.derived.empty() && places.size() == sweep.derived.size())
+    findings.faults.push_back(
+        {table.where, "[sweep] has formulas, but nothing that varies",
+         "vary a key of the case: \"mill.speed\" = [\"300 rpm\", \"400 rpm\"]", "bad-design"});
+}
+
+}  // namespace
+
+Sweep read_sweep(const Node* table, KeyReader::Places& places, Findings& findings) {
+  Sweep sweep;
+  if (table == nullptr || table->kind != Node::Kind::table) return sweep;
+  Section in(table, "sweep", findings);
+  const std::string word =
+      in.gives("design") ? in.choice({"design", design_words(), ""}) : design_words().front();
+  if (!word.empty())
+    sweep.design =
+        static_cast<Design>(std::ranges::find(design_words(), word) - design_words().begin());
+  if (const auto n = in.whole("samples", most_samples)) sweep.samples = *n;
+  KeyReader reader("sweep", places, findings);
+  reader.read(*table, {"design", "samples", "together"});
+  sweep.keys = reader.keys();
+  sweep.derived = reader.derived();
+  std::ranges::sort(sweep.keys, {}, &SweptKey::key);
+  sweep.together = read_together(table->find("together"), sweep, findings);
+  if (!word.empty()) check_design(*table, sweep, places, findings);
+  return sweep;
+}
+
+void write(Writer& out, const Sweep& sweep) {
+  out.section("sweep");
+  out.plain("design", in_quotes(design_words()[static_cast<std::size_t>(sweep.design)]));
+  if (sweep.samples > 0) out.plain("samples", std::to_string(sweep.samples));
+  std::string groups;
+  for (const auto& group : sweep.together)
+    groups += (groups.empty() ? "" : ", ") + list_text(group);
+  if (!groups.empty()) out.plain("together", "[" + groups + "]");
+  for (const SweptKey& key : sweep.keys) out.plain(in_quotes(key.key), values_text(key));
+  for (const auto& [key, formula] : sweep.derived)
+    out.plain(in_quotes(key), in_quotes("=" + formula));
+}
+
+}  // namespace mahlwerk::cases

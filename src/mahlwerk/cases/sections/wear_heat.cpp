@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// [wear] and [heat]: what the mill takes off and how warm it gets.
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+
+void describe(KeyVisitor& v, Wear& wear) {
+  v.word({"model", {"archard", "finnie"}, "archard", "by force and way slid"}, wear.model);
+  v.number({"coefficient", "", positive, "volume worn over force times way over hardness",
+            Wear().coefficient,
+            wear.model == Wear::Model::finnie
+                ? "as much as Archard's at grazing impacts (wea.5); uncalibrated"
+                : "uncalibrated, 1e-6 to 1e-2"},
+           wear.coefficient);
+}
+
+/// Who says one of the times of a cycle must say all. Without any the mill mills for an hour.
+void describe(KeyVisitor& v, Heat& heat) {
+  Wanted milling("milling", "s", positive, "how long the mill mills in each cycle", Heat().milling,
+                 "an hour without a pause");
+  Whole cycles{.key = "cycles",
+               .least = 1,
+               .most = 10'000,
+               .about = "how often the mill mills and rests",
+               .standard = 1,
+               .source = "without a pause there is one"};
+  const bool pauses = v.gives("pause");
+  if (pauses) cycles.standard.reset();
+  if (v.gives("cycles") || pauses) milling.standard.reset();
+  v.number(milling, heat.milling);
+  v.number({"pause", "s", not_negative, "rest after each milling", Heat().pause, "none"},
+           heat.pause);
+  v.whole(cycles, heat.cycles);
+  v.number({"ambient", "K", positive, "temperature of the air, and of everything at the start",
+            Heat().ambient, "a room"},
+           heat.ambient);
+  v.number(
+      {"cooling", "W/m2/K", positive, "heat from the jar's wall to the air, by area and kelvin",
+       Heat().cooling, "natural to mild forced convection of air, textbooks: 5-50; uncalibrated"},
+      heat.cooling);
+  v.number({"ball_exchange", "W/m2/K", positive,
+            "heat from the balls to the jar, by area of the balls and kelvin", Heat().ball_exchange,
+            "gas between balls in motion and the wall, 10-200 (hea.6); uncalibrated"},
+           heat.ball_exchange);
+  v.number({"share_in_balls",
+            "",
+            {.least = 0, .most = 1},
+            "share of the lost power that heats the balls, the rest the jar",
+            Heat().share_in_balls,
+            "contacts of bodies alike; uncalibrated"},
+           heat.share_in_balls);
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/setup/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/setup/places.hpp"
+#include "mahlwerk/cases/setup/push_apart.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+constexpr std::size_t large = 10000;  // a charge for which memory has an order that pays
+constexpr double least_gap = 1e-3;    // between balls placed one by one, of the distance at touch
+
+/// Balls of one size of one set.
+struct Portion {
+  std::size_t set = 0;
+  double diameter = 0;  // [m]
+  std::size_t count = 0;
+  std::size_t from = 0;  // its first among those placed
+};
+
+std::vector<Portion> portions(const std::vector<BallSet>& sets) {
+  std::vector<Portion> found;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (const SizeClass& size : sets[i].sizes())
+      found.push_back({i, size.diameter, static_cast<std::size_t>(size.count)});
+  return found;
+}
+
+/// A charge being placed, the largest balls first.
+class Charge {
+ public:
+  Charge(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
+         const std::atomic<bool>* stop)
+      : shape_(shape), sets_(sets), random_(random), stop_(stop), portions_(portions(sets)) {
+    order_.resize(portions_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::stable_sort(order_, std::greater(), [&](auto i) { return portions_[i].diameter; });
+    for (const std::size_t i : order_) {
+      portions_[i].from = count_;
+      count_ += portions_[i].count;
+    }
+    room_.periods = std::visit([](const auto& s) { return geometry::periods_of(s); }, shape);
+    for (const std::size_t i : order_) {
+      const Vec3& box = places_.emplace_back(shape, 0.5 * portions_[i].diameter).box();
+      room_.half = {std::max(room_.half.x, box.x), std::max(room_.half.y, box.y),
+                    std::max(room_.half.z, box.z)};
+    }
+  }
+
+  void place() {
+    if (place_one_by_one()) return;
+    dense_ = true;
+    if (hopeless()) throw full();
+    const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
+    // Moves a ball: of 120 charges of 46 to 57 % none that fits needed more, one more than 1e4.
+    left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
+    for (int start = 0; start < starts && left_ > 0; ++start) {
+      if (start > 0) place_one_by_one();
+      if (count_ > large) sort_along_curve();
+      for (const double smaller : {least_gap, 0.1 * least_gap, 1e-3 * least_gap})
+        if (pushed(smaller)) return;
+    }
+    throw full();
+  }
+
+  /// By set, in the order of the case.
+  std::vector<scene::Ball> balls() const {
+    std::vector<scene::Ball> all;
+    all.reserve(count_);
+    for (const Portion& portion : portions_)
+      for (std::size_t n = 0; n < portion.count; ++n)
+        all.push_back({.radius = 0.5 * portion.diameter,
+                       .density = sets_[portion.set].density,
+                       .position = placed_[portion.from + n].place,
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(portion.set)});
+    return all;
+  }
+
+ private:
+  /// Each at a random place that is free of those before. False if some found none: they are left
+  /// where they overlap.
+  bool place_one_by_one() {
+    placed_.assign(count_, {});
+    std::vector<Grid> grids;
+    place_given(grids);
+    std::size_t crowded = 0;
+    double widest = 0;  // of the last grid; balls above half as wide share it
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const Portion& portion = portions_[order_[k]];
+      if (!sets_[portion.set].positions.empty()) continue;
+      if (widest == 0 || portion.diameter <= 0.5 * widest) {
+        widest = portion.diameter;
+        grids.emplace_back(room_, widest * (1 + least_gap), alike(k));
+      }
+      crowded = place(portion, places_[k], grids, crowded);
+    }
+    return crowded == 0;
+  }
+  /// One size; counts those that found no place on.
+  std::size_t place(const Portion& portion, const Places& places, std::vector<Grid>& grids,
+                    std::size_t crowded) {
+    const double radius = 0.5 * portion.diameter;
+    for (std::size_t next = portion.from; next < portion.from + portion.count; ++next) {
+      if (stop_ != nullptr && *stop_) throw Interrupted();
+      Vec3 p = places.draw(random_);
+      bool found = free(p, radius, grids);
+      for (int tries = tries_left(crowded); !found && tries > 0; --tries) {
+        p = places.draw(random_);
+        found = free(p, radius, grids);
+      }
+      crowded += found ? 0 : 1;
+      grids.back().add(static_cast<int>(next), p);
+      placed_[next] = {p, radius};
+    }
+    return crowded;
+  }
+  /// How many balls are wider than half those at `k` in the order, from there on.
+  std::size_t alike(std::size_t k) const {
+    std::size_t many = 0;
+    const double half = 0.5 * portions_[order_[k]].diameter;
+    for (; k < order_.size() && portions_[order_[k]].diameter > half; ++k)
+      many += portions_[order_[k]].count;
+    return many;
+  }
+  /// Those whose places the case gives, whatever they touch.
+  void place_given(std::vector<Grid>& grids) {
+    std::size_t given = 0;
+    for (const BallSet& set : sets_) given += set.positions.size();
+    if (given == 0) return;
+    Grid& grid = grids.emplace_back(room_, largest_ball(sets_) * (1 + least_gap), given);
+    for (const Portion& portion : portions_) {
+      std::size_t next = portion.from;
+      for (const Vec3& p : sets_[portion.set].positions) {
+        grid.add(static_cast<int>(next), p);
+        placed_[next++] = {p, 0.5 * portion.diameter, true};
+      }
+    }
+  }
+  /// Many where there are few balls; few once it is clear that pushing must follow.
+  int tries_left(std::size_t crowded) const {
+    if (crowded > 0 || dense_) return 20;
+    return static_cast<int>(std::clamp(2e7 / static_cast<double>(count_), 200.0, 1e5));
+  }
+  bool free(const Vec3& p, double radius, const std::vector<Grid>& grids) const {
+    return std::ranges::all_of(grids, [&](const Grid& grid) {
+      return grid.around(p, [&](int i) {
+        const Placed& o = placed_[static_cast<std::size_t>(i)];
+        return norm(room_.between(p, o.place)) >= (1 + least_gap) * (radius + o.radius);
+      });
+    });
+  }
+
+  /// Along a curve through space, each size for itself: those near each other then lie near each
+  /// other in memory, too. Balls of one size that have no places given are alike.
+  void sort_along_curve() {
+    for (const Portion& portion : portions_) {
+      if (!sets_[portion.set].positions.empty()) continue;
+      const auto first = placed_.begin() + static_cast<std::ptrdiff_t>(portion.from);
+      std::vector<std::pair<std::uint64_t, Placed>> keyed;
+      keyed.reserve(portion.count);
+      for (std::size_t n = 0; n < portion.count; ++n)
+        keyed.emplace_back(room_.along_curve(first[static_cast<std::ptrdiff_t>(n)].place),
+                           first[static_cast<std::ptrdiff_t>(n)]);
+      std::ranges::stable_sort(keyed, {}, [](const auto& one) { return one.first; });
+      std::ranges::transform(keyed, first, [](const auto& one) { return one.second; });
+    }
+  }
+
+  bool pushed(double smaller) {
+    if (left_ <= 0) return false;
+    const std::int64_t enough = sweeps(10'000, 0);  // what comes to rest does so much earlier
+    const Pushed end = push_apart(placed_, shape_, room_, smaller, std::min(left_, enough), stop_);
+    left_ -= end.moves;
+    largest_ = std::max(largest_, end.largest);
+    typical_ = std::max(typical_, end.typical);
+    return end.free;
+  }
+  /// A bound on the work, in moves of single balls: at least so many sweeps over all.
+  std::int64_t sweeps(double least, double moves) const {
+    return static_cast<std::int64_t>(std::max(least * static_cast<double>(count_), moves));
+  }
+
+  double filling() const {
+    double volume = 0;
+    for (const BallSet& set : sets_) volume += static_cast<double>(set.count) * ball_volume(set);
+    return volume / std::visit([](const auto& s) { return s.volume(); }, shape_);
+  }
+  /// Many balls of nearly one size, denser than any random packing of them: no push would end.
+  bool hopeless() {
+    constexpr double soon_reached = 0.59, never_reached = 0.68;
+    const bool alike = portions_[order_.front()].diameter < 1.5 * portions_[order_.back()].diameter;
+    if (count_ <= large || !alike || filling() < never_reached) return false;
+    sort_along_curve();
+    typical_ = std::cbrt(soon_reached / filling());
+    return true;
+  }
+
+  /// What is said when there is no room, with the filling that there is room for.
+  InputError full() {
+    double size = largest_;
+    double hope = 0.995 * std::min(typical_, 1.0);
+    for (int tries = 8; tries > 0 && hope > size; --tries, hope *= 0.985)
+      if (fits(hope)) size = hope;
+    return InputError(Fault{
+        "balls",
+        fmt::format("{} balls that fill {:.1f} % of the jar do not fit in at random: {:.1f} % was "
+                    "reached",
+                    count_, 100 * filling(), 100 * filling() * size * size * size),
+        "give fewer or smaller balls or a larger jar", "too-many-balls"});
+  }
+  /// Whether balls so much smaller can be pushed apart.
+  bool fits(double size) {
+    std::vector<Placed> smaller = placed_;
+    for (Placed& b : smaller) b.radius *= size;
+    return push_apart(smaller, shape_, room_, 1e-6,
+                      sweeps(300, std::min(5e7, 1.5e3 * static_cast<double>(count_))), stop_)
+        .free;
+  }
+
+  const geometry::AnyShape& shape_;
+  const std::vector<BallSet>& sets_;
+  Random& random_;
+  const std::atomic<bool>* stop_;
+  std::vector<Portion> portions_;   // in the order of the case
+  std::vector<std::size_t> order_;  // of portions, largest balls first
+  std::size_t count_ = 0;
+  Room room_;
+  std::vector<Places> places_;  // for each portion, in that order
+  std::vector<Placed> placed_;
+  bool dense_ = false;     // placing one by one has failed
+  std::int64_t left_ = 0;  // of the work
+  double largest_ = 0, typical_ = 0;
+};
+
+}  // namespace
+
+std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
+                              Random& random, const std::atomic<bool>* stop) {
+  Charge charge(shape, sets, random, stop);
+  charge.place();
+  return charge.balls();
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <variant>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Of a jar as it is drawn where it turns (results/jar_surface.hpp), about.
+double triangles(const geometry::Box&) {
+  return 12;
+}
+double triangles(const geometry::PeriodicBox&) {
+  return 12;
+}
+double triangles(const geometry::LifterCylinder& jar) {
+  return 16 * jar.lifters + 200;
+}
+double triangles(const geometry::Attritor& jar) {
+  return 160 * jar.arms + 400;
+}
+double triangles(const geometry::Mesh& jar) {
+  return static_cast<double>(jar.surface().triangles.size());
+}
+template <class Round>
+double triangles(const Round&) {
+  return 2200;
+}
+
+}  // namespace
+
+bool looks_still(const Case& c) {
+  const Vec3 axis = std::visit([](const auto& m) { return m.fixed_axis(); }, c.mill.motion);
+  const bool turns = std::visit([](const auto& m) { return m.bounds().spin > 0; }, c.mill.motion);
+  const bool stirred = std::holds_alternative<geometry::Attritor>(c.jar.shape);
+  const bool along = std::visit([](const auto& s) { return s.axisymmetric; }, c.jar.shape) &&
+                     norm(cross(axis, c.mill.jar_axis)) < 1e-12;
+  return !stirred && (!turns || along);
+}
+
+double frame_bytes(const Case& c) {
+  const auto balls = static_cast<double>(balls_count(c.balls));
+  const bool forces = c.run.engine != EngineName::event;
+  double bytes = 0;
+  if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
+  if (c.observe.frames_format == FramesFormat::xyz) return bytes;
+  bytes += 2200 + (forces ? 160 : 128) * balls;
+  if (!looks_still(c))  // half as many corners as triangles, in base64
+    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, c.jar.shape);
+  return bytes;
+}
+
+}  // namespace mahlwerk::cases

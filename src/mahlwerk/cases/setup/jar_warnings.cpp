@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a user should know of the jar and what is in it.
+#include <fmt/format.h>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+std::string tight_hollows(const Case& c) {
+  const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape);
+  if (mesh == nullptr) return "";
+  const double bend = mesh->tightest_bend(), ball = 0.5 * largest_ball(c.balls);
+  if (!(ball > bend * (1 + 1e-3))) return "";
+  return fmt::format(
+      "A ball of radius {} is larger than the tightest hollow of a smooth face of the jar, radius "
+      "{}. It may touch such a face at two places, and only the nearest counts. A smaller "
+      "jar.crease_angle makes two faces of it.",
+      show_rounded(ball, "m"), show_rounded(bend, "m"));
+}
+
+/// Powder that lies loose needs more room than its solid.
+std::string heaped_powder(const Case& c) {
+  constexpr double packing = 0.6;  // of loose powder, about that of spheres
+  if (!c.powder || !c.powder->density || c.powder->grain_size) return "";
+  const double bulk = c.powder->mass / *c.powder->density / packing;
+  const double room = jar_volume(c.jar) - balls_volume(c.balls);
+  if (!(bulk > room)) return "";
+  return fmt::format(
+      "The powder, packed to {} % of solid, takes {}, more than the balls leave of the jar ({}): "
+      "there is no room to mill in.",
+      show_rounded(100 * packing, ""), show_rounded(bulk, "m3"), show_rounded(room, "m3"));
+}
+
+}  // namespace
+
+Notices jar_warnings(const Case& c) {
+  Notices all;
+  for (Notice& one : std::array{warning("tight-hollow", tight_hollows(c)),
+                                warning("too-much-powder", heaped_powder(c))})
+    if (!one.text.empty()) all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace mahlwerk::cases
