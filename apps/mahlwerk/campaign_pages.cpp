@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "commands.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
 #include "mahlwerk/report/campaign/campaign.hpp"
 

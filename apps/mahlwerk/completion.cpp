@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "output.hpp"
 

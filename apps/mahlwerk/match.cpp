@@ -71,17 +71,10 @@ cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
 }
 
 campaign::SearchJob search_job(const MatchJob& job) {
-  const cases::Case& base = job.runs->base();
-  const campaign::TrialRuns& runs = *job.runs;
+  const cases::Match& wanted = *job.runs->base().match;
   campaign::SearchJob made{
-      .runs = &runs,
-      .goal = {.keys = runs.over().size(),
-               .maximise = false,
-               .bounds = {},
-               .settings = static_cast<int>(base.match->settings),
-               .replicates = static_cast<int>(base.match->replicates),
-               .seed = base.seed,
-               .snap = [&runs](const campaign::Place& p) { return runs.snap(p); }},
+      .runs = job.runs,
+      .goal = campaign::goal_of(*job.runs, wanted.settings, wanted.replicates),
       .outcomes = {{"distance", "1", "of dose and spectrum from those of the other mill"}},
       .limits = {},
       .measure = {}};

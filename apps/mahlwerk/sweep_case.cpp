@@ -91,32 +91,28 @@ int end_shard(const Request& request, campaign::CampaignFolder& folder,
   return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
 }
 
-}  // namespace
-
-namespace {
-
 campaign::CampaignSettings settings_of(const Request& request, std::optional<ProgressLine>& line,
                                        TroubleTeller& not_kept) {
-  campaign::CampaignSettings made{.version = std::string(version()),
-                                  .catalogue = catalogue(),
-                                  .threads = request.threads,
-                                  .force = request.force,
-                                  .folders = {},
-                                  .stop = &stop_wanted(),
-                                  .write = {},
-                                  .progress = {},
-                                  .trouble = std::ref(not_kept)};
-  if (!request.results.empty()) made.folders = request.results == "all";
-  made.write = [](const results::Folder& folder, const results::Outcome& outcome) {
+  const auto write = [](const results::Folder& folder, const results::Outcome& outcome) {
     report::write(folder, outcome, version(), "", false);
   };
-  made.progress = [&](const campaign::WorkProgress& p) {
+  const auto show = [&](const campaign::WorkProgress& p) {
     line->show(fmt::format(
         "{:3.0f} %  {} of {} runs done{}  {}", 100 * p.share, p.done, p.of,
         p.failed > 0 ? fmt::format(", {} failed", p.failed) : "",
         p.share > 0 ? fmt::format("{:.0f} s left", p.seconds * (1 - p.share) / p.share) : ""));
   };
-  return made;
+  std::optional<bool> folders;
+  if (!request.results.empty()) folders = request.results == "all";
+  return {.version = std::string(version()),
+          .catalogue = catalogue(),
+          .threads = request.threads,
+          .force = request.force,
+          .folders = folders,
+          .stop = &stop_wanted(),
+          .write = write,
+          .progress = show,
+          .trouble = std::ref(not_kept)};
 }
 
 }  // namespace

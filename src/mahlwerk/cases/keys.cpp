@@ -56,10 +56,6 @@ class KeyList : public CaseVisitor {
     place = chosen(key, choice.words.size(), place);
     return true;
   }
-  std::string_view one_of(std::initializer_list<std::string_view> keys, std::string_view) override {
-    const std::string all = prefix_ + std::string(*keys.begin()) + ", ...";
-    return *(keys.begin() + chosen(all, keys.size(), 0));
-  }
   bool visits_all() override { return true; }
 
  private:

@@ -185,7 +185,7 @@ class CaseReader {
       in.note_default("title", fmt::format("\"{}\"", c_.title), "the file's name");
     }
     c_.seed = read_seed(in);
-    for (const auto& field : case_fields()) c_.*field.value = in.value(Wanted(field));
+    in.fields(c_, case_fields());
     in.close();
   }
 
@@ -209,13 +209,13 @@ class CaseReader {
 
   /// A section as it is described, if it is given or `needed`.
   template <class What, class... Around>
-  std::optional<What> described(const char* name, bool needed, const Around&... around) {
+  std::optional<What> described(const char* name, bool needed, Around&... around) {
     const Node* table = section(name, needed);
     if (table == nullptr) return std::nullopt;
     return read_table<What>(table, name, around...);
   }
   template <class What, class... Around>
-  What read_table(const Node* table, const char* name, const Around&... around) {
+  What read_table(const Node* table, const char* name, Around&... around) {
     What what;
     Section in(table, name, findings_);
     describe(in, what, around...);
@@ -230,7 +230,7 @@ class CaseReader {
     const Node* balls = root_.find("balls");
     c_.balls = read_balls(balls ? balls : &no_balls, c_.jar, findings_);
     c_.mill = described<Mill>("mill", true, c_).value_or(Mill());
-    if (const Node* powder = section("powder", false)) read_powder(powder);
+    c_.powder = described<Powder>("powder", false, c_.balls, c_.jar);  // adds grains to the balls
     c_.contact = read_contact(section("contact", false), c_, findings_);
     c_.run = described<Run>("run", true).value_or(Run());
     c_.observe = read_table<Observe>(section("observe", false), "observe");
@@ -242,13 +242,6 @@ class CaseReader {
                    .grinding = section("grinding", false)},
                   c_, findings_);
     c_.kinetics = described<Kinetics>("kinetics", false, c_);
-  }
-
-  /// Grains become the last ball set.
-  void read_powder(const Node* table) {
-    Section in(table, "powder", findings_);
-    describe(in, c_.powder.emplace(), c_.balls, c_.jar);
-    in.close();
   }
 
   /// By line, so that a user mends the file from top to bottom; what is not in the file last.

@@ -9,7 +9,7 @@
 
 namespace mahlwerk::contact {
 
-/// Rolling resistance; soft/kernel.hpp has the torques (dem.22 to dem.25).
+/// Rolling resistance; soft/kernel/contact_force.hpp has the torques (dem.22 to dem.25).
 enum class Rolling { none, cdt, viscous, epsd };
 
 /// What there is to know of a rule besides its torque.

@@ -114,7 +114,9 @@ std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairS
       "collision_power_normal", "collision_power_tangential"};
   std::vector<std::vector<std::string>> list;
   for (const results::PairSummary& pair : pairs) {
-    const auto quantity = [&](std::string_view name) { return named(pair.quantities, name); };
+    const auto quantity = [&](std::string_view name) -> const results::Quantity& {
+      return named(pair.quantities, name);
+    };
     if (quantity("collision_rate").value == 0) continue;
     std::vector<std::string> row{pair.one + " with " + pair.other};
     for (const std::string_view name : shown) row.push_back(readable(quantity(name)).text());

@@ -83,7 +83,7 @@ struct Outcome {
   cases::EngineName engine = cases::EngineName::event;  ///< that ran it: event or soft
   // Made once, when the run ends:
   Summary summary = {};  ///< its numbers (results/summarise.hpp)
-  Notices notices;       ///< what a reader should know besides
+  Notices notices = {};  ///< what a reader should know besides
   double wall_seconds = 0, cpu_seconds = 0;
   bool interrupted = false;
 };

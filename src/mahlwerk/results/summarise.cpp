@@ -66,7 +66,7 @@ Summary summarise(const Outcome& outcome) {
   made.pairs = by_pair(outcome);
   made.two_states = two_states(outcome, all, made.each);
   made.regime = regime(outcome);
-  made.regime_reason = regime_reason(outcome);
+  if (!made.regime.empty()) made.regime_reason = regime_reason(outcome);
   return made;
 }
 

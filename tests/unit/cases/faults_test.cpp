@@ -312,6 +312,13 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { std::get<kinematics::Vibration>(c.mill.motion).frequency = 0; }),
             out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].diameter = 0.02; }), Codes{"ball-too-large"});
+  EXPECT_EQ(codes([](Case& c) {
+              c.run.time_step = 1e-6;
+              c.run.time_step_fraction = 2;
+            }),
+            out);
+  EXPECT_EQ(codes([](Case& c) { c.contact.model.rolling = static_cast<contact::Rolling>(9); }),
+            out);
 }
 
 }  // namespace

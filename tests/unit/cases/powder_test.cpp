@@ -52,6 +52,21 @@ TEST(PowderAsGrains, is_reported_with_what_each_grain_stands_for) {
   EXPECT_EQ(grains_note(read_sample(planetary)), "");
 }
 
+TEST(PowderAsGrains, made_by_a_program_is_checked_too) {
+  const auto told = [](auto change) {
+    Case c = read_sample(grains);
+    change(c);
+    std::string codes;
+    for (const Fault& f : faults(c)) codes += f.code + " ";
+    return codes;
+  };
+  EXPECT_EQ(told([](Case&) {}), "");
+  EXPECT_EQ(told([](Case& c) { c.balls.back().density = 0; }), "out-of-range ");
+  EXPECT_EQ(told([](Case& c) { c.balls.back().count = 0; }), "out-of-range ");
+  EXPECT_EQ(told([](Case& c) { c.balls.back().diameter = NAN; }), "out-of-range ");
+  EXPECT_NE(told([](Case& c) { c.balls.clear(); }).find("out-of-range"), std::string::npos);
+}
+
 TEST(PowderAsGrains, is_not_the_default) {
   EXPECT_EQ(read_sample(planetary).balls.size(), 1U);
   EXPECT_TRUE(read_sample(with_grains("as = \"mass\"")) == read_sample(planetary));

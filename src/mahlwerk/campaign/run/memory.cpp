@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

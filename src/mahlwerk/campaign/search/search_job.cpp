@@ -100,21 +100,24 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }
 
+Goal goal_of(const TrialRuns& runs, std::int64_t settings, std::int64_t replicates, bool maximise) {
+  return {.keys = runs.over().size(),
+          .maximise = maximise,
+          .bounds = {},
+          .settings = static_cast<int>(settings),
+          .replicates = static_cast<int>(replicates),
+          .seed = runs.base().seed,
+          .snap = [&runs](const Place& place) { return runs.snap(place); }};
+}
+
 SearchJob optimise_job(const TrialRuns& runs) {
   const cases::Case& base = runs.base();
   const cases::Optimise& wanted = *base.optimise;
   SearchJob job{.runs = &runs,
-                .goal = {},
+                .goal = goal_of(runs, wanted.settings, wanted.replicates, wanted.maximise),
                 .outcomes = judged(base, wanted),
                 .limits = wanted.limits,
                 .measure = {}};
-  job.goal = {.keys = runs.over().size(),
-              .maximise = wanted.maximise,
-              .bounds = {},
-              .settings = static_cast<int>(wanted.settings),
-              .replicates = static_cast<int>(wanted.replicates),
-              .seed = base.seed,
-              .snap = [&runs](const Place& place) { return runs.snap(place); }};
   for (std::size_t i = 0; i < wanted.limits.size(); ++i)
     job.goal.bounds.push_back({.below = wanted.limits[i].below,
                                .value = bound_of(base, wanted.limits[i], job.outcomes[i + 1])});

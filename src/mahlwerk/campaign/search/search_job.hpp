@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,10 @@ struct SearchJob {
 /// Throws InputError if there are more keys than can be looked over, or the case has a [sweep].
 void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
                 std::string_view section);
+
+/// Of a search over the keys of these runs, which are kept by reference.
+Goal goal_of(const TrialRuns& runs, std::int64_t settings, std::int64_t replicates,
+             bool maximise = false);
 
 /// What [optimise] of the runs' case asks for; the runs are kept by reference. Throws InputError
 /// where it names quantities that the case does not have.

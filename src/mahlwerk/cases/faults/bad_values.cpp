@@ -83,8 +83,12 @@ std::vector<Fault> bad_values(const Case& c) {
   Case copy = c;  // a visitor may change values; this one does not
   describe(check, copy);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    BallSet& set = copy.balls[i];
     check.section("balls", i + 1);
-    check_classes(check, copy.balls[i]);
+    if (set.grains) describe(check, set, copy.jar);  // a case says them in [powder]
+    if (set.distribution.law != Distribution::Law::equal)
+      check.number({"diameter", "m", positive, ""}, set.diameter);
+    check_classes(check, set);
   }
   if (c.grinding && c.grinding->classes_per_octave % size_step != 0) {
     check.section("grinding");

@@ -95,12 +95,6 @@ class KeyVisitor {
   virtual bool choose(const Choice& choice, std::size_t& place) = 0;
   /// `text` is how it is written. Its own function reads it.
   virtual void custom(const CustomKey& key, const std::function<std::string()>& text) = 0;
-  /// Of keys that exclude each other the one that counts: `now`, unless the section is read. Empty
-  /// if none is given.
-  virtual std::string_view one_of(std::initializer_list<std::string_view>, std::string_view now) {
-    return now;
-  }
-
   /// A number that may be given in place of others, where they are read.
   virtual void alternative(const Wanted&) {}
 

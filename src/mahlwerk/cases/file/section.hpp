@@ -49,10 +49,6 @@ class Section : public KeyVisitor {
   void text(std::string_view key, std::string& value) override { value = text(key).value_or(""); }
   bool choose(const Choice& choice, std::size_t& place) override;
   void custom(const CustomKey&, const std::function<std::string()>&) override {}
-  std::string_view one_of(std::initializer_list<std::string_view> keys,
-                          std::string_view /*now*/) override {
-    return one_of(keys);
-  }
   Section* reading() override { return this; }
   bool gives(std::string_view key) override { return find(key) != nullptr; }
   void ignore_unknown_keys() override { open_ = true; }

@@ -91,11 +91,7 @@ RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* 
     choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
     choice.source = inherited;
   }
-  const std::string word = in.choice(choice);
-  const auto at = std::ranges::find(restitution_laws(), word);
-  return at == restitution_laws().end()
-             ? RestitutionLaw::constant
-             : static_cast<RestitutionLaw>(at - restitution_laws().begin());
+  return word_of<RestitutionLaw>(in.choice(choice), restitution_laws());
 }
 
 /// A key that a law has no use for.

@@ -37,10 +37,11 @@ void describe(CaseVisitor& v, Case& c) {
     describe(v, c.balls[i], c.jar);
   }
   if (c.powder) section("powder", *c.powder, c.balls, c.jar);
-  section("contact", c.contact, c);
+  v.section("contact");
+  const ContactModel* model = describe(v, c.contact, c);
   for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
     v.section("contact.pairs", i + 1);
-    describe(v, c.contact.pairs[i], c.contact, &c.contact.model);
+    describe(v, c.contact.pairs[i], c.contact, model);
   }
   section("run", c.run);
   section("observe", c.observe);

@@ -71,7 +71,7 @@ void describe_method(KeyVisitor& v, Grinding& g) {
   if (g.method == Method::balance)
     v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
-  else
+  if (g.method != Method::balance || v.visits_all())
     v.whole({"sample", least_sample, most_sample, "grains of the statistical method",
              Grinding().sample, "shares are off by 0.5 % at most, by chance"},
             g.sample);

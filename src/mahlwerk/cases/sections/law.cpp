@@ -62,7 +62,10 @@ void describe_law(KeyVisitor& v, ContactModel* model) {
       else
         v.maybe(Wanted(f), left_out);
   };
-  if (in == nullptr) return std::visit(numbers, model->law);
+  if (in == nullptr) {
+    if (model != nullptr) std::visit(numbers, model->law);
+    return;
+  }
   for (const std::string_view key : law_keys()) {
     if (model != nullptr)
       std::visit([&](auto& law) { read_key(*in, law, key); }, model->law);
@@ -82,7 +85,7 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
 
 bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
   Section* in = v.reading();
-  if (in == nullptr) return v.visits_all() || has_meaning(key, *model);
+  if (in == nullptr) return model != nullptr && (v.visits_all() || has_meaning(key, *model));
   in->find(key);                       // it is known, whatever is chosen
   if (model == nullptr) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;

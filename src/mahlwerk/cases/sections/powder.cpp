@@ -201,7 +201,7 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
   v.alternative(filling_of_powder);
   describe_feed(v, powder);
   v.maybe(density_of_solid, powder.density);
-  if (!powder.grain_size) return;
+  if (!powder.grain_size || balls.empty()) return;
   std::size_t grains = 1;
   v.choose({"as", {"mass", "grains"}, ""}, grains);
   v.maybe(size_of_grains, powder.grain_size);

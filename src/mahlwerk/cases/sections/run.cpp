@@ -73,10 +73,11 @@ void describe_times(KeyVisitor& v, Run& run) {
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
   const Wanted step("time_step", "s", positive, "time step of the soft engine"), share(step_share);
-  if (v.one_of({step.key, share.key}, run.time_step ? step.key : share.key) == step.key)
-    v.maybe(step, run.time_step);
-  else
-    v.number(share, run.time_step_fraction);
+  Section* in = v.reading();
+  const bool timed =
+      in != nullptr ? in->one_of({step.key, share.key}) == step.key : run.time_step.has_value();
+  if (timed || v.visits_all()) v.maybe(step, run.time_step);
+  if (!timed || v.visits_all()) v.number(share, run.time_step_fraction);
 }
 
 }  // namespace

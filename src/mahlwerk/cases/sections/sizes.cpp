@@ -51,9 +51,7 @@ void describe_classes(KeyVisitor& v, Distribution& d) {
 /// Keys that a law has no use for.
 void refuse_others(KeyVisitor& v, SizeLaw law) {
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
-    v.refuse(keys,
-             fmt::format("under distribution = \"{}\"",
-                         distribution_words()[static_cast<std::size_t>(law)]),
+    v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(law, distribution_words())),
              "remove it, or choose another distribution");
   };
   switch (law) {

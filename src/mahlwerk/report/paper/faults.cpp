@@ -42,7 +42,6 @@ class Looking {
     std::vector<std::string> names;
     results::Outcome none;
     none.what = case_;
-    none.engine = case_.run.engine;
     for (const results::Quantity& q : results::summarise(none).quantities) names.push_back(q.name);
     if (std::ranges::find(names, name) != names.end()) return;
     const std::string near = nearest_word(name, names);

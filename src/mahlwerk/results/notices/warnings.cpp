@@ -54,13 +54,6 @@ bool start_differs(const std::vector<double>& stored, std::size_t first) {
   return std::abs(mean) > far * std::sqrt(squares / static_cast<double>(rest.size() - 1));
 }
 
-double power_imbalance(const std::vector<const Replicate*>& chosen) {
-  double sum = 0;
-  for (const Replicate* r : chosen)
-    sum += per_time(*r, &scene::Account::wall_work) / dissipated_power(*r) - 1;
-  return sum / static_cast<double>(chosen.size());
-}
-
 /// What the start of a run does to its means: the settling that its power shows, and energy that
 /// the charge gains or loses meanwhile. Short series show neither.
 void not_steady(const Outcome& outcome, Notices& list) {
@@ -70,7 +63,7 @@ void not_steady(const Outcome& outcome, Notices& list) {
   const std::vector<double> energy = stored(chosen);
   if (energy.size() < fewest) return;
   const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
-               imbalance = power_imbalance(chosen);
+               imbalance = value(outcome, "power_imbalance");
   const double windows = settling / chosen.front()->windows.front().length;
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
       !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))

@@ -143,9 +143,17 @@ CaughtRates caught_rates(const Case& what, const StressSpectrum& stresses) {
   return rates;
 }
 
+namespace {
+
+bool dose_is_caught(const Case& what) {
+  return !what.kinetics || what.kinetics->dose == cases::Kinetics::Dose::captured;
+}
+
+}  // namespace
+
 double dose_rate(const Case& what, const std::vector<const Replicate*>& of,
                  const StressSpectrum& stresses) {
-  const bool caught = !what.kinetics || what.kinetics->dose == cases::Kinetics::Dose::captured;
+  const bool caught = dose_is_caught(what);
   double power = caught ? caught_rates(what, stresses).power : 0;
   if (!caught)
     for (const Replicate* r : of) power += dissipated_power(*r) / static_cast<double>(of.size());
@@ -160,7 +168,8 @@ void grind(const Case& what, Replicate& replicate, int index) {
     ground.stresses = stresses(what, alone);
     ground.caught = caught_rates(what, ground.stresses);
   }
-  ground.dose_rate = dose_rate(what, alone, ground.stresses);
+  ground.dose_rate = what.capture && dose_is_caught(what) ? ground.caught.power / what.powder->mass
+                                                          : dose_rate(what, alone, ground.stresses);
   using Method = cases::Grinding::Method;
   if (what.grinding && what.grinding->method != Method::statistical)
     ground.balance = milled(what, ground.stresses);

@@ -39,7 +39,7 @@ double mean_of(const PairSums& sums, double PairSums::*what) {
   return sums.count > 0 ? sums.*what / static_cast<double>(sums.count) : nothing;
 }
 
-const std::vector<PairMeasure>& measures() {
+const std::vector<PairMeasure>& pair_measures() {
   static const std::vector<PairMeasure> list{
       {"collision_rate", "1/s", "collisions of this kind per second",
        [](const PairTotals& t, double time) { return static_cast<double>(t.all.count) / time; }},
@@ -122,7 +122,7 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
     for (const Replicate* r : chosen)
       totals.push_back({sums_of(*r, kind, [](const PairTally& t) { return t.all(); }),
                         sums_of(*r, kind, [](const PairTally& t) { return t.above; })});
-    for (const PairMeasure& m : measures()) {
+    for (const PairMeasure& m : pair_measures()) {
       std::vector<double> values;
       for (std::size_t i = 0; i < chosen.size(); ++i)
         values.push_back(m.of(totals[i], chosen[i]->time()));
@@ -135,7 +135,7 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
 
 Table collisions_by_pair(const std::vector<PairSummary>& pairs) {
   Table table{pair_columns(), {}};
-  for (const PairMeasure& m : measures()) {
+  for (const PairMeasure& m : pair_measures()) {
     table.columns.push_back({m.name, m.unit, m.about});
     table.columns.push_back({m.name + "_ci95", m.unit, "its half-width at 95 %"});
   }

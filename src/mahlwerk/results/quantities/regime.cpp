@@ -162,7 +162,6 @@ std::string regime(const Outcome& outcome) {
 }
 
 std::string regime_reason(const Outcome& outcome) {
-  if (regime(outcome).empty()) return "";
   return fmt::format(
       "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of an even "
       "charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",

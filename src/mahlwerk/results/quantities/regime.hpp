@@ -17,7 +17,7 @@ std::vector<Measure> regime_measures(const cases::Case& what);
 /// for other mills or before anything was seen.
 std::string regime(const Outcome& outcome);
 
-/// The numbers it rests on, in a sentence; empty with an empty regime.
+/// The numbers it rests on, in a sentence, where there is a regime.
 std::string regime_reason(const Outcome& outcome);
 
 }  // namespace mahlwerk::results
