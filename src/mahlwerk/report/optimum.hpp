@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
