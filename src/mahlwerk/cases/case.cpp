@@ -17,6 +17,13 @@ std::vector<SizeClass> BallSet::sizes() const {
   return classes.empty() ? std::vector{SizeClass{diameter, count}} : classes;
 }
 
+Case::Case() = default;
+Case::Case(const Case&) = default;
+Case::Case(Case&&) noexcept = default;
+Case& Case::operator=(const Case&) = default;
+Case& Case::operator=(Case&&) noexcept = default;
+Case::~Case() = default;
+
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&

@@ -256,7 +256,15 @@ struct Origin {
   bool unverified = false;  ///< its source is weak
 };
 
+/// Its copies are compiled once, in case.cpp: they take a compiler seconds.
 struct Case {
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
   std::string title;
   std::uint64_t seed = 1;
   Mill mill;

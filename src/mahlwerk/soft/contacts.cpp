@@ -57,6 +57,14 @@ void begin_memory(Lanes (&memory)[contact::law_memories], const PairParameters& 
   for (int i = 0; i < contact::law_memories; ++i) memory[i][lane] = begun[i];
 }
 
+void add_work(scene::Account& account, const ContactWork& work, int lane) {
+  account.lost_normal += work.normal[lane];
+  account.lost_tangential += work.tangential[lane];
+  account.lost_rolling += work.rolling[lane];
+  account.slid += work.sliding[lane];
+  account.wall_work += work.wall[lane];
+}
+
 bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,
               const contact::AnyLaw& law) {
   constexpr double lasting = 5;

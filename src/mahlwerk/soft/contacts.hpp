@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
 #include "mahlwerk/soft/rules.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
@@ -23,6 +24,9 @@ Beginning beginning(std::int64_t step, const ContactGeometry& m, const Bodies& b
 /// What the law remembers of a contact that begins.
 void begin_memory(Lanes (&memory)[contact::law_memories], const PairParameters& parameters,
                   int lane, double approach, const contact::AnyLaw& law);
+
+/// What the contact of a lane has done, into the energy account.
+void add_work(scene::Account& account, const ContactWork& work, int lane);
 
 /// A contact that outlives its collision five times has come to last.
 bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,

@@ -10,8 +10,8 @@
 namespace mahlwerk::soft {
 
 /// Tells a run that goes wrong: it makes energy from nothing, at once and much of it.
-struct Watch {
-  double last_residual = 0, most_energy = 0;  ///< [J] at the last look; ever
+struct EnergyWatch {
+  double last_residual = 0, most_energy = 0;  ///< [J] at the last check; ever
 
   void begin(const scene::Account& a) { most_energy = a.kinetic + a.elastic; }
   /// `wall_energy` is what the wall would give the balls if they moved with it, `least` an energy

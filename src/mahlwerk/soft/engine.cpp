@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/soft/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"

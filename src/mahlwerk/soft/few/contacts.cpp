@@ -86,11 +86,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
 
 void FewBodySolver::settle(PairPacket& p, int lane) {
   ContactWork& d = p.work;
-  account_.lost_normal += d.normal[lane];
-  account_.lost_tangential += d.tangential[lane];
-  account_.lost_rolling += d.rolling[lane];
-  account_.slid += d.sliding[lane];
-  account_.wall_work += d.wall[lane];
+  add_work(account_, d, lane);
   const double radius = p.radius_i[lane];
   if (radius > 0)
     account_.deepest_overlap = std::max(account_.deepest_overlap, d.deepest[lane] / radius);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
@@ -20,8 +19,7 @@ FewBodySolver::Stored FewBodySolver::stored() const {
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
       energy.normal += std::visit(
           [&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); }, law_);
-      const Vec3 spring{p.spring.x[l], p.spring.y[l], p.spring.z[l]};
-      energy.tangential += 0.5 * p.stiffness[l] * squared(spring);
+      energy.tangential += 0.5 * p.stiffness[l] * squared(one(p.spring, l));
     }
   return energy;
 }
@@ -47,12 +45,8 @@ scene::Account FewBodySolver::account() const {
   for (const PairPacket& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
-      a.lost_normal += p.work.normal[l];
-      a.lost_tangential += p.work.tangential[l];
-      a.lost_rolling += p.work.rolling[l];
+      add_work(a, p.work, l);
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
-      a.slid += p.work.sliding[l];
-      a.wall_work += p.work.wall[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.work.deepest[l] / p.radius_i[l]);
     }
   a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back

@@ -91,7 +91,7 @@ class SlowPath {
   virtual void end(PairPacket& packet, const LaneMask& ended) = 0;
 };
 
-/// Everything a stretch of steps needs.
+/// Everything a block of steps needs.
 struct alignas(64) StepBlock {
   ParticleData& particles;
   const MovingWall& jar;

@@ -13,7 +13,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::int64_t energy_check = 64;  // steps between two looks at the energy
+constexpr std::int64_t energy_check = 64;  // steps between two checks of the energy
 constexpr std::size_t skipping = 32;       // balls: beyond, something touches at nearly all times
 
 }  // namespace

@@ -104,7 +104,7 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   std::vector<std::int32_t> contacts_of_;  // each ball
   std::int64_t in_touch_ = 0;              // balls that touch something
   std::int64_t in_touch_since_ = 0;
-  Watch watch_;
+  EnergyWatch watch_;
   std::vector<scene::Collision> ended_;
   std::vector<DriveSample> drive_;
 };

@@ -78,7 +78,7 @@ template <class R>
 [[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
   *reinterpret_cast<FourAnywhere*>(&row) = a;
 }
-/// Past the cache: to where nobody looks before everything else has been through it.
+/// Streaming store: past the cache.
 template <class R, class A>
 [[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
 #ifdef MAHLWERK_AVX512
@@ -87,7 +87,7 @@ template <class R, class A>
   std::memcpy(&row, &a, sizeof row);
 #endif
 }
-/// Before anybody else looks there.
+/// Memory fence: orders the streaming stores before other threads read.
 [[gnu::always_inline]] inline void all_are_put() {
 #ifdef MAHLWERK_AVX512
   asm volatile("sfence" ::: "memory");

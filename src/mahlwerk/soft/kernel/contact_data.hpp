@@ -56,8 +56,9 @@ inline contact::LawNumbers numbers_of(const PairParameters& p, int lane) {
 }
 inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
   constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
-  const auto* from = reinterpret_cast<const double*>(&a);
-  auto* to = reinterpret_cast<double*>(&b);
+  using Number = double __attribute__((may_alias));  // masks among them are whole numbers
+  const auto* from = reinterpret_cast<const Number*>(&a);
+  auto* to = reinterpret_cast<Number*>(&b);
   for (std::size_t c = 0; c < columns; ++c)
     to[c * lanes + static_cast<std::size_t>(other_lane)] =
         from[c * lanes + static_cast<std::size_t>(lane)];

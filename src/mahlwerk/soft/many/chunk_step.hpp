@@ -37,7 +37,7 @@ struct alignas(64) ChunkStep {
   const MovingWall* jar = nullptr;
   ContactEvents* events = nullptr;
   double time = 0;            ///< [s] the mill's clock
-  double bin = 0;             ///< [m] width of the bins of pairs that wait
+  double bin = 0;             ///< [m] width of the bins of the Verlet list
   double reach = 0;           ///< [m] farthest that a contact holds beyond touch
   DriveSample before, after;  ///< now, and a step later
   bool large = false;         ///< more than the processor's cache holds

@@ -39,8 +39,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
               energy.normal += weight * law.stored(numbers, memory, overlap);
               const double at = std::max(overlap, 0.0);
               const double stiffness = L::push(numbers.data(), memory, at, 0.0).stiffness;
-              const Vec3 spring{g.spring.x[l], g.spring.y[l], g.spring.z[l]};
-              energy.tangential += weight * 0.5 * stiffness * squared(spring);
+              energy.tangential += weight * 0.5 * stiffness * squared(one(g.spring, l));
             },
             law_);
       }
@@ -113,11 +112,7 @@ void ManyBodySolver::settle() {
 void ManyBodySolver::add_sums(scene::Account& a, const Chunk& chunk) const {
   const ChunkSums& d = chunk.sums;
   for (int l = 0; l < lanes; ++l) {
-    a.lost_normal += d.work.normal[l];
-    a.lost_tangential += d.work.tangential[l];
-    a.lost_rolling += d.work.rolling[l];
-    a.slid += d.work.sliding[l];
-    a.wall_work += d.work.wall[l];
+    add_work(a, d.work, l);
     a.deepest_overlap = std::max(a.deepest_overlap, d.work.deepest[l]);
   }
   a.contact_time += time_of(d.ball_steps);

@@ -84,7 +84,7 @@ bool ManyBodySolver::worth_sorting() const {
   return tests() - sorted_at_ > 7 * pairs;
 }
 
-/// WallNeighbour pairs by their gaps now.
+/// Sorts the Verlet lists by gap anew.
 void ManyBodySolver::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
@@ -161,8 +161,7 @@ std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
   return to;
 }
 
-/// WallNeighbour pairs that have no contact yet. A pair with a ball of another chunk is found by
-/// both.
+/// Neighbour pairs that have no contact yet. A pair with a ball of another chunk is found by both.
 void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})

@@ -16,7 +16,7 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::size_t in_cache = 30000;     // balls that a processor's cache holds, with contacts
-constexpr std::int64_t block = 64;          // steps between two looks at the energy
+constexpr std::int64_t block = 64;          // steps between two checks of the energy
 constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
 
 /// How many threads find something to do at every step.

@@ -157,7 +157,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   } tuning_;
 
   scene::Account account_;
-  Watch watch_;
+  EnergyWatch watch_;
   double asked_ = 0;
   std::vector<Ended> ended_;
 };
