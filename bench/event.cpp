@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "charges.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::bench {
 namespace {

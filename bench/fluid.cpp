@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "charges.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::bench {
 namespace {

@@ -10,6 +10,7 @@
 #include "benchmarks.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/powder/sample.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 

@@ -9,6 +9,8 @@
 
 #include "benchmarks.hpp"
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/soft/engine.hpp"
 
 namespace mahlwerk::bench {

@@ -12,6 +12,8 @@
 #include "benchmarks.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/observe/tally.hpp"
 
 namespace mahlwerk::bench {

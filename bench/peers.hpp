@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "peers_physics.hpp"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmarks.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "peers.hpp"
 

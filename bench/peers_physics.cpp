@@ -6,6 +6,7 @@
 #include <charconv>
 #include <span>
 
+#include "mahlwerk/kinematics/motions.hpp"
 #include "peers.hpp"
 
 namespace mahlwerk::bench {

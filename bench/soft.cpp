@@ -8,6 +8,9 @@
 #include <span>
 
 #include "benchmarks.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "peers.hpp"
 

@@ -2,7 +2,10 @@
 # are made once for all of them. A name in an anonymous namespace therefore stands once in its
 # folder. -DMAHLWERK_BATCHES=OFF compiles each file by itself, which suits who changes one again and
 # again. Files that make the event engine for one shape are large enough by themselves; so are those
-# that CMake makes for each law (src/mahlwerk/CMakeLists.txt).
+# that CMake makes for each law (src/mahlwerk/CMakeLists.txt). Files that know every shape, motion,
+# law or powder model are together apart from the others of their folder: who changes one of these
+# compiles them alone.
+set(mahlwerk_registers "mahlwerk/(geometry/shapes|kinematics/motions|contact/laws|powder/models)[.]hpp")
 function(mahlwerk_batches target)
   if(NOT MAHLWERK_BATCHES)
     return()
@@ -17,6 +20,10 @@ function(mahlwerk_batches target)
     endif()
     cmake_path(GET file PARENT_PATH folder)
     cmake_path(GET folder FILENAME name)
+    file(STRINGS ${file} register REGEX "#include \"${mahlwerk_registers}\"")
+    if(register)
+      string(APPEND name _models)
+    endif()
     if(NOT name IN_LIST folders)
       list(APPEND folders ${name})
       set(count_${name} 0)

@@ -11,6 +11,8 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
 // The charges that tests of many balls share.

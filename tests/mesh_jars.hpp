@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "meshes.hpp"
 #include "soft.hpp"
 

@@ -14,6 +14,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 // Surfaces of triangles for tests, and the slow and plain way to points on them.
 namespace mahlwerk::tests {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 // The mills and balls that tests share.
 namespace mahlwerk::tests {

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "mahlwerk/contact/contact_model.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "one_ball.hpp"
 
@@ -41,7 +44,7 @@ inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                                                   const contact::ContactModel& model,
                                                   const contact::Pair& pair, double step,
                                                   bool hop = false, double start = 0) {
-  const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
+  const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
   return soft::engine(chamber, balls, {model, step, hop}, contact::PairTable(1, faces, pair),
                       start);
 }
@@ -61,7 +64,7 @@ inline contact::Touching touching(const contact::Pair& pair, const std::vector<s
 /// How long a collision lasts, by the law's own reckoning; of the swiftest part of it [s].
 inline double contact_time(const contact::ContactModel& model, const contact::Touching& t,
                            double speed) {
-  return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, model.law);
+  return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, *model.law);
 }
 
 /// A collision without gravity, of a ball with the floor (normal -z) or of two balls (normal +x).

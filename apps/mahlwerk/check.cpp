@@ -129,7 +129,7 @@ std::string in_words(const contact::BounceRule& rule) {
 void print_pairs(const cases::Case& what) {
   if (what.contact.pairs.empty()) return;
   const contact::BounceTable table = cases::bounce_table(what);
-  const std::vector<std::string> faces = cases::face_names(what.jar.shape);
+  const std::vector<std::string> faces = geometry::face_names(*what.jar.shape);
   const auto line = [](const std::string& one, const std::string& other,
                        const contact::BounceRule& rule) {
     to_stdout(fmt::format("  {:<38} {}\n", one + " on " + other, in_words(rule)));

@@ -150,7 +150,7 @@ class Laws : public ::testing::Test {
   }
   std::string named(const char* what) const { return fmt::format("{}: {}", L::name, what); }
 };
-TYPED_TEST_SUITE(Laws, TypesOf<contact::AnyLaw>::type, NameOfModel);
+TYPED_TEST_SUITE(Laws, TypesOf<contact::AnyLaw::Models>::type, NameOfModel);
 
 TYPED_TEST(Laws, restitution_is_the_one_asked_for_at_every_speed) {
   double worst = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every motion of the register keeps the promises of kinematics/motion.hpp.
+#include "mahlwerk/kinematics/motions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +84,7 @@ class Motions : public ::testing::Test {
   Random random{3, 2};
   double some_time() { return random.uniform(0, 3); }
 };
-TYPED_TEST_SUITE(Motions, TypesOf<AnyMotion>::type);
+TYPED_TEST_SUITE(Motions, TypesOf<AnyMotion::Models>::type);
 
 /// Central difference; off by h^2/6 of the third derivative plus rounding.
 template <class F>

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 

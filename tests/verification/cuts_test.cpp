@@ -11,6 +11,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 
@@ -98,7 +100,7 @@ Make many(const scene::Chamber& chamber, int n, double radius) {
   return [=] {
     event::Rules rules;
     rules.lasting = event::Lasting::tc;
-    const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
+    const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});
     return event::many_balls(chamber, charge(n, radius), rules, table, 0.37);

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"

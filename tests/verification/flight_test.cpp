@@ -6,6 +6,8 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/search.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
@@ -66,7 +68,7 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   for (int i = 0; i < flights; ++i) {
     const geometry::Capsule vial_i = vial(random.uniform(0.010, 0.014));
     const scene::Chamber mill{vial_i, shaken(random.uniform(10, 25), 0.025), {}, {0, 0, -gravity}};
-    const event::Jar jar(vial_i, std::get<kinematics::Vibration>(mill.motion), mill);
+    const event::Jar jar(vial_i, std::get<kinematics::Vibration>(*mill.motion), mill);
     const event::Feeler feeler{0.004, 4e-15};
     Vec3 place;  // anywhere the ball fits, one start in three right at the wall
     do {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
@@ -119,7 +121,7 @@ TEST(Frames, how_a_run_is_cut_does_not_change_it) {
 TEST(Frames, a_turned_mill_in_turned_gravity_is_the_same_mill) {
   scene::Chamber upright = mill_a();
   scene::Chamber lying = upright;
-  auto& motion = std::get<kinematics::Vibration>(lying.motion);
+  auto& motion = std::get<kinematics::Vibration>(*lying.motion);
   motion.tilt = std::numbers::pi / 2;
   lying.mount = scene::mounted_along({1, 0, 0});
   lying.gravity = {-gravity, 0, 0};

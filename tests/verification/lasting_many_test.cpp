@@ -5,6 +5,8 @@
 // drums, in planetary jars, in beds.
 #include <algorithm>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 #include "settling.hpp"

@@ -5,6 +5,8 @@
 #include "many_balls.hpp"
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 
@@ -140,7 +142,7 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
     const auto now = engine->balls();
     ASSERT_LE(deepest_overlap(now), 1e-11);
     for (const scene::Ball& b : now)
-      ASSERT_GE(std::get<geometry::Capsule>(mill.shape).gap(0, b.position).distance - b.radius,
+      ASSERT_GE(std::get<geometry::Capsule>(*mill.shape).gap(0, b.position).distance - b.radius,
                 -1e-12 * 0.05);
   }
   const scene::Account a = engine->account();

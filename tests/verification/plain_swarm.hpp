@@ -9,6 +9,8 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "statement.hpp"
@@ -60,13 +62,13 @@ class PlainSwarm {
 
   template <class Question>
   auto of_motion(Question question) const {
-    return std::visit(question, chamber_.motion);
+    return std::visit(question, *chamber_.motion);
   }
   kinematics::Ride ride_at(double t) const {
     return of_motion([t](const auto& m) { return m.ride(t); });
   }
   int faces() const {
-    return std::visit([](const auto& s) { return s.faces; }, chamber_.shape);
+    return std::visit([](const auto& s) { return s.faces; }, *chamber_.shape);
   }
   Vec3 at(const scene::Ball& b, double s) const {
     return b.position + s * b.velocity + 0.5 * s * s * chamber_.gravity;
@@ -93,7 +95,7 @@ class PlainSwarm {
   /// For so long no two balls come from one image to the next but one [s].
   double foresight() const {
     const Vec3 p =
-        std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
+        std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
     double fastest = 0;
     for (const scene::Ball& b : balls_) fastest = max_or_nan(fastest, norm(b.velocity));
     return std::min({p.x, p.y, p.z}) / (2 * fastest);
@@ -109,14 +111,14 @@ class PlainSwarm {
     const Vec3 spin = of_motion([t](const auto& m) { return m.spin(t); });
     const Vec3 here = place - ride.centre;
     const geometry::Gap gap =
-        std::visit([&](const auto& s) { return s.gap(face, turn.back(here)); }, chamber_.shape);
+        std::visit([&](const auto& s) { return s.gap(face, turn.back(here)); }, *chamber_.shape);
     const Vec3 inward = turn * gap.inward;
     return {gap.distance - b.radius, inward, ride.velocity + cross(spin, here - b.radius * inward)};
   }
 
   double until_pair(const scene::Ball& a, const scene::Ball& b) const {
     const Vec3 periods =
-        std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
+        std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
     const bool images = periods.x < geometry::never;
     double least = std::numeric_limits<double>::infinity();
     // Every image a ball may be met in; places are not put back into the box.
@@ -149,14 +151,14 @@ class PlainSwarm {
     constexpr double longest = 1e-2, least = 1e-6;  // [s]
     const scene::Ball& b = ball(i);
     const kinematics::Bounds limits = of_motion([](const auto& m) { return m.bounds(); });
-    const double reach = std::visit([](const auto& s) { return s.reach(); }, chamber_.shape);
+    const double reach = geometry::reach(*chamber_.shape);
     const auto touches = [&](double t, const Contact& c) {
       const Vec3 velocity = b.velocity + (t - now_) * chamber_.gravity;
       return c.gap <= 0 && dot(c.wall_speed - velocity, c.inward) > 0;
     };
     std::vector<int> met;
     for (int face = 0; face < faces(); ++face)
-      if (std::visit([&](const auto& s) { return s.meets(face, b.radius); }, chamber_.shape))
+      if (std::visit([&](const auto& s) { return s.meets(face, b.radius); }, *chamber_.shape))
         met.push_back(face);
     double before = now_, after = now_;
     while (!met.empty()) {
@@ -219,7 +221,7 @@ class PlainSwarm {
   /// The image in the box about the origin, where the shape repeats itself.
   Vec3 in_box(const Vec3& r) const {
     const Vec3 p =
-        std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber_.shape);
+        std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
     if (p.x == geometry::never) return r;
     return r -
            Vec3{p.x * std::rint(r.x / p.x), p.y * std::rint(r.y / p.y), p.z * std::rint(r.z / p.z)};

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "mahlwerk/event/meetings.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
@@ -22,11 +24,11 @@ std::vector<scene::Ball> mixed(const scene::Chamber& chamber, int count, double 
                                std::uint64_t seed) {
   Random random(seed, 0);
   std::vector<scene::Ball> balls;
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, chamber.shape);
+  const double reach = geometry::reach(*chamber.shape);
   const Vec3 periods =
-      std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber.shape);
+      std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber.shape);
   const Rotation turn =
-      std::visit([](const auto& m) { return m.turn(0); }, chamber.motion) * chamber.mount;
+      std::visit([](const auto& m) { return m.turn(0); }, *chamber.motion) * chamber.mount;
   const auto fits = [&](const scene::Ball& b) {
     const Vec3 own = turn.back(b.position);
     const Vec3 out = magnitude(own) - 0.5 * periods;
@@ -38,7 +40,7 @@ std::vector<scene::Ball> mixed(const scene::Chamber& chamber, int count, double 
               return false;
           return true;
         },
-        chamber.shape);
+        *chamber.shape);
     for (const scene::Ball& other : balls) {
       Vec3 r = b.position - other.position;
       if (periods.x < geometry::never) r = event::nearest_image(r, periods);
@@ -62,8 +64,8 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
                        const std::vector<scene::Ball>& balls, const contact::BounceRule& rule,
                        int enough) {
   SCOPED_TRACE(what);
-  const double size = std::visit([](const auto& s) { return s.reach(); }, chamber.shape);
-  const int faces = std::visit([](const auto& s) { return s.faces; }, chamber.shape);
+  const double size = geometry::reach(*chamber.shape);
+  const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
   // What the engine's touches may be off by: the margin of its search (evt.5), or rounding of
   // places.
   const double noise = 1e-12 * balls.front().radius + 64 * 0x1p-52 * size;

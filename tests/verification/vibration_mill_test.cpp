@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/summarise.hpp"
 #include "statement.hpp"
 
@@ -44,13 +46,13 @@ Curve curve(const std::string& file, double (*x)(const cases::Case&),
 }
 
 double frequency(const cases::Case& c) {
-  return std::get<kinematics::Vibration>(c.mill.motion).frequency;
+  return std::get<kinematics::Vibration>(*c.mill.motion).frequency;
 }
 double amplitude(const cases::Case& c) {
-  return std::get<kinematics::Vibration>(c.mill.motion).amplitude;
+  return std::get<kinematics::Vibration>(*c.mill.motion).amplitude;
 }
 double diameter(const cases::Case& c) {
-  return std::get<geometry::Capsule>(c.jar.shape).diameter;
+  return std::get<geometry::Capsule>(*c.jar.shape).diameter;
 }
 
 /// 1 - residual sum / total sum of the least-squares line, through the origin or not.

@@ -17,22 +17,18 @@ scene::Chamber chamber(const Case& c) {
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
                                         const std::atomic<bool>* stop) {
   Random random(c.seed, static_cast<std::uint32_t>(replicate));
-  std::vector<scene::Ball> balls = fill(c.jar.shape, c.balls, random, stop);
+  std::vector<scene::Ball> balls = fill(*c.jar.shape, c.balls, random, stop);
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
-  std::visit(
-      [&](const auto& motion) {
-        const Rotation turn = motion.turn(0);
-        // Ball velocities are relative to the jar's centre, start speeds to the chosen frame.
-        const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : motion.ride(0).velocity;
-        for (scene::Ball& ball : balls) {
-          ball.position = turn * (mount * ball.position);
-          const double speed = random.uniform(0, c.run.start_speed);
-          ball.velocity = speed * random.direction() - frame;
-          const double spin = random.uniform(0, c.run.start_spin);
-          ball.spin = spin * random.direction();
-        }
-      },
-      c.mill.motion);
+  const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
+  // Ball velocities are relative to the jar's centre, start speeds to the chosen frame.
+  const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.ride.velocity;
+  for (scene::Ball& ball : balls) {
+    ball.position = start.turn * (mount * ball.position);
+    const double speed = random.uniform(0, c.run.start_speed);
+    ball.velocity = speed * random.direction() - frame;
+    const double spin = random.uniform(0, c.run.start_spin);
+    ball.spin = spin * random.direction();
+  }
   return balls;
 }
 

@@ -10,23 +10,24 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
+#include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/dose.hpp"
 #include "mahlwerk/powder/feed.hpp"
-#include "mahlwerk/powder/process.hpp"
 
 // A case: what a user asks for, complete and in SI, with nothing left to guess.
 namespace mahlwerk::cases {
 
 struct Mill {
   std::string model;  ///< name in the catalogue; empty if the case gives its own numbers
-  kinematics::AnyMotion motion;
+  Indirect<kinematics::AnyMotion> motion;
   std::int64_t jars_carried = 1;  ///< all alike; one of them is simulated
   Vec3 jar_axis{0, 0, 1};         ///< unit vector the mounted jar's own z axis points along
   std::string motion_file;        ///< of a tabulated motion, as written; relative to the case file
@@ -60,7 +61,7 @@ struct MeshFile {
 struct Jar {
   std::string model;     ///< name in the catalogue, or empty
   std::string material;  ///< name in the catalogue, or empty
-  geometry::AnyShape shape;
+  Indirect<geometry::AnyShape> shape;
   contact::Elastic elastic = steel;
   MeshFile mesh = {};  ///< of a mesh
   Substance substance = hardened_steel;
@@ -204,7 +205,7 @@ struct Heat {
 /// What collisions catch of the powder; absent from a case that does not ask.
 struct Capture {
   enum class Energy { normal, contact_point, lost };  ///< of a collision, that presses the powder
-  powder::AnyCapture model;
+  Indirect<powder::AnyCapture> model;
   Energy energy = Energy::normal;
   double energy_share = 1;  ///< [1] of it that the caught grains get
   bool operator==(const Capture&) const = default;
@@ -217,8 +218,8 @@ struct Grinding {
     statistical,  ///< a sample of grains, hit by hit
     both
   };
-  powder::AnyBreakage breakage;
-  powder::AnyFragments fragments;
+  Indirect<powder::AnyBreakage> breakage;
+  Indirect<powder::AnyFragments> fragments;
   Method method = Method::balance;
   double time = 0;  ///< [s] of milling
   powder::Bed bed = powder::Bed::by_size;

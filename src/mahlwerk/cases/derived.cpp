@@ -10,7 +10,7 @@
 namespace mahlwerk::cases {
 
 double jar_volume(const Jar& jar) {
-  return std::visit([](const auto& s) { return s.volume(); }, jar.shape);
+  return geometry::volume(*jar.shape);
 }
 
 double ball_volume(const BallSet& set) {

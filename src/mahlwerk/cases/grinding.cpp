@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/powder/models.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -21,12 +22,12 @@ void each_number(C& c, Visit visit) {
     std::visit([&](auto& model) { all(section, model, model.fields()); }, any);
   };
   if (c.capture) {
-    of_model("capture.", c.capture->model);
+    of_model("capture.", *c.capture->model);
     all("capture.", *c.capture, std::array{energy_share});
   }
   if (c.grinding) {
-    of_model("breakage.", c.grinding->breakage);
-    of_model("fragments.", c.grinding->fragments);
+    of_model("breakage.", *c.grinding->breakage);
+    of_model("fragments.", *c.grinding->fragments);
     all("grinding.", *c.grinding, grinding_shares());
     all("grinding.", *c.grinding, std::array{welding_energy});
   }
@@ -40,7 +41,7 @@ std::invalid_argument nothing_called(const std::string& key) {
 }  // namespace
 
 powder::Process process(const Case& c) {
-  powder::Process p{.capture = c.capture->model,
+  powder::Process p{.capture = *c.capture->model,
                     .energy_share = c.capture->energy_share,
                     .breakage = {},
                     .fragments = {},
@@ -48,8 +49,8 @@ powder::Process process(const Case& c) {
                     .mass = c.powder->mass};
   if (!c.grinding) return p;
   const Grinding& g = *c.grinding;
-  p.breakage = g.breakage;
-  p.fragments = g.fragments;
+  p.breakage = *g.breakage;
+  p.fragments = *g.fragments;
   p.bed = g.bed;
   p.sticking = g.sticking;
   p.sticking_size = g.sticking_size.value_or(std::numeric_limits<double>::infinity());

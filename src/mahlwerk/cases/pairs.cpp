@@ -15,7 +15,7 @@ int kinds(const Case& c) {
   return static_cast<int>(c.balls.size());
 }
 int faces(const Case& c) {
-  return std::visit([](const auto& s) { return static_cast<int>(s.faces); }, c.jar.shape);
+  return geometry::faces(*c.jar.shape);
 }
 
 /// Calls `balls` with every two kinds, `wall` with every kind and face, that a rule is for.
@@ -57,23 +57,13 @@ std::string set_name(const Case& c, std::size_t kind) {
   return c.balls[kind].grains ? "powder" : fmt::format("balls.{}", kind + 1);
 }
 
-std::vector<std::string> face_names(const geometry::AnyShape& shape) {
-  return std::visit(
-      [](const auto& s) {
-        std::vector<std::string> names;
-        for (int face = 0; face < s.faces; ++face) names.emplace_back(s.face_name(face));
-        return names;
-      },
-      shape);
-}
-
 Party party(std::string_view name, const Case& c) {
   Party found;
   for (std::size_t i = 0; i < c.balls.size(); ++i)
     if ((name == "balls" && !c.balls[i].grains) || name == set_name(c, i) ||
         (!name.empty() && name == c.balls[i].material))
       found.kinds.push_back(static_cast<int>(i));
-  const std::vector<std::string> faces = face_names(c.jar.shape);
+  const std::vector<std::string> faces = face_names(*c.jar.shape);
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (name == "jar" || name == "jar." + faces[i] || (!name.empty() && name == c.jar.material))
       found.faces.push_back(static_cast<int>(i));
@@ -86,7 +76,7 @@ std::vector<std::string> party_names(const Case& c) {
     if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
   for (std::size_t i = 0; i < c.balls.size(); ++i) also(set_name(c, i));
-  const std::vector<std::string> faces = face_names(c.jar.shape);
+  const std::vector<std::string> faces = face_names(*c.jar.shape);
   if (!faces.empty()) also("jar");
   for (const std::string& face : faces) also("jar." + face);
   for (const BallSet& set : c.balls) also(set.material);

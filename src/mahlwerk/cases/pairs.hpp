@@ -23,6 +23,4 @@ std::string set_name(const Case& c, std::size_t kind);
 Party party(std::string_view name, const Case& c);
 std::vector<std::string> party_names(const Case& c);  ///< all that mean somebody
 
-std::vector<std::string> face_names(const geometry::AnyShape& shape);
-
 }  // namespace mahlwerk::cases

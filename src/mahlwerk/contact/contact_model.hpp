@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/rolling.hpp"
 
 namespace mahlwerk::contact {
@@ -10,7 +10,7 @@ namespace mahlwerk::contact {
 /// The contact model of the soft engine: a law with its numbers, rolling resistance, and switches
 /// that hold under every law.
 struct ContactModel {
-  AnyLaw law;
+  Indirect<AnyLaw> law;
   Rolling rolling = Rolling::cdt;
   double rolling_damping = 0.2;     ///< [1] eta_r of epsd, share of critical damping
   bool curved_walls = false;        ///< R* of a ball at a wall takes the wall's curvature in

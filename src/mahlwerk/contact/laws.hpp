@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/laws/adams_impact.hpp"
 #include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 #include "mahlwerk/contact/laws/hertz_tsuji.hpp"
@@ -28,10 +29,16 @@ using LawVariant = std::variant<Checked<L>...>;
 
 /// The register: every contact law there is. A new one is its file in laws/ and its name here. The
 /// first is the default.
-using AnyLaw =
+using Laws =
     LawVariant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr>;
+/// A class of its own, so that any_law.hpp can name it.
+struct AnyLaw : Laws {
+  using Models = Laws;
+  using Laws::Laws;
+  using Laws::operator=;
+};
 
-constexpr std::size_t laws_count = std::variant_size_v<AnyLaw>;
+constexpr std::size_t laws_count = std::variant_size_v<Laws>;
 
 template <class... L>
 std::array<AnyLaw, sizeof...(L)> default_laws(std::type_identity<std::variant<L...>>) {
@@ -39,12 +46,7 @@ std::array<AnyLaw, sizeof...(L)> default_laws(std::type_identity<std::variant<L.
 }
 /// Every law of the register, with its default numbers.
 inline std::array<AnyLaw, laws_count> all_laws() {
-  return default_laws(std::type_identity<AnyLaw>{});
-}
-
-/// "hertz-mindlin"
-inline std::string_view name_of(const AnyLaw& law) {
-  return std::visit([](const auto& l) { return l.name; }, law);
+  return default_laws(std::type_identity<Laws>{});
 }
 
 }  // namespace mahlwerk::contact

@@ -5,6 +5,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/event/engines.hpp"
 #include "mahlwerk/event/many_balls.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::event {
 namespace {
@@ -29,7 +30,7 @@ std::unique_ptr<scene::Engine> one_ball(const scene::Chamber& chamber, const sce
         else
           return many_balls(chamber, {ball}, rules, {1, 0, rules.bounce}, start);
       },
-      chamber.shape);
+      *chamber.shape);
 }
 
 std::unique_ptr<scene::Engine> many_balls(const scene::Chamber& chamber,
@@ -43,7 +44,7 @@ std::unique_ptr<scene::Engine> many_balls(const scene::Chamber& chamber,
           return std::make_unique<ManyBalls>(enclosure_of(shape, chamber), balls, rules, bounces,
                                              start);
       },
-      chamber.shape);
+      *chamber.shape);
 }
 
 }  // namespace mahlwerk::event

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/event/engines_impl.hpp"
+#include "mahlwerk/geometry/box.hpp"
 
 namespace mahlwerk::event {
 

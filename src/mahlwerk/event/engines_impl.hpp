@@ -4,6 +4,7 @@
 
 #include "mahlwerk/event/engines.hpp"
 #include "mahlwerk/event/one_ball.hpp"
+#include "mahlwerk/kinematics/vibration.hpp"
 
 namespace mahlwerk::event {
 
@@ -16,7 +17,7 @@ std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber&
   const auto engine = [&]<class M>(const M& motion) -> std::unique_ptr<scene::Engine> {
     return std::make_unique<OneBall<S, M>>(Jar<S, M>(shape, motion, chamber), ball, rules, start);
   };
-  if (const auto* shaken = std::get_if<kinematics::Vibration>(&chamber.motion))
+  if (const auto* shaken = kinematics::as<kinematics::Vibration>(*chamber.motion))
     return engine(*shaken);
   return engine(kinematics::RememberedMotion(chamber.motion));
 }

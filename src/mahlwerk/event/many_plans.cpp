@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/index.hpp"
 #include "mahlwerk/event/many_balls.hpp"
+#include "mahlwerk/geometry/clear.hpp"
 #include "mahlwerk/kinematics/strongest_field.hpp"
 
 namespace mahlwerk::event {

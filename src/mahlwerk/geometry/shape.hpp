@@ -84,7 +84,7 @@ Vec3 periods_of(const S& shape) {
 
 /// How fast a part of the shape moves in it [m/s]: a stirrer's tips.
 template <class S>
-double speed_of_parts(const S& shape) {
+double speed_of_parts_of(const S& shape) {
   if constexpr (requires { shape.rotor_speed; })
     return std::abs(shape.rotor_speed) * shape.turning_reach();
   else

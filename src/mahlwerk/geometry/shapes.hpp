@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/geometry/attritor.hpp"
 #include "mahlwerk/geometry/box.hpp"
 #include "mahlwerk/geometry/capsule.hpp"
@@ -26,7 +27,12 @@ struct Register {
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;
 
 using FormulaShape = Shapes::Formula;  ///< convex ones, whose touches are exact: for both engines
-using AnyShape = Shapes::Any;          ///< and those for the soft engine alone
+/// And those for the soft engine alone. A class of its own, so that any_shape.hpp can name it.
+struct AnyShape : Shapes::Any {
+  using Models = Shapes::Any;
+  using Models::Models;
+  using Models::operator=;
+};
 
 template <class S, class Variant>
 constexpr bool is_among = false;
@@ -35,11 +41,5 @@ constexpr bool is_among<S, std::variant<Shapes...>> = (std::is_same_v<S, Shapes>
 /// Whether the event engine knows when a ball touches it.
 template <class S>
 constexpr bool has_exact_touches = is_among<S, FormulaShape>;
-inline std::string_view name_of(const AnyShape& shape) {
-  return std::visit([](const auto& s) -> std::string_view { return s.name; }, shape);
-}
-inline bool exact_touches(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return has_exact_touches<S>; }, shape);
-}
 
 }  // namespace mahlwerk::geometry

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
 
 // What carries a jar: the disc of a planetary mill. Seen from it the force field on the charge is
 // steady, so that balls keep to a pattern.
@@ -14,30 +15,9 @@ struct Carrier {
   Rotation turn;
   Vec3 spin;
 };
-
-template <class M>
-Carrier carrier(const M&, double) {
-  return {};
-}
-inline Carrier carrier(const Planetary& m, double t) {
-  return {turning(upright, m.speed * t), {0, 0, m.speed}};
-}
-/// Its force field goes round with the circle.
-inline Carrier carrier(const Circular& m, double t) {
-  return {turning(upright, m.speed * t), {0, 0, m.speed}};
-}
+Carrier carrier(const AnyMotion& motion, double time);
 
 /// The unit normal of the plane in which a mill's motion shows.
-template <class M>
-Vec3 plane_normal(const M& m) {
-  const Vec3 axis = m.fixed_axis();
-  return axis == Vec3{} ? Vec3{0, 1, 0} : axis;
-}
-inline Vec3 plane_normal(const Planetary&) {
-  return upright;
-}
-inline Vec3 plane_normal(const Circular&) {
-  return upright;
-}
+Vec3 plane_normal(const AnyMotion& motion);
 
 }  // namespace mahlwerk::kinematics

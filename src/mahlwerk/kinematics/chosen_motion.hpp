@@ -5,42 +5,34 @@
 #include <limits>
 #include <utility>
 
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
 
 namespace mahlwerk::kinematics {
-
-/// Where a jar is at an instant, and how it turns.
-struct Pose {
-  Ride ride;
-  Rotation turn;   ///< since it was mounted
-  Vec3 spin;       ///< [rad/s]
-  Vec3 spin_rate;  ///< [rad/s2]
-};
 
 /// A motion chosen at run time, itself a motion but for its name: engines know the jar's shape when
 /// they are compiled, and its motion by this.
 class ChosenMotion {
  public:
-  explicit ChosenMotion(AnyMotion motion);
+  explicit ChosenMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
 
-  Pose pose(double t) const;
-  Ride ride(double t) const;
-  Rotation turn(double t) const;
-  Vec3 spin(double t) const;
-  Vec3 spin_rate(double t) const;
-  Bounds bounds() const;
-  double period() const;
-  Vec3 fixed_axis() const;
+  Pose pose(double t) const { return kinematics::pose(*motion_, t); }
+  Ride ride(double t) const { return kinematics::ride(*motion_, t); }
+  Rotation turn(double t) const { return kinematics::turn(*motion_, t); }
+  Vec3 spin(double t) const { return kinematics::spin(*motion_, t); }
+  Vec3 spin_rate(double t) const { return kinematics::spin_rate(*motion_, t); }
+  Bounds bounds() const { return kinematics::bounds(*motion_); }
+  double period() const { return kinematics::period(*motion_); }
+  Vec3 fixed_axis() const { return kinematics::fixed_axis(*motion_); }
 
  private:
-  AnyMotion motion_;
+  Indirect<AnyMotion> motion_;
 };
 
 /// The same, that remembers the last instant: a search asks several times of one. Not for several
 /// threads at a time.
 class RememberedMotion {
  public:
-  explicit RememberedMotion(AnyMotion motion) : motion_(std::move(motion)) {}
+  explicit RememberedMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
 
   Ride ride(double t) const { return at(t).ride; }
   Rotation turn(double t) const { return at(t).turn; }

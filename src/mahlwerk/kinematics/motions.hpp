@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/kinematics/arc_shaker.hpp"
 #include "mahlwerk/kinematics/circular.hpp"
 #include "mahlwerk/kinematics/figure_eight.hpp"
@@ -16,7 +17,13 @@
 namespace mahlwerk::kinematics {
 
 /// The register: every motion there is. A new one is its file and its name here.
-using AnyMotion = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, FigureEight,
-                               Circular, Tabulated>;
+using Motions = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, FigureEight,
+                             Circular, Tabulated>;
+/// A class of its own, so that any_motion.hpp can name it.
+struct AnyMotion : Motions {
+  using Models = Motions;
+  using Motions::Motions;
+  using Motions::operator=;
+};
 
 }  // namespace mahlwerk::kinematics

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <variant>
 
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 
 namespace mahlwerk::observe {
@@ -24,10 +25,9 @@ int angle_slot(double x, double y) {
 }  // namespace
 
 Charge::Charge(const scene::Chamber& mill, double radius) : mass_at(angles), mill_(mill) {
-  const Vec3 normal =
-      std::visit([](const auto& m) { return kinematics::plane_normal(m); }, mill.motion);
+  const Vec3 normal = kinematics::plane_normal(*mill.motion);
   const bool along = norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane cuts the jar across
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, mill.shape);
+  const double reach = geometry::reach(*mill.shape);
   in_jar = in_carrier = PlaneField(along ? radius : reach);
   const Vec3 z{0, 0, 1}, x{1, 0, 0};
   const bool flat = std::abs(normal.z) > 0.9;  // the plane is seen from above, else upright
@@ -38,29 +38,25 @@ Charge::Charge(const scene::Chamber& mill, double radius) : mass_at(angles), mil
 
 void Charge::look(double time, const std::vector<scene::Ball>& balls, double weight) {
   if (mass_at.empty()) return;
-  std::visit(
-      [&](const auto& motion) {
-        const kinematics::Carrier carrier = kinematics::carrier(motion, time);
-        const Rotation turn = motion.turn(time), own = turn * mill_.mount;
-        const Vec3 spin = motion.spin(time);
-        const auto add = [&](PlaneField& field, const scene::Ball& b, const Rotation& axes,
-                             const Vec3& turns) {
-          const Vec3 e = axes * right_, f = axes * up_;
-          const Vec3 v = b.velocity - cross(turns, b.position);
-          field.add(dot(b.position, e), dot(b.position, f), dot(v, e), dot(v, f), squared(v),
-                    b.mass(), weight);
-        };
-        for (const scene::Ball& b : balls) {
-          add(in_jar, b, turn, spin);
-          add(in_carrier, b, carrier.turn, carrier.spin);
-          const double x = dot(b.position, carrier.turn * right_);
-          const double y = dot(b.position, carrier.turn * up_);
-          mass_at[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
-          of_all += weight * b.mass();
-          at_the_wall(b, own, spin, weight);
-        }
-      },
-      mill_.motion);
+  const kinematics::Carrier carrier = kinematics::carrier(*mill_.motion, time);
+  const kinematics::Pose jar = kinematics::pose(*mill_.motion, time);
+  const Rotation own = jar.turn * mill_.mount;
+  const auto add = [&](PlaneField& field, const scene::Ball& b, const Rotation& axes,
+                       const Vec3& turns) {
+    const Vec3 e = axes * right_, f = axes * up_;
+    const Vec3 v = b.velocity - cross(turns, b.position);
+    field.add(dot(b.position, e), dot(b.position, f), dot(v, e), dot(v, f), squared(v), b.mass(),
+              weight);
+  };
+  for (const scene::Ball& b : balls) {
+    add(in_jar, b, jar.turn, jar.spin);
+    add(in_carrier, b, carrier.turn, carrier.spin);
+    const double x = dot(b.position, carrier.turn * right_);
+    const double y = dot(b.position, carrier.turn * up_);
+    mass_at[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
+    of_all += weight * b.mass();
+    at_the_wall(b, own, jar.spin, weight);
+  }
   in_jar.pass(weight);
   in_carrier.pass(weight);
 }
@@ -84,7 +80,7 @@ void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec
           }
         }
       },
-      mill_.shape);
+      *mill_.shape);
 }
 
 void Charge::merge(const Charge& other) {

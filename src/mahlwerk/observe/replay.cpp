@@ -16,13 +16,10 @@ constexpr std::size_t most_frames = 360, fewest_frames = 16;
 /// What a film should last to show the motion [s].
 double worth_showing(const kinematics::AnyMotion& motion) {
   constexpr double periods = 3, otherwise = 0.5;
-  return std::visit(
-      [&](const auto& m) {
-        const double spin = m.bounds().spin;
-        const double turn = spin > 0 ? 2 * std::numbers::pi / spin : otherwise;
-        return std::isfinite(m.period()) ? periods * m.period() : std::min(turn, 10.0);
-      },
-      motion);
+  const double spin = kinematics::bounds(motion).spin;
+  const double turn = spin > 0 ? 2 * std::numbers::pi / spin : otherwise;
+  const double period = kinematics::period(motion);
+  return std::isfinite(period) ? periods * period : std::min(turn, 10.0);
 }
 
 std::int16_t rounded(double value, double unit) {
@@ -36,9 +33,9 @@ Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, doub
     : begin_(begin), every_(1 + (balls - 1) / most_balls) {
   shown_ = (balls + every_ - 1) / every_;
   frames_ = std::clamp(most_places / shown_, fewest_frames, most_frames);
-  const double length = std::min(worth_showing(mill.motion), most);
+  const double length = std::min(worth_showing(*mill.motion), most);
   every_seconds_ = length / static_cast<double>(frames_ - 1);
-  place_unit_ = std::visit([](const auto& s) { return s.reach(); }, mill.shape) / 32767;
+  place_unit_ = geometry::reach(*mill.shape) / 32767;
 }
 
 double Replay::next() const {

@@ -12,7 +12,7 @@ Balance::Balance(Process process, StressSpectrum stresses, SizeGrid grid,
     : process_(std::move(process)),
       stresses_(std::move(stresses)),
       grid_(grid),
-      levels_(levels(process_.breakage)) {
+      levels_(levels(*process_.breakage)) {
   for (const double share : feed)
     for (const double fresh : levels_.fresh) states_.push_back(share * fresh);
   if (process_.bed == Bed::mixed) return;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/powder/process.hpp"
 #include "mahlwerk/powder/rates.hpp"
 
 namespace mahlwerk::powder {

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "mahlwerk/powder/process.hpp"
+#include "mahlwerk/powder/feed.hpp"
 #include "mahlwerk/powder/rates.hpp"
 #include "mahlwerk/powder/sizes.hpp"
+#include "mahlwerk/powder/stress.hpp"
 
 namespace mahlwerk::powder {
+
+struct Process;
 
 /// How fine the powder is over the time of milling.
 struct Milling {

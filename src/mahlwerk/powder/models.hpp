@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/breakage/shi_kojovic.hpp"
 #include "mahlwerk/powder/breakage/tavares.hpp"
 #include "mahlwerk/powder/breakage/threshold.hpp"
@@ -19,18 +20,34 @@
 
 namespace mahlwerk::powder {
 
-/// The registers. A new model is its file and its name here.
+/// The registers. A new model is its file and its name here. What is chosen of each is a class of
+/// its own, so that any_model.hpp can name it.
 
 /// `caught(nip, energy [J], grain)` is what a collision catches.
-using AnyCapture = std::variant<Barrios, TrappedVolume, SurfaceLayer, FixedMass>;
+using CaptureModels = std::variant<Barrios, TrappedVolume, SurfaceLayer, FixedMass>;
+struct AnyCapture : CaptureModels {
+  using Models = CaptureModels;
+  using CaptureModels::CaptureModels;
+  using CaptureModels::operator=;
+};
 
 /// `chance(size [m], energy [J/kg])` that a hit breaks a fresh grain. Those that `tells_fineness`
 /// have `t10(size, energy)`; those that `remembers` keep a strength for each grain.
-using AnyBreakage = std::variant<VogelPeukert, ShiKojovic, Tavares, Threshold>;
+using BreakageModels = std::variant<VogelPeukert, ShiKojovic, Tavares, Threshold>;
+struct AnyBreakage : BreakageModels {
+  using Models = BreakageModels;
+  using BreakageModels::BreakageModels;
+  using BreakageModels::operator=;
+};
 
 /// `finer(x/y, y [m], t10)` of the mass of a broken grain of size y; `drawn(y, t10, uniform)` is
 /// the size of a piece that a random bit of that mass finds itself in.
-using AnyFragments =
+using FragmentsModels =
     std::variant<VogelFragments, AustinFragments, T10Fragments, BinaryFragments, Halves>;
+struct AnyFragments : FragmentsModels {
+  using Models = FragmentsModels;
+  using FragmentsModels::FragmentsModels;
+  using FragmentsModels::operator=;
+};
 
 }  // namespace mahlwerk::powder

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "mahlwerk/powder/models.hpp"
+
 namespace mahlwerk::powder {
 
 Grain Process::grain(double size) const {
   Grain g{size, density, 0};
-  if (const auto* bed_model = std::get_if<Barrios>(&capture)) {
+  if (const auto* bed_model = std::get_if<Barrios>(&*capture)) {
     g.fracture_energy = bed_model->fracture_energy;
     if (const auto* tavares = std::get_if<Tavares>(&breakage);
         tavares != nullptr && !(g.fracture_energy > 0))
@@ -19,7 +21,7 @@ Grain Process::grain(double size) const {
 
 Catch Process::caught(const Nip& nip, double energy, double size) const {
   const Grain g = grain(size);
-  Catch c = std::visit([&](const auto& model) { return model.caught(nip, energy, g); }, capture);
+  Catch c = std::visit([&](const auto& model) { return model.caught(nip, energy, g); }, *capture);
   c.grains = std::min(c.grains, std::max(1.0, mass / g.mass()));
   return c;
 }

@@ -5,36 +5,18 @@
 #include <limits>
 #include <vector>
 
-#include "mahlwerk/powder/models.hpp"
+#include "mahlwerk/powder/any_model.hpp"
+#include "mahlwerk/powder/stress.hpp"
 
-// Milling as the powder sees it: hits of given energies, and what each does to grains.
+// What each hit does to grains.
 namespace mahlwerk::powder {
-
-/// Collisions of one energy in one kind of nip.
-struct Stress {
-  int nip = 0;
-  double energy = 0;  ///< [J]
-  double rate = 0;    ///< [1/s]
-};
-
-/// All collisions of a mill.
-struct StressSpectrum {
-  std::vector<Nip> nips;
-  std::vector<Stress> stresses;
-};
-
-/// What a bed is made of.
-enum class Bed {
-  by_size,  ///< each hit meets grains of one size, which it meets as often as there is mass of them
-  mixed     ///< each hit meets the powder as it is, in a bed as high as its mean size
-};
 
 /// How hits become broken grains. Energies of collisions are those the case chose.
 struct Process {
-  AnyCapture capture = {};
+  Indirect<AnyCapture> capture;
   double energy_share = 1;  ///< [1] of a collision's energy that the caught grains get
-  AnyBreakage breakage = {};
-  AnyFragments fragments = {};
+  Indirect<AnyBreakage> breakage;
+  Indirect<AnyFragments> fragments;
   Bed bed = Bed::by_size;
   double sticking = 0;  ///< [1] share of the grains up to `sticking_size` that lie out of reach
   double sticking_size = std::numeric_limits<double>::infinity();  ///< [m]

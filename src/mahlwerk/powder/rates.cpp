@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/powder/models.hpp"
+#include "mahlwerk/powder/process.hpp"
+
 namespace mahlwerk::powder {
 namespace {
 
@@ -45,7 +48,7 @@ class Assembly {
 
   Rates made() {
     for (int i = 0; i < grid_.classes(); ++i)
-      std::visit([&](const auto& model) { fill(i, model); }, process_.breakage);
+      std::visit([&](const auto& model) { fill(i, model); }, *process_.breakage);
     return std::move(made_);
   }
 
@@ -132,7 +135,7 @@ class Assembly {
       const auto finer = [&](double x) {
         return x >= size ? 1
                          : std::visit([&](const auto& f) { return f.finer(x / size, size, t10); },
-                                      process_.fragments);
+                                      *process_.fragments);
       };
       double above = 1;
       for (int j = i; j <= last; ++j) {

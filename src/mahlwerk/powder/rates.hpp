@@ -4,11 +4,15 @@
 
 #include <vector>
 
+#include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/flow.hpp"
-#include "mahlwerk/powder/process.hpp"
+#include "mahlwerk/powder/nip.hpp"
 #include "mahlwerk/powder/sizes.hpp"
+#include "mahlwerk/powder/stress.hpp"
 
 namespace mahlwerk::powder {
+
+struct Process;
 
 /// Levels of strength within a class of size, strongest first, for models that remember: strength
 /// over median, and the share of fresh grains at each. One level for all others.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/powder/models.hpp"
+
 namespace mahlwerk::powder {
 namespace {
 
@@ -28,7 +30,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
       groups_(static_cast<std::size_t>(2 * (grid.classes() - 1) / grid.per_octave() + 1)),
       draw_(start),
       grains_(grains) {
-  const auto* tavares = std::get_if<Tavares>(&process_.breakage);
+  const auto* tavares = std::get_if<Tavares>(&*process_.breakage);
   if (tavares != nullptr)  // small damage goes as this power of the load: smooth in it
     for (int i = 0; i <= damage_steps; ++i)
       damage_.push_back(
@@ -82,7 +84,7 @@ void Sample::work_out(Kind& kind) const {
         [&](const auto& model) {
           return std::decay_t<decltype(model)>::remembers || model.chance(size, given) > 0;
         },
-        process_.breakage);
+        *process_.breakage);
     if (welds || breaks) kind.idle = false;
     double& most = kind.most[static_cast<std::size_t>(group_of(i))];
     most = std::max<double>(most, kind.reach.back().share);
@@ -119,7 +121,7 @@ void Sample::hit(int of_kind, double energy, double times) {
             strike(model, static_cast<int>(g), which, energy * reach.per_energy);
         }
       },
-      process_.breakage);
+      *process_.breakage);
   if (process_.bed == Bed::mixed && grain_hits_ - since_refresh_ > grains_ / 8) refresh();
 }
 
@@ -150,7 +152,7 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
     double t10 = 0;
     if constexpr (Model::tells_fineness) t10 = model.t10(grain.size, energy);
     grain.size = std::visit([&](const auto& f) { return f.drawn(grain.size, t10, draw_); },
-                            process_.fragments);
+                            *process_.fragments);
     grain.size = std::max(grain.size, grid_.middle(grid_.classes() - 1));  // as in the balance
     if constexpr (Model::remembers)
       grain.strength =

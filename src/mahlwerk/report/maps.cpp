@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
@@ -191,10 +192,10 @@ std::string field_picture(const results::Outcome& outcome) {
         }
   std::ranges::sort(found);
   const double densest = found[found.size() - 1 - found.size() / 100];
-  const auto& motion = outcome.what.mill.motion;
-  const Vec3 normal = std::visit([](const auto& m) { return kinematics::plane_normal(m); }, motion);
+  const kinematics::AnyMotion& motion = *outcome.what.mill.motion;
+  const Vec3 normal = kinematics::plane_normal(motion);
   const bool ring = norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
-  const bool disc = std::holds_alternative<kinematics::Planetary>(motion);
+  const bool disc = kinematics::as<kinematics::Planetary>(motion) != nullptr;
   const double radius = outcome.replicates.front().tally.wall_map.grid().radius;
   constexpr double size = 330, top = 24;
   const std::string text =

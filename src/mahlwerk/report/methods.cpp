@@ -13,6 +13,9 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
@@ -56,10 +59,10 @@ class Writing {
   std::string mill() const {
     const auto [kind, numbers_of] = std::visit(
         [&](const auto& m) { return std::pair(std::string(m.name), numbers("mill", m)); },
-        c_.mill.motion);
+        *c_.mill.motion);
     const auto [shape, sizes] =
         std::visit([&](const auto& s) { return std::pair(std::string(s.name), numbers("jar", s)); },
-                   c_.jar.shape);
+                   *c_.jar.shape);
     const auto plain = [](std::string text) {
       std::ranges::replace(text, '_', ' ');
       std::ranges::replace(text, '-', ' ');
@@ -69,7 +72,7 @@ class Writing {
         fmt::format("Mill: {}{}{}{}. ", plain(kind),
                     c_.mill.model.empty() ? "" : fmt::format(" ({})", c_.mill.model),
                     numbers_of.empty() ? "" : ", ", numbers_of);
-    const double volume = std::visit([](const auto& s) { return s.volume(); }, c_.jar.shape);
+    const double volume = geometry::volume(*c_.jar.shape);
     return text + fmt::format("Jar: {}{}{}{}, volume {} ml{}. ", plain(shape),
                               c_.jar.model.empty() ? "" : fmt::format(" ({})", c_.jar.model),
                               sizes.empty() ? "" : ", ", sizes, fmt::format("{:.3g}", volume * 1e6),
@@ -112,7 +115,7 @@ class Writing {
     std::string text = fmt::format(
         "After the motion, what collisions do to the powder was reckoned: they catch grains by the "
         "model {}; those get {} of the energy {}. ",
-        model("capture", c_.capture->model),
+        model("capture", *c_.capture->model),
         marked("capture.energy_share", fmt::format("{:.4g} %", 100 * c_.capture->energy_share)),
         energies[static_cast<std::size_t>(c_.capture->energy)]);
     if (!c_.grinding) return text;
@@ -121,7 +124,7 @@ class Writing {
                                  "a population balance and a sample of {} grains"};
     text += fmt::format(
         "Grains break by {}, into pieces by {}; sizes after {} of milling by {}, {}",
-        model("breakage", g.breakage), model("fragments", g.fragments), show_rounded(g.time, "s"),
+        model("breakage", *g.breakage), model("fragments", *g.fragments), show_rounded(g.time, "s"),
         fmt::format(fmt::runtime(methods[static_cast<std::size_t>(g.method)]), g.sample),
         g.bed == powder::Bed::mixed ? "in mixed beds" : "each bed of one size");
     if (g.sticking > 0) text += fmt::format(", {:.4g} % of the grains stuck", 100 * g.sticking);
@@ -169,7 +172,7 @@ std::string engine_words(const results::Outcome& outcome) {
            "collisions are instantaneous";
   const contact::ContactModel& model = outcome.what.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
-                     contact::name_of(model.law), contact::rule_of(model.rolling).name);
+                     contact::name_of(*model.law), contact::rule_of(model.rolling).name);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/powder_plots.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -61,9 +62,7 @@ std::string energy_words(const cases::Capture& capture) {
 
 std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
   const cases::Case& what = outcome.what;
-  const auto [name, about] =
-      std::visit([](const auto& m) { return std::pair(std::string(m.name), std::string(m.about)); },
-                 what.capture->model);
+  const powder::AnyCapture& model = *what.capture->model;
   const Multiple size = multiple(*what.powder->size, "m");
   return fmt::format(
              "<h2>What collisions catch</h2>\n<p>Collisions catch {} of powder: a grain is caught "
@@ -76,7 +75,8 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
                             "capture.csv has the numbers; of many kinds of pairs those with most "
                             "power are shown.",
                             fmt::format("{:.3g} {}", *what.powder->size / size.factor, size.unit),
-                            name, about, energy_words(*what.capture))) +
+                            powder::name_of(model), powder::about(model),
+                            energy_words(*what.capture))) +
          figure(caught_energy_plot(outcome),
                 "That share of the energy over the mass caught, grains alike.") +
          figure(caught_grains_plot(outcome),
@@ -88,9 +88,6 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
 std::string how_fine(const Outcome& outcome, const Quantities& list) {
   const cases::Grinding& g = *outcome.what.grinding;
   using Method = cases::Grinding::Method;
-  const auto model = [](const auto& any) {
-    return std::visit([](const auto& m) { return std::string(m.name); }, any);
-  };
   const std::string sample = fmt::format("a sample of {} grains", g.sample);
   const std::string how = g.method == Method::statistical ? "By " + sample + "."
                           : g.method == Method::balance
@@ -107,7 +104,7 @@ std::string how_fine(const Outcome& outcome, const Quantities& list) {
                             "sizes are as sure as those and the share of the energy that gets to "
                             "the grains. How they change with time and with the mill's settings is "
                             "surer.",
-                            how, model(g.breakage), model(g.fragments))) +
+                            how, powder::name_of(*g.breakage), powder::name_of(*g.fragments))) +
          figure(passing_plot(outcome), "By mass. size_distribution.csv has the numbers.") +
          figure(density_plot(outcome),
                 "The area below a curve between two sizes is the share between them. A narrow feed "

@@ -18,6 +18,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 
 namespace mahlwerk::report {
@@ -77,23 +78,19 @@ struct Ways {
 Ways ways(const cases::Case& c, const std::vector<double>& times) {
   const scene::Chamber mill = cases::chamber(c);
   Ways w;
-  std::visit(
-      [&](const auto& motion) {
-        for (const double t : times) {
-          const Rotation turn = motion.turn(t) * mill.mount;
-          append(w.centre, motion.ride(t).centre);
-          append(w.turn, turn);
-          append(w.carrier, kinematics::carrier(motion, t).turn);
-          append(w.rotor, turn * results::rotor_turn(mill.shape, t));
-        }
-      },
-      mill.motion);
+  for (const double t : times) {
+    const Rotation turn = kinematics::turn(*mill.motion, t) * mill.mount;
+    append(w.centre, kinematics::ride(*mill.motion, t).centre);
+    append(w.turn, turn);
+    append(w.carrier, kinematics::carrier(*mill.motion, t).turn);
+    append(w.rotor, turn * results::rotor_turn(*mill.shape, t));
+  }
   return w;
 }
 
 std::string meshes(const cases::Case& c, const Ways& w) {
   std::string list;
-  for (const results::JarMesh& mesh : results::jar_surface(c.jar.shape)) {
+  for (const results::JarMesh& mesh : results::jar_surface(*c.jar.shape)) {
     std::vector<float> vertices;
     for (const Vec3& v : mesh.vertices) append(vertices, v);
     list += fmt::format("{}{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{}}}",
@@ -120,7 +117,7 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
   for (const double t : film.times()) times += fmt::format("{}{:.9g}", times.empty() ? "" : ",", t);
   for (std::size_t i = 0; i < c.balls.size(); ++i)
     names += (i > 0 ? "," : "") + json_string(cases::set_name(c, i));
-  const bool planetary = std::holds_alternative<kinematics::Planetary>(c.mill.motion);
+  const bool planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion) != nullptr;
   const Ways w = ways(c, film.times());
   return fmt::format(
       "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","

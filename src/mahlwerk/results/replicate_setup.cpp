@@ -16,7 +16,7 @@ namespace mahlwerk::results {
 namespace {
 
 /// More faces than these, of a mesh, are not told apart.
-constexpr std::size_t most_faces = 12;
+constexpr int most_faces = 12;
 
 observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   observe::WallGrid grid{.radius = 0, .bottom = INFINITY, .top = -INFINITY};
@@ -54,11 +54,11 @@ observe::PairFactors factors(const cases::Case& what, const contact::BounceRule&
 
 Replicate empty_replicate(const cases::Case& what) {
   std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
-  const std::size_t faces = cases::face_names(what.jar.shape).size();
+  const int faces = geometry::faces(*what.jar.shape);
   observe::BallKinds kinds(
       what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
-      static_cast<int>(what.balls.size()), faces > most_faces ? 1 : static_cast<int>(faces));
-  Replicate made(what.observe.threshold, std::move(kinds), wall_grid(what.jar.shape));
+      static_cast<int>(what.balls.size()), faces > most_faces ? 1 : faces);
+  Replicate made(what.observe.threshold, std::move(kinds), wall_grid(*what.jar.shape));
   const contact::BounceTable rules = cases::bounce_table(what);
   observe::ByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {

@@ -3,15 +3,15 @@
 #pragma once
 
 #include "mahlwerk/base/rotation.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
 
 namespace mahlwerk::scene {
 
 /// A jar on its mill: what it looks like, how it is mounted, how it moves, and gravity.
 struct Chamber {
-  geometry::AnyShape shape;
-  kinematics::AnyMotion motion;
+  Indirect<geometry::AnyShape> shape;
+  Indirect<kinematics::AnyMotion> motion;
   Rotation mount;             ///< from the jar's own axes to the laboratory's before any turning
   Vec3 gravity{0, 0, -9.81};  ///< [m/s2]
 };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 

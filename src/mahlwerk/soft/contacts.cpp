@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/contact/laws.hpp"
+
 namespace mahlwerk::soft {
 
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
 #include "mahlwerk/soft/rules.hpp"

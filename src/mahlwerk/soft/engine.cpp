@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"

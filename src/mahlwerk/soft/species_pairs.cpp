@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "mahlwerk/contact/laws.hpp"
+
 namespace mahlwerk::soft {
 
 SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,

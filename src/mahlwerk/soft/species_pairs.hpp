@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/contact/any_law.hpp"
+#include "mahlwerk/contact/law.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::soft {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "mahlwerk/contact/laws.hpp"
+
 namespace mahlwerk::soft {
 namespace {
 

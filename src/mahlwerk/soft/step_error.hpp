@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/contact/any_law.hpp"
 
 namespace mahlwerk::soft {
 

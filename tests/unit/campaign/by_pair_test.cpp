@@ -7,6 +7,8 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/files/json.hpp"

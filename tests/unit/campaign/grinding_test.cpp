@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"
@@ -104,7 +105,7 @@ TEST(Difference, IsNotSaidToBeScatterWithoutReplicates) {
 
 results::Outcome shaken_mill(double frequency, std::uint64_t seed) {
   cases::Case c = shaken("event", 5);
-  std::get<kinematics::Vibration>(c.mill.motion).frequency = frequency;
+  std::get<kinematics::Vibration>(*c.mill.motion).frequency = frequency;
   c.seed = seed;
   c.run.time = 1;
   c.run.replicates = 6;

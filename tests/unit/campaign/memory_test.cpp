@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

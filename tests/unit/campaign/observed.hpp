@@ -7,6 +7,8 @@
 
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 // Runs of every kind, short enough to be run to their end in every test of what is observed.
 namespace mahlwerk::campaign {
@@ -44,8 +46,8 @@ inline cases::Case shaken(const std::string& engine, std::int64_t count) {
 /// One that is shaken so gently that it rolls for most of the time.
 inline cases::Case rolling_ball() {
   cases::Case c = shaken("event", 1);
-  std::get<kinematics::Vibration>(c.mill.motion).frequency = 6;
-  std::get<kinematics::Vibration>(c.mill.motion).amplitude = 0.012;
+  std::get<kinematics::Vibration>(*c.mill.motion).frequency = 6;
+  std::get<kinematics::Vibration>(*c.mill.motion).amplitude = 0.012;
   c.contact.rule.restitution = 0.4;
   c.run.time = 4;
   c.run.settle = 0.5;
@@ -55,7 +57,7 @@ inline cases::Case rolling_ball() {
 /// Many that lie on each other: the TC rule gives back more than little of what bounces lose.
 inline cases::Case dense() {
   cases::Case c = shaken("event", 30);
-  std::get<kinematics::Vibration>(c.mill.motion).amplitude = 8e-4;
+  std::get<kinematics::Vibration>(*c.mill.motion).amplitude = 8e-4;
   c.jar.shape = geometry::Cylinder{0.025, 0.04};
   return c;
 }
@@ -63,8 +65,8 @@ inline cases::Case dense() {
 /// Five that lie on the floor and hit each other.
 inline cases::Case lying_balls() {
   cases::Case c = shaken("soft", 5);
-  std::get<kinematics::Vibration>(c.mill.motion).amplitude = 8e-4;
-  std::get<kinematics::Vibration>(c.mill.motion).tilt = 1.2;
+  std::get<kinematics::Vibration>(*c.mill.motion).amplitude = 8e-4;
+  std::get<kinematics::Vibration>(*c.mill.motion).tilt = 1.2;
   c.run.settle = 0.3;
   return c;
 }

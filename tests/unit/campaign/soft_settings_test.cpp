@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -70,8 +72,8 @@ TEST(Build, the_chamber_is_the_case_s) {
   const Case c = read_sample(drum, {{"gravity", "5 m/s2"}});
   const scene::Chamber chamber = cases::chamber(c);
   EXPECT_EQ(chamber.gravity, (Vec3{0, 0, -5}));
-  EXPECT_EQ(chamber.shape, c.jar.shape);
-  EXPECT_EQ(chamber.motion, c.mill.motion);
+  EXPECT_EQ(*chamber.shape, *c.jar.shape);
+  EXPECT_EQ(*chamber.motion, *c.mill.motion);
   EXPECT_NEAR(norm(chamber.mount * Vec3{0, 0, 1} - Vec3{1, 0, 0}), 0, 1e-15);
 }
 
@@ -79,7 +81,7 @@ TEST(Build, the_chamber_is_the_case_s) {
 void expect_free(const Case& c, int replicate) {
   const scene::Chamber chamber = cases::chamber(c);
   const auto balls = starting_balls(c, replicate);
-  const Rotation turn = std::visit([](const auto& m) { return m.turn(0); }, chamber.motion);
+  const Rotation turn = std::visit([](const auto& m) { return m.turn(0); }, *chamber.motion);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Vec3 p = chamber.mount.back(turn.back(balls[i].position));
     std::visit(
@@ -89,7 +91,7 @@ void expect_free(const Case& c, int replicate) {
               EXPECT_GT(shape.gap(face, p).distance, balls[i].radius);
             }
         },
-        chamber.shape);
+        *chamber.shape);
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(norm(balls[i].position - balls[j].position), balls[i].radius + balls[j].radius);
   }
@@ -109,7 +111,7 @@ TEST(Build, starting_balls_touch_nothing) {
 
 TEST(Build, starting_balls_are_uniform_over_the_free_volume) {
   const Case c = read_sample(vial);  // free: a capsule of radius 2 mm, cylinder 36.2 mm
-  const double half = 0.5 * std::get<geometry::Capsule>(c.jar.shape).height;
+  const double half = 0.5 * std::get<geometry::Capsule>(*c.jar.shape).height;
   const int n = 20000;
   int in_caps = 0, above = 0;
   double r2 = 0;
@@ -128,7 +130,7 @@ TEST(Build, starting_balls_are_uniform_over_the_free_volume) {
 
 TEST(Build, starting_speeds_are_paper_a_s_in_the_laboratory) {
   const Case c = read_sample(vial);
-  const Vec3 jar = std::visit([](const auto& m) { return m.ride(0).velocity; }, c.mill.motion);
+  const Vec3 jar = std::visit([](const auto& m) { return m.ride(0).velocity; }, *c.mill.motion);
   double speed = 0, spin = 0;
   const int n = 5000;
   for (int i = 0; i < n; ++i) {

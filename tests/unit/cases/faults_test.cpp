@@ -6,6 +6,8 @@
 #include <set>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -309,7 +311,7 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
             (Codes{"out-of-range", "outside-jar"}));
   EXPECT_EQ(codes([](Case& c) { c.gravity = INFINITY; }), out);
   EXPECT_EQ(codes([](Case& c) { c.mill.jar_axis = {0, 1, 0}; }), out);
-  EXPECT_EQ(codes([](Case& c) { std::get<kinematics::Vibration>(c.mill.motion).frequency = 0; }),
+  EXPECT_EQ(codes([](Case& c) { std::get<kinematics::Vibration>(*c.mill.motion).frequency = 0; }),
             out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].diameter = 0.02; }), Codes{"ball-too-large"});
   EXPECT_EQ(codes([](Case& c) {

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/setup/push_apart.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::cases {
@@ -22,7 +23,7 @@ BallSet set_of(std::int64_t count, double diameter) {
 }
 /// As many as make the share `filling` of the jar solid.
 BallSet share(const geometry::AnyShape& shape, double filling, double diameter) {
-  const double jar = std::visit([](const auto& s) { return s.volume(); }, shape);
+  const double jar = geometry::volume(shape);
   return set_of(std::llround(filling * jar / (pi / 6 * std::pow(diameter, 3))), diameter);
 }
 

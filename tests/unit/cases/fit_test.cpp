@@ -9,6 +9,7 @@
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -134,9 +135,9 @@ TEST(Adjustables, are_set_in_their_units_as_if_the_case_said_so) {
     adjust(c, one.key, value);
     EXPECT_EQ(adjusted(c, one.key), value) << one.key;
   }
-  EXPECT_EQ(std::get<powder::TrappedVolume>(c.capture->model).thickness, 0.25);
+  EXPECT_EQ(std::get<powder::TrappedVolume>(*c.capture->model).thickness, 0.25);
   EXPECT_EQ(c.capture->energy_share, 0.25);
-  EXPECT_EQ(std::get<powder::VogelPeukert>(c.grinding->breakage).f_mat, 0.25);
+  EXPECT_EQ(std::get<powder::VogelPeukert>(*c.grinding->breakage).f_mat, 0.25);
   EXPECT_EQ(c.grinding->welding_energy, 0.25);
   EXPECT_THROW(adjust(c, "breakage.phi", 1), std::invalid_argument);
   EXPECT_THROW(adjusted(c, "grinding.time"), std::invalid_argument);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -225,7 +226,7 @@ TEST(ReadBreakage, strengths_come_from_the_material_where_the_case_is_silent) {
                                     capture + tavares + fragments + grinding,
                                 "e_infinity", "");
   const Case c = read_text(with(with(text, "d_0", ""), "phi", "phi = 2"), "case.toml", real);
-  const auto& read = std::get<powder::Tavares>(c.grinding->breakage);
+  const auto& read = std::get<powder::Tavares>(*c.grinding->breakage);
   EXPECT_EQ(read.e_infinity, 43.4);
   EXPECT_EQ(read.d_0, 3.48e-3);
   EXPECT_EQ(read.phi, 2);
@@ -237,7 +238,7 @@ TEST(ReadBreakage, strengths_come_from_the_material_where_the_case_is_silent) {
 TEST(ReadBreakage, that_knows_strengths_tells_them_to_the_bed) {
   const std::string barrios = "[capture]\nmodel = \"barrios\"\n";
   const Case c = read_sample(powdered + barrios + tavares + fragments + grinding);
-  EXPECT_EQ(std::get<powder::Barrios>(c.capture->model).fracture_energy, 0);
+  EXPECT_EQ(std::get<powder::Barrios>(*c.capture->model).fracture_energy, 0);
   EXPECT_EQ(source_of(c, "capture.fracture_energy"), "default: that of [breakage], size by size");
   states("E_50 of a grain of 1 mm [J/kg]", process(c).grain(1e-3).fracture_energy, 200, 1e-12,
          "E_inf (1 + (1 mm/1 mm)^1)");
@@ -288,9 +289,9 @@ TEST(Grinding, as_a_process) {
   const Case c = read_sample(all + "sticking = 0.1\nsticking_size = \"1 um\"\nwelding = 0.2\n" +
                              "welding_energy = \"3 J/kg\"\n");
   const powder::Process p = process(c);
-  EXPECT_EQ(p.breakage, c.grinding->breakage);
-  EXPECT_EQ(p.fragments, c.grinding->fragments);
-  EXPECT_EQ(p.capture, c.capture->model);
+  EXPECT_EQ(p.breakage, *c.grinding->breakage);
+  EXPECT_EQ(p.fragments, *c.grinding->fragments);
+  EXPECT_EQ(p.capture, *c.capture->model);
   EXPECT_EQ(p.density, 1280);
   EXPECT_EQ(p.mass, 0.15e-3);
   EXPECT_EQ(p.sticking, 0.1);

@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/cases/setup/stl.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "meshes.hpp"
 #include "sample.hpp"
 #include "statement.hpp"
@@ -64,7 +65,7 @@ std::string fault_with(const std::string& stl, const std::string& text = meshed)
 }
 
 const Mesh& mesh_in(const Case& c) {
-  return std::get<Mesh>(c.jar.shape);
+  return std::get<Mesh>(*c.jar.shape);
 }
 
 std::string as_text(const Triangles& t) {
@@ -96,7 +97,7 @@ TEST(MeshFile, binary_and_text_are_the_same_jar) {
   tests::states("volume [m3]", mesh_in(binary).volume(), 6e-5, 6e-5 * 3e-7, "floats of the file");
   EXPECT_EQ(mesh_in(text).faces, 6);
   EXPECT_EQ(text.jar.mesh, (MeshFile{"jar.stl", "mm", false}));
-  EXPECT_EQ(face_names(text.jar.shape).front(), "1");
+  EXPECT_EQ(face_names(*text.jar.shape).front(), "1");
   const std::string last = "jar.6";
   EXPECT_EQ(party(last, text).faces, std::vector<int>{5});
   EXPECT_EQ(party("jar", text).faces.size(), 6U);
@@ -282,7 +283,7 @@ TEST(MeshFile, balls_fill_a_jar_of_any_form) {
   set.diameter = 0.012;
   set.density = 7850;
   for (const double filling : {0.05, 0.35}) {
-    const double volume = std::visit([](const auto& s) { return s.volume(); }, jar);
+    const double volume = geometry::volume(jar);
     set.count = static_cast<std::int64_t>(filling * volume / ball_volume(set));
     Random random(2, 1);
     const auto balls = fill(jar, {set}, random);

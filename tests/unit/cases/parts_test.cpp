@@ -4,6 +4,7 @@
 
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -33,10 +34,10 @@ engine = "soft"
 
 TEST(JarWithParts, lifter_bars_are_read_and_are_faces) {
   const Case c = read_sample(std::string(drum));
-  const auto& jar = std::get<geometry::LifterCylinder>(c.jar.shape);
+  const auto& jar = std::get<geometry::LifterCylinder>(*c.jar.shape);
   EXPECT_EQ(jar.faces, 11);
   EXPECT_EQ(jar.lifter_width, 0.02);
-  EXPECT_EQ(face_names(c.jar.shape).back(), "lifter8");
+  EXPECT_EQ(face_names(*c.jar.shape).back(), "lifter8");
 }
 
 TEST(JarWithParts, sizes_that_do_not_go_together_are_one_fault) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -20,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 double planetary_ratio(const std::string& mill) {
   const std::string text = planetary.substr(planetary.find("[jar]"));
-  return std::get<Planetary>(read_sample("[mill]\n" + mill + text).mill.motion).ratio;
+  return std::get<Planetary>(*read_sample("[mill]\n" + mill + text).mill.motion).ratio;
 }
 
 TEST(ReadCase, the_vial_of_paper_a) {
@@ -28,9 +30,9 @@ TEST(ReadCase, the_vial_of_paper_a) {
   EXPECT_EQ(c.title, "vial");
   EXPECT_EQ(c.seed, 3U);
   EXPECT_EQ(c.gravity, 9.81);
-  EXPECT_EQ(std::get<Vibration>(c.mill.motion), (Vibration{{}, 10, 0.025, 0, 0}));
+  EXPECT_EQ(std::get<Vibration>(*c.mill.motion), (Vibration{{}, 10, 0.025, 0, 0}));
   EXPECT_EQ(c.mill.jar_axis, kinematics::upright);
-  const auto& jar = std::get<geometry::Capsule>(c.jar.shape);
+  const auto& jar = std::get<geometry::Capsule>(*c.jar.shape);
   EXPECT_NEAR(jar.height, 36.210e-3, 5e-7);  // physics: 5 ml in a capsule of 12 mm
   EXPECT_NEAR(jar.volume(), 5e-6, 1e-18);
   ASSERT_EQ(c.balls.size(), 1U);
@@ -104,12 +106,12 @@ TEST(ReadCase, every_value_has_its_origin) {
 TEST(ReadCase, the_planetary_mill_of_paper_b) {
   const Case c = read_sample(planetary);
   EXPECT_EQ(c.title, "case");  // the file's stem
-  const auto& mill = std::get<Planetary>(c.mill.motion);
+  const auto& mill = std::get<Planetary>(*c.mill.motion);
   EXPECT_EQ(c.mill.model, "p7");
   EXPECT_EQ(mill.orbit_radius, 0.07);
   EXPECT_DOUBLE_EQ(mill.speed, 400 * 2 * pi / 60);
   EXPECT_EQ(mill.ratio, -2);
-  EXPECT_EQ(std::get<geometry::Cylinder>(c.jar.shape).height, 0.0325);
+  EXPECT_EQ(std::get<geometry::Cylinder>(*c.jar.shape).height, 0.0325);
   EXPECT_EQ(c.jar.material, "steel");
   EXPECT_EQ(c.balls[0].count, 5);
   EXPECT_EQ(c.balls[0].density, 7700);
@@ -125,7 +127,7 @@ TEST(ReadCase, a_drum_s_speed_in_every_unit) {
   const double critical = std::sqrt(9.81 / (0.1 - 0.01));  // the largest ball counts
   const auto speed = [](const std::string& text) {
     return std::get<Tumbling>(
-               read_sample(with(drum, "speed", "speed = \"" + text + "\"")).mill.motion)
+               *read_sample(with(drum, "speed", "speed = \"" + text + "\"")).mill.motion)
         .speed;
   };
   EXPECT_DOUBLE_EQ(speed("75 %"), 0.75 * critical);
@@ -186,7 +188,7 @@ TEST(ReadCase, powder_by_mass_or_ratio) {
 TEST(ReadCase, a_volume_gives_the_size_that_is_left) {
   const auto jar = [](const std::string& lines) {
     std::string text = with(with(vial, "diameter", ""), "volume", "");
-    return read_sample(with(text, "kind = \"capsule\"", lines)).jar.shape;
+    return *read_sample(with(text, "kind = \"capsule\"", lines)).jar.shape;
   };
   EXPECT_NEAR(std::get<geometry::Capsule>(
                   jar("kind = \"capsule\"\ndiameter = \"10 mm\"\nvolume = \"5 ml\""))
@@ -245,7 +247,7 @@ TEST(ReadCase, overrides_win) {
   // One of several alternatives replaces what the file says.
   EXPECT_EQ(read_sample(planetary, {{"balls.mass", "27 g"}}).balls[0].count, 2);
   EXPECT_EQ(
-      std::get<geometry::Capsule>(read_sample(vial, {{"jar.height", "20 mm"}}).jar.shape).height,
+      std::get<geometry::Capsule>(*read_sample(vial, {{"jar.height", "20 mm"}}).jar.shape).height,
       0.02);
   EXPECT_EQ(read_sample(vial, {{"balls.material", "tic"}}).balls[0].density, 4930);
   EXPECT_EQ(read_sample(planetary, {{"powder.mass", "1 g"}}).powder->mass, 0.001);
@@ -256,7 +258,7 @@ TEST(ReadCase, overrides_win) {
 TEST(ReadCase, with_kind_a_model_is_a_name_only) {
   const Case c = read_sample(with(vial, "kind", "kind = \"vibration\"\nmodel = \"my own\""));
   EXPECT_EQ(c.mill.model, "my own");
-  EXPECT_EQ(std::get<Vibration>(c.mill.motion).frequency, 10);
+  EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 10);
 }
 
 TEST(ReadCase, a_sweep_is_kept_as_text) {
@@ -268,13 +270,13 @@ TEST(ReadCase, a_sweep_is_kept_as_text) {
   EXPECT_EQ(c.sweep.keys[0].values, (std::vector<std::string>{"0.9", "0.5", "1"}));
   EXPECT_EQ(c.sweep.keys[1].key, "mill.frequency");
   EXPECT_EQ(c.sweep.keys[1].values, (std::vector<std::string>{"13 Hz", "16 Hz"}));
-  EXPECT_EQ(std::get<Vibration>(c.mill.motion).frequency, 10);  // the case's own stays
+  EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 10);  // the case's own stays
 }
 
 TEST(ReadCase, what_only_the_sweep_gives_is_not_missing) {
   const Case c = read_sample(with(vial, "frequency", "") +
                              "[sweep]\n\"mill.frequency\" = [\"13 Hz\", \"16 Hz\"]\n");
-  EXPECT_EQ(std::get<Vibration>(c.mill.motion).frequency, 13);
+  EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 13);
   EXPECT_EQ(source_of(c, "mill.frequency"), "first of [sweep] \"mill.frequency\"");
 }
 
@@ -289,7 +291,7 @@ TEST(ReadCase, a_measured_motion_comes_from_its_file) {
   folder.write("case.toml", text);
   const Case c = read(folder.path() / "case.toml", catalogue());
   EXPECT_EQ(c.mill.motion_file, "motion.csv");
-  const auto& motion = std::get<kinematics::Tabulated>(c.mill.motion);
+  const auto& motion = std::get<kinematics::Tabulated>(*c.mill.motion);
   ASSERT_EQ(motion.samples().size(), 4U);
   EXPECT_EQ(motion.samples()[2].centre, (Vec3{0, 0, -0.01}));
   EXPECT_DOUBLE_EQ(motion.period(), 0.3);
@@ -299,14 +301,14 @@ TEST(ReadCase, the_examples_read_with_the_real_catalogue) {
   const std::filesystem::path home = MAHLWERK_HOME;
   const Catalogue real(home / "catalogue");
   const Case c = read(home / "examples/01-one-ball/case.toml", real);
-  EXPECT_EQ(std::get<geometry::Capsule>(c.jar.shape),
-            std::get<geometry::Capsule>(read_sample(vial).jar.shape));
+  EXPECT_EQ(std::get<geometry::Capsule>(*c.jar.shape),
+            std::get<geometry::Capsule>(*read_sample(vial).jar.shape));
   std::string paper_b = with(planetary, "model", "model = \"fritsch-p7-classic\"");
   paper_b = with(paper_b, "model = \"pot", "model = \"fritsch-45ml-steel\"");
   paper_b = with(paper_b, "material = \"steel", "material = \"steel-1.4034\"");
   const Case b = read_text(paper_b + "[sweep]\n\"mill.speed\" = [\"200 rpm\", \"300 rpm\"]\n",
                            "paper-b.toml", real);
-  EXPECT_EQ(std::get<Planetary>(b.mill.motion).orbit_radius, 0.07);
+  EXPECT_EQ(std::get<Planetary>(*b.mill.motion).orbit_radius, 0.07);
 }
 
 }  // namespace

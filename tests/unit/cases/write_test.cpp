@@ -8,6 +8,10 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases {
@@ -99,14 +103,14 @@ class AnyCase {
     c.title = "random";
     c.seed = static_cast<std::uint64_t>(random_.uniform() * 1.8e19);
     c.gravity = random_.uniform(0, 20);
-    pick(c.mill.motion);
+    pick(*c.mill.motion);
     c.mill.jar_axis = flip() ? kinematics::upright : kinematics::lying;
     c.mill.model = flip() ? "some mill" : "";
     geometry::FormulaShape shape;  // a mesh comes from a file
     pick(shape);
     std::visit([&](const auto& s) { c.jar.shape = s; }, shape);
     c.jar.material = flip() ? "steel" : "";
-    const double room = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+    const double room = 2 * geometry::inradius(*c.jar.shape);
     for (int n = flip() ? 1 : 2; n > 0; --n)
       c.balls.push_back({flip() ? 1 : 2, room * random_.uniform(0.01, 0.4),
                          random_.uniform(900, 16000), flip() ? "steel" : "", elastic(),
@@ -201,13 +205,13 @@ class AnyCase {
   void draw_grinding(Case& c) {
     if (!c.powder || !c.powder->size || !c.powder->density) return;
     Capture& capture = c.capture.emplace();
-    pick(capture.model);
+    pick(*capture.model);
     capture.energy = static_cast<Capture::Energy>(whole(4) - 1);
     capture.energy_share = random_.uniform();
     if (flip()) return;
     Grinding& g = c.grinding.emplace();
-    pick(g.breakage);
-    pick(g.fragments);
+    pick(*g.breakage);
+    pick(*g.fragments);
     g.method = static_cast<Grinding::Method>(whole(4) - 1);
     g.time = size();
     g.bed = flip() ? powder::Bed::by_size : powder::Bed::mixed;
@@ -257,8 +261,8 @@ class AnyCase {
   }
   contact::ContactModel draw_model() {
     contact::ContactModel model;
-    pick(model.law);
-    std::visit([&](auto& law) { draw_numbers(law); }, model.law);
+    pick(*model.law);
+    std::visit([&](auto& law) { draw_numbers(law); }, *model.law);
     model.rolling = static_cast<contact::Rolling>(whole(5) - 1);
     model.curved_walls = flip();
     model.rescaled_unloading = flip();
@@ -291,7 +295,8 @@ TEST(WriteCase, random_cases_over_the_registers_are_read_back) {
   int tried = 0, ground = 0;
   for (std::uint32_t i = 0; i < 1600; ++i) {  // a third of the mills are faster than any material
     const Case c = AnyCase(i).draw();
-    if (std::holds_alternative<kinematics::Tabulated>(c.mill.motion)) continue;  // has its own test
+    if (std::holds_alternative<kinematics::Tabulated>(*c.mill.motion))
+      continue;  // has its own test
     if (!faults(c).empty()) continue;
     expect_round_trip(c);
     ++tried;

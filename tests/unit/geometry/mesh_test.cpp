@@ -9,6 +9,7 @@
 
 #include "mahlwerk/geometry/box.hpp"
 #include "mahlwerk/geometry/mesh_wall.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 

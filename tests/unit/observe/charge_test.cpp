@@ -12,7 +12,9 @@
 #include <string>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::observe {
@@ -108,7 +110,7 @@ TEST(Fields, mass_at_the_very_edge_is_not_lost) {
 TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_disc) {
   for (const double ratio : {-2.5, -1.0, 0.5}) {
     const scene::Chamber mill = planetary(ratio);
-    const auto& motion = std::get<kinematics::Planetary>(mill.motion);
+    const auto& motion = std::get<kinematics::Planetary>(*mill.motion);
     Charge charge(mill, 0.021);
     constexpr double r = 0.015;
     const Vec3 own{r, 0, 0};  // in the jar's axes
@@ -142,13 +144,12 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
 
 TEST(Fields, a_ball_that_rides_on_the_disc_is_at_one_angle_and_place) {
   const scene::Chamber mill = planetary(-2);
-  const auto& motion = std::get<kinematics::Planetary>(mill.motion);
   Charge charge(mill, 0.021);
   constexpr double angle = 1.234;
   double mass = 0;
   for (int i = 0; i < 50; ++i) {
     const double t = 0.0123 * i;
-    const kinematics::Carrier disc = kinematics::carrier(motion, t);
+    const kinematics::Carrier disc = kinematics::carrier(*mill.motion, t);
     const Vec3 place = disc.turn * (0.012 * Vec3{std::cos(angle), std::sin(angle), 0});
     const scene::Ball ball{2e-3, 7850, place, cross(disc.spin, place), {}};
     mass = ball.mass();
@@ -165,7 +166,7 @@ TEST(Fields, a_ball_that_rides_on_the_disc_is_at_one_angle_and_place) {
 /// Wall and ball at rest to each other, and a ball held still while the drum turns under it.
 TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
   const scene::Chamber mill = drum(3);
-  const auto& motion = std::get<kinematics::Tumbling>(mill.motion);
+  const auto& motion = std::get<kinematics::Tumbling>(*mill.motion);
   const Vec3 lowest{0, 0, -(0.1 - 2e-3)}, spin = motion.spin(0);
   Charge rides(mill, 0.1), held_still(mill, 0.1), apart(mill, 0.1);
   rides.look(0.7, {{2e-3, 7850, lowest, cross(spin, lowest), spin}}, 0.5);

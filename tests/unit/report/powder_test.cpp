@@ -12,6 +12,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/powder_plots.hpp"

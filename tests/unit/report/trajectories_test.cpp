@@ -10,6 +10,8 @@
 #include <cstdio>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::report {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/summarise.hpp"
 
@@ -75,8 +77,8 @@ inline Outcome fake_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   o.what.title = "A <fake> case & more";
   o.what.seed = 7;
   o.what.mill.motion = kinematics::Vibration{};
-  std::get<kinematics::Vibration>(o.what.mill.motion).frequency = 10;
-  std::get<kinematics::Vibration>(o.what.mill.motion).amplitude = 0.025;
+  std::get<kinematics::Vibration>(*o.what.mill.motion).frequency = 10;
+  std::get<kinematics::Vibration>(*o.what.mill.motion).amplitude = 0.025;
   o.what.jar.shape = geometry::Capsule{0.012, 0.036};
   o.what.balls = {{1, 0.008, 7850, ""}};
   o.what.run.time = 10;

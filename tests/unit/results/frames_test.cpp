@@ -8,6 +8,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 
+#include "mahlwerk/geometry/shapes.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 

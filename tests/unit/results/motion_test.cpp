@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "unit/results/fake.hpp"

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "statement.hpp"
 

@@ -11,6 +11,8 @@
 #include <numbers>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 

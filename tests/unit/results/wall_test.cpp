@@ -14,6 +14,7 @@
 #include <string>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/columns.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"

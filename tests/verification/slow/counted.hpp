@@ -9,6 +9,7 @@
 
 #include "mahlwerk/event/engines_impl.hpp"
 #include "mahlwerk/event/many_balls.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::tests {
 
@@ -48,7 +49,7 @@ inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamb
               contact::BounceTable(1, S::faces, rules.bounce), start);
         }
       },
-      chamber.shape);
+      *chamber.shape);
 }
 
 }  // namespace mahlwerk::tests

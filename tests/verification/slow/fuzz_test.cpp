@@ -12,6 +12,8 @@
 #include "counted.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
@@ -91,7 +93,7 @@ kinematics::AnyMotion motion(Random& random, double speed) {
 
 double gap_to_walls(const scene::Chamber& chamber, const scene::Ball& b, double t) {
   const Rotation turn =
-      std::visit([t](const auto& m) -> Rotation { return m.turn(t); }, chamber.motion) *
+      std::visit([t](const auto& m) -> Rotation { return m.turn(t); }, *chamber.motion) *
       chamber.mount;
   return std::visit(
       [&](const auto& s) {
@@ -101,12 +103,12 @@ double gap_to_walls(const scene::Chamber& chamber, const scene::Ball& b, double 
             least = std::min(least, s.gap(face, turn.back(b.position)).distance - b.radius);
         return least;
       },
-      chamber.shape);
+      *chamber.shape);
 }
 
 double gap_to_balls(const scene::Chamber& chamber, const scene::Ball& b,
                     std::span<const scene::Ball> others) {
-  const Vec3 p = std::visit([](const auto& s) { return geometry::periods_of(s); }, chamber.shape);
+  const Vec3 p = std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber.shape);
   double least = INFINITY;
   for (const scene::Ball& o : others) {
     const Vec3 r = event::nearest_image(b.position - o.position, p);
@@ -121,7 +123,7 @@ Case drawn(std::uint32_t n) {
   const double speed = decades(random, 1e-6, 1e6);
   Case c;
   c.chamber.shape = shape(random);
-  const bool periodic = std::holds_alternative<geometry::PeriodicBox>(c.chamber.shape);
+  const bool periodic = std::holds_alternative<geometry::PeriodicBox>(*c.chamber.shape);
   const double jar_speed = speed * decades(random, 1e-2, 1e2);
   c.chamber.motion = periodic ? kinematics::Still{} : motion(random, jar_speed);
   const Vec3 axis = random.uniform() < 0.3 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
@@ -129,8 +131,8 @@ Case drawn(std::uint32_t n) {
   const double g = random.uniform() < 0.1 ? 0 : gravity;
   c.chamber.gravity = periodic ? Vec3{} : Vec3{0, 0, -g};
   c.start = random.uniform() < 0.5 ? 0 : decades(random, 1e-3, 1e3);
-  const double room = std::visit([](const auto& s) { return s.inradius(); }, c.chamber.shape);
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, c.chamber.shape);
+  const double room = geometry::inradius(*c.chamber.shape);
+  const double reach = geometry::reach(*c.chamber.shape);
   const int wish = 1 + of(random, 5);
   for (int tries = 0; tries < 200 && std::ssize(c.balls) < wish; ++tries) {
     scene::Ball b{room * decades(random, 0.01, periodic ? 0.49 : 0.95),
@@ -142,7 +144,7 @@ Case drawn(std::uint32_t n) {
     if (random.uniform() < 0.7) b.spin = speed / b.radius * random.uniform() * random.direction();
     if (periodic)
       b.position = event::nearest_image(
-          b.position, geometry::periods_of(std::get<geometry::PeriodicBox>(c.chamber.shape)));
+          b.position, geometry::periods_of(std::get<geometry::PeriodicBox>(*c.chamber.shape)));
     if (gap_to_walls(c.chamber, b, c.start) > 0 && gap_to_balls(c.chamber, b, c.balls) > 0)
       c.balls.push_back(b);
   }
@@ -157,8 +159,7 @@ Case drawn(std::uint32_t n) {
       c.one_ball && random.uniform() < 0.5 ? event::Lasting::roll : event::Lasting::tc;
   c.rules.rolling_friction = 0.01;
   // A few times across the jar, or three turns of it.
-  const kinematics::Bounds limits =
-      std::visit([](const auto& m) { return m.bounds(); }, c.chamber.motion);
+  const kinematics::Bounds limits = kinematics::bounds(*c.chamber.motion);
   const double fastest =
       std::max({speed, limits.speed + limits.spin * reach, 0.3 * std::sqrt(g * reach)});
   c.time = random.uniform(0.5, 3) * reach / fastest;
@@ -188,7 +189,7 @@ std::string trouble(const Case& c) {
   std::unique_ptr<scene::Engine> engine;
   try {
     engine = counted_engine(c.chamber, motion, c.balls, c.rules, c.one_ball, c.start);
-    const double reach = std::visit([](const auto& s) { return s.reach(); }, c.chamber.shape);
+    const double reach = geometry::reach(*c.chamber.shape);
     for (int i = 1; i <= 4; ++i) {
       const double t = c.time * i / 4;
       *motion.left = 300'000;
@@ -200,7 +201,7 @@ std::string trouble(const Case& c) {
         if (!finite(b.position) || !finite(b.velocity) || !finite(b.spin)) return "NaN in a ball";
         // A ball that keeps no normal speed may sink in by a thousand margins (evt.5).
         const double offset =
-            std::visit([](const auto& m) { return norm(m.ride(0).centre); }, c.chamber.motion);
+            std::visit([](const auto& m) { return norm(m.ride(0).centre); }, *c.chamber.motion);
         const double clock = 4 * 0x1p-52 * (c.start + t) * 1e2 * norm(b.velocity);
         const double unseen = event::rounding_speed * c.time;  // no approach to the search
         const double rounding = 5e-9 * b.radius + 3e-11 * (reach + offset) + clock + unseen;
@@ -248,7 +249,7 @@ TEST(Fuzz, no_case_leaks_overlaps_or_loses_energy_and_few_are_endless) {
       return std::visit([](const auto& it) { return std::string(it.name); }, any);
     };
     std::printf("    case %u: %s on %s, %zd balls%s, e %g, mu %g, %s\n", n,
-                name(c.chamber.shape).c_str(), name(c.chamber.motion).c_str(), c.balls.size(),
+                name(*c.chamber.shape).c_str(), name(*c.chamber.motion).c_str(), c.balls.size(),
                 c.one_ball ? " (engine for one)" : "", c.rules.bounce.restitution.at(1),
                 c.rules.bounce.friction, what.c_str());
   }

@@ -4,6 +4,8 @@
 // Ten million steps of small grains in a tumbling jar of lumps and bars: none gets out.
 #include <gtest/gtest.h>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mesh_jars.hpp"
 #include "statement.hpp"
 

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

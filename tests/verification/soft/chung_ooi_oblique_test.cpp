@@ -12,6 +12,7 @@
 #include <numbers>
 #include <string>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

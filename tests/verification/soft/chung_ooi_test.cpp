@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

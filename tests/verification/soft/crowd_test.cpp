@@ -14,6 +14,9 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -61,7 +64,7 @@ struct World {
 };
 
 std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
-  const int faces = std::visit([](const auto& s) { return s.faces; }, w.mill.shape);
+  const int faces = std::visit([](const auto& s) { return s.faces; }, *w.mill.shape);
   soft::Rules rules{w.law, w.step, false};
   rules.few = few;
   rules.threads = threads;

@@ -12,6 +12,9 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <string>
 
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -50,7 +53,7 @@ void same_collisions(const std::string& what, const scene::Chamber& mill,
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
   const contact::PairTable pairs(1, 6, pair);
   const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).usual(0.2);
-  const auto& motion = std::get<kinematics::Vibration>(mill.motion);
+  const auto& motion = std::get<kinematics::Vibration>(*mill.motion);
   const double off = motion.amplitude * std::pow(2 * std::numbers::pi * motion.frequency * step, 2);
   const Followed hops = followed(mill, balls, pair, step, 0.2, true);
   const Followed steps = followed(mill, balls, pair, step, 0.2, false);

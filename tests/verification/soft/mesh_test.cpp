@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mesh_jars.hpp"
 #include "statement.hpp"
 

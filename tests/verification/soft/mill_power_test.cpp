@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/summarise.hpp"
 #include "soft.hpp"
@@ -102,7 +104,7 @@ TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
     moment += (i < looks ? 1 : 0.5) * turning_of(engine->balls()).weight;
   }
   const double of_shaft = turning_of(engine->balls()).momentum - begin.momentum - apart * moment;
-  const double speed = std::get<kinematics::Tumbling>(what.mill.motion).speed;
+  const double speed = std::get<kinematics::Tumbling>(*what.mill.motion).speed;
   states("work of the shaft over that of the walls",
          speed * of_shaft / (engine->account().wall_work - work), 1, 1e-3,
          "angular momentum; the engine's balance closes to 1e-3");

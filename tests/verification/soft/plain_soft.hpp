@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 
 namespace mahlwerk::tests {
@@ -221,8 +223,9 @@ class PlainSoft {
 /// The laboratory: the jar moves, balls fall. Places are the laboratory's own.
 inline PlainWorld laboratory(const scene::Chamber& chamber) {
   const auto walls = [chamber](const Vec3& place, double t) {
-    const auto [ride, turn, spin] = std::visit(
-        [t](const auto& m) { return std::tuple(m.ride(t), m.turn(t), m.spin(t)); }, chamber.motion);
+    const auto [ride, turn, spin] =
+        std::visit([t](const auto& m) { return std::tuple(m.ride(t), m.turn(t), m.spin(t)); },
+                   *chamber.motion);
     const Rotation q = turn * chamber.mount;
     const Vec3 here = place - ride.centre;
     std::vector<PlainWall> found;
@@ -235,7 +238,7 @@ inline PlainWorld laboratory(const scene::Chamber& chamber) {
             found.push_back({gap.distance, inward, r.velocity + cross(w, foot), w});
           }
         },
-        chamber.shape);
+        *chamber.shape);
     return found;
   };
   const Vec3 g = chamber.gravity;

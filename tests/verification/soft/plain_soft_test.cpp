@@ -10,6 +10,9 @@
 #include <string>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests {
@@ -104,7 +107,7 @@ TEST(Frames, a_vibration_mill_is_the_same_in_the_laboratory) {
     const auto engine = soft_engine(mill, {ball}, of_law(HertzMindlin{}), soft_pair(), dt);
     scene::Ball lifted = ball;
     const auto ride = [&](double t) {
-      return std::get<kinematics::Vibration>(mill.motion).ride(t);
+      return std::get<kinematics::Vibration>(*mill.motion).ride(t);
     };
     lifted.velocity += ride(0).velocity;
     PlainSoft plain(laboratory(mill), {lifted}, soft_pair(), dt);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

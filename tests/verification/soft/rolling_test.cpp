@@ -7,6 +7,9 @@
 #include <cmath>
 #include <string>
 
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/kernel/edges.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 #include "soft.hpp"

@@ -15,6 +15,7 @@
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -121,7 +122,7 @@ namespace {
 /// what is caught, welding the classes there are, a strength that [breakage] lends to the bed both.
 bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& numbers) {
   if (what.grinding->bed == powder::Bed::mixed) return false;
-  const bool lent = std::holds_alternative<powder::Tavares>(what.grinding->breakage);
+  const bool lent = powder::remembers(*what.grinding->breakage);
   return std::ranges::none_of(numbers, [&](const FreeParameter& number) {
     const bool of_capture =
         number.name.starts_with("capture.") && number.name != "capture.energy_share";

@@ -69,12 +69,9 @@ std::optional<std::string_view> sticking(const cases::Case& what) {
     return std::ranges::any_of(pairs.all(),
                                [&](const auto& pair) { return pair.*adhesion.value > 0; });
   };
-  return std::visit(
-      [&]<class L>(const L&) {
-        return std::ranges::any_of(contact::adhesion_of<L>(), any) ? std::optional(L::name)
-                                                                   : std::nullopt;
-      },
-      what.contact.model.law);
+  const contact::AnyLaw& law = *what.contact.model.law;
+  if (!std::ranges::any_of(contact::adhesion(law), any)) return std::nullopt;
+  return contact::name_of(law);
 }
 
 /// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
@@ -111,11 +108,11 @@ std::string against_event(const Pilot& p) {
 
 Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   if (what.run.engine != cases::EngineName::automatic) return {what.run.engine, {}};
-  if (!geometry::exact_touches(what.jar.shape))
+  if (!geometry::exact_touches(*what.jar.shape))
     return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. The event engine does not take a jar of "
                          "kind \"{}\".",
-                         geometry::name_of(what.jar.shape))}};
+                         geometry::name_of(*what.jar.shape))}};
   if (cases::fits_exactly(what))
     return {cases::EngineName::soft,
             {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "

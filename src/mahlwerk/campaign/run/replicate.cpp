@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
@@ -103,7 +104,7 @@ namespace {
 /// A wait for certainty begins with stretches of this many periods of the mill, or seconds.
 double first_window(const cases::Case& what) {
   if (!what.run.until) return what.run.time / Replica::stretches;
-  const double period = std::visit([](const auto& m) { return m.period(); }, what.mill.motion);
+  const double period = kinematics::period(*what.mill.motion);
   return std::min(std::isfinite(period) ? period : 0.05, what.run.time / Replica::stretches);
 }
 
@@ -165,7 +166,7 @@ void Replica::advance(double time) {
 /// Times at which the charge is looked at, spread so that they meet a periodic motion in all its
 /// phases.
 double Replica::next_look() const {
-  if (stretch_ == 0 || looked_ == looks_) return geometry::never;
+  if (stretch_ == 0 || looked_ == looks_) return std::numeric_limits<double>::infinity();
   constexpr double golden = 0.6180339887498949;  // (obs.6)
   const double jitter = std::fmod(golden * static_cast<double>(looked_ever_ + 1), 1.0);
   return end_of(stretch_ - 1) + window_ * (looked_ + jitter) / looks_;

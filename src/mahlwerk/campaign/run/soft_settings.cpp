@@ -35,10 +35,9 @@ std::vector<scene::Ball> one_of_each(const cases::Case& what) {
 }
 
 double meeting_speed(const cases::Case& what) {
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, what.jar.shape);
-  const auto most = std::visit([](const auto& m) { return m.bounds(); }, what.mill.motion);
-  const double parts =
-      std::visit([](const auto& s) { return geometry::speed_of_parts(s); }, what.jar.shape);
+  const double reach = geometry::reach(*what.jar.shape);
+  const auto most = kinematics::bounds(*what.mill.motion);
+  const double parts = geometry::speed_of_parts(*what.jar.shape);
   const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
   constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
   return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
@@ -53,8 +52,7 @@ std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
     return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
   if (usual == steps.damper / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
-  return fmt::format("a fiftieth of {}",
-                     std::visit([](const auto& l) { return l.shortest; }, what.contact.model.law));
+  return fmt::format("a fiftieth of {}", contact::shortest(*what.contact.model.law));
 }
 
 /// The largest of what the step leaves collisions off by, over all pairs of the case.
@@ -63,7 +61,7 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   soft::StepError worst;
   const auto look = [&](const contact::Pair& pair) {
     const soft::StepError e =
-        soft::step_error(s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
+        soft::step_error(*s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
     worst = {std::max(worst.rebound, e.rebound), std::max(worst.across, e.across),
              std::max(worst.spin, e.spin)};
   };
@@ -97,7 +95,7 @@ SoftSettings soft_settings(const cases::Case& what) {
   s.rules.free_flight_skip = what.run.hop;
   s.speed = meeting_speed(what);
   s.steps =
-      soft::time_steps(one_of_each(what), s.rules.model.law, cases::pair_table(what), s.speed);
+      soft::time_steps(one_of_each(what), *s.rules.model.law, cases::pair_table(what), s.speed);
   s.rules.time_step = what.run.time_step ? *what.run.time_step
                                          : rounded_down(s.steps.usual(what.run.time_step_fraction));
   return s;

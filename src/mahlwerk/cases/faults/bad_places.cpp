@@ -29,27 +29,16 @@ std::string name_of(const Given& ball) {
 
 /// [m] from the wall, negative outside; half a period's way where there is none.
 double room_at(const geometry::AnyShape& shape, const Given& ball) {
-  return std::visit(
-      [&](const auto& s) {
-        double least = geometry::never;
-        geometry::each_wall(
-            s, ball.place, ball.radius, ball.radius,
-            [&](int, const geometry::Gap& gap) { least = std::min(least, gap.distance); });
-        const Vec3 half = 0.5 * geometry::periods_of(s), p = ball.place;
-        const bool home =
-            std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z;
-        return home ? least : -1.0;
-      },
-      shape);
+  const Vec3 half = 0.5 * geometry::periods(shape), p = ball.place;
+  const bool home = std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z;
+  return home ? geometry::nearest_wall(shape, p, ball.radius) : -1.0;
 }
 
 class PlaceCheck {
  public:
   PlaceCheck(const Case& c, std::vector<Fault>& found) : c_(c), found_(found) {
-    const double reach = std::visit([](const auto& s) { return s.reach(); }, c.jar.shape);
-    room_ = {
-        .half = {reach, reach, reach},
-        .periods = std::visit([](const auto& s) { return geometry::periods_of(s); }, c.jar.shape)};
+    const double reach = geometry::reach(*c.jar.shape);
+    room_ = {.half = {reach, reach, reach}, .periods = geometry::periods(*c.jar.shape)};
     room_.half = {std::min(reach, 0.5 * room_.periods.x), std::min(reach, 0.5 * room_.periods.y),
                   std::min(reach, 0.5 * room_.periods.z)};
     for (std::size_t set = 0; set < c.balls.size(); ++set)
@@ -69,7 +58,7 @@ class PlaceCheck {
 
  private:
   bool in_jar(const Given& ball) {
-    const double room = room_at(c_.jar.shape, ball);
+    const double room = room_at(*c_.jar.shape, ball);
     if (room >= ball.radius * (1 - touch_rounding)) return true;
     fault(ball, "outside-jar",
           room < 0 ? fmt::format("{} starts outside the jar", name_of(ball))

@@ -33,11 +33,11 @@ std::vector<Fault> soft_faults(const Case& c) {
 }
 
 std::vector<Fault> event_faults(const Case& c) {
-  if (!geometry::exact_touches(c.jar.shape))
+  if (!geometry::exact_touches(*c.jar.shape))
     return {{place_of(c, "run.engine"),
              fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
                          "times of touch from a formula",
-                         geometry::name_of(c.jar.shape)),
+                         geometry::name_of(*c.jar.shape)),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
   if (c.run.engine == EngineName::event && fits_exactly(c))
     return {
@@ -64,7 +64,7 @@ std::vector<Fault> event_faults(const Case& c) {
 
 bool fits_exactly(const Case& c) {
   constexpr double tight = 1e-6;
-  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  const double jar = 2 * geometry::inradius(*c.jar.shape);
   std::vector<double> diameters;  // those there are two of, twice
   for (const BallSet& set : c.balls)
     for (const SizeClass& size : set.sizes())
@@ -76,7 +76,7 @@ bool fits_exactly(const Case& c) {
 }
 
 std::vector<Fault> engine_faults(const Case& c) {
-  const bool exact = geometry::exact_touches(c.jar.shape);  // others "auto" takes to soft
+  const bool exact = geometry::exact_touches(*c.jar.shape);  // others "auto" takes to soft
   const bool soft =
       c.run.engine == EngineName::soft || (!exact && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);

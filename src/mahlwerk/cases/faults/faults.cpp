@@ -18,6 +18,9 @@
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/geometry/periodic_box.hpp"
+#include "mahlwerk/geometry/rounded_cylinder.hpp"
+#include "mahlwerk/kinematics/still.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -34,7 +37,7 @@ std::string size_key(const Case& c, std::size_t set) {
 
 void balls_too_large(const Case& c, std::vector<Fault>& found) {
   constexpr double room = 1e-6;  // of the jar: less would leave no place to start from
-  const double jar = 2 * std::visit([](const auto& s) { return s.inradius(); }, c.jar.shape);
+  const double jar = 2 * geometry::inradius(*c.jar.shape);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     if (c.balls[i].count < 1) continue;  // reported elsewhere
     const double ball = largest_ball({c.balls[i]});
@@ -47,7 +50,7 @@ void balls_too_large(const Case& c, std::vector<Fault>& found) {
 }
 
 void fillet_too_large(const Case& c, std::vector<Fault>& found) {
-  const auto* jar = std::get_if<geometry::RoundedCylinder>(&c.jar.shape);
+  const auto* jar = geometry::as<geometry::RoundedCylinder>(*c.jar.shape);
   if (jar == nullptr) return;
   const double most = 0.5 * std::min(jar->diameter, jar->height);
   if (!(jar->fillet > most)) return;
@@ -61,27 +64,22 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
 
 /// Parts of a jar that do not fit together.
 void impossible_jar(const Case& c, std::vector<Fault>& found) {
-  const std::string flaw = std::visit(
-      [](const auto& s) -> std::string {
-        if constexpr (requires { s.flaw(); })
-          return std::isnan(s.volume()) ? "" : s.flaw();  // a size was no good: said already
-        else
-          return "";
-      },
-      c.jar.shape);
+  if (std::isnan(geometry::volume(*c.jar.shape))) return;  // a size was no good: said already
+  const std::string flaw = geometry::flaw(*c.jar.shape);
   if (flaw.empty()) return;
   found.push_back({place_of(c, "jar.kind"),
-                   fmt::format("there is no such {}: {}", geometry::name_of(c.jar.shape), flaw),
+                   fmt::format("there is no such {}: {}", geometry::name_of(*c.jar.shape), flaw),
                    "see docs/theory/geometry.md for what the sizes mean", "impossible-jar"});
 }
 
 /// Without walls there is nothing that could move or carry the balls.
 void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
-  if (!std::holds_alternative<geometry::PeriodicBox>(c.jar.shape)) return;
+  const auto* box = geometry::as<geometry::PeriodicBox>(*c.jar.shape);
+  if (box == nullptr) return;
   const auto fault = [&](const char* key, const char* what, const char* remedy) {
     found.push_back({place_of(c, key), what, remedy, "periodic-box"});
   };
-  if (!std::holds_alternative<kinematics::Still>(c.mill.motion))
+  if (kinematics::as<kinematics::Still>(*c.mill.motion) == nullptr)
     fault("mill.kind", "a periodic box has no walls that a mill could move",
           "write kind = \"still\", or take a jar with walls");
   if (c.gravity != 0)
@@ -90,7 +88,7 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
   if (c.heat)
     fault("heat.milling", "a periodic box has no wall that heat could pass", "remove [heat]");
   const double widest = largest_ball(c.balls);
-  const double period = 2 * std::get<geometry::PeriodicBox>(c.jar.shape).inradius();
+  const double period = 2 * box->inradius();
   if (period <= 2 * widest && widest < period)
     fault("balls.1.diameter", "a ball of half a periodic box meets another and its image at once",
           "give smaller balls or a larger box");
@@ -119,9 +117,8 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
 /// A wall faster than any material bears: a slip of a unit.
 void absurd_speed(const Case& c, std::vector<Fault>& found) {
   constexpr double most = 1000;  // [m/s]
-  const kinematics::Bounds bounds =
-      std::visit([](const auto& motion) { return motion.bounds(); }, c.mill.motion);
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, c.jar.shape);
+  const kinematics::Bounds bounds = kinematics::bounds(*c.mill.motion);
+  const double reach = geometry::reach(*c.jar.shape);
   const double speed = bounds.speed + bounds.spin * reach;
   if (!(speed > most)) return;
   found.push_back({place_of(c, "mill.kind"),

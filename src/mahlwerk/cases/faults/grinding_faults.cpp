@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/faults/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/grinding_fields.hpp"
+#include "mahlwerk/powder/models.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -49,9 +50,9 @@ class GrindingCheck {
       fault("powder.as", "powder that takes part as grains cannot be caught by [capture] as well",
             "leave out `as`: collisions of the balls then tell what is caught",
             "grains-and-capture");
-    const auto* barrios = std::get_if<powder::Barrios>(&c_.capture->model);
+    const auto* barrios = std::get_if<powder::Barrios>(&*c_.capture->model);
     const bool known =
-        c_.grinding && std::holds_alternative<powder::Tavares>(c_.grinding->breakage);
+        c_.grinding && std::holds_alternative<powder::Tavares>(*c_.grinding->breakage);
     if (barrios != nullptr && barrios->fracture_energy == 0 && !known)
       fault("capture.fracture_energy",
             "capture.fracture_energy = 0 leaves it to [breakage], which knows none",
@@ -72,19 +73,19 @@ class GrindingCheck {
     if (!c_.capture)
       fault("grinding.time", "[grinding] needs [capture]: what a collision catches of the powder",
             "add [capture] with model = \"barrios\" or another", "lone-section");
-    const auto* t10 = std::get_if<powder::T10Fragments>(&g.fragments);
+    const auto* t10 = std::get_if<powder::T10Fragments>(&*g.fragments);
     const auto& [told, name] = std::visit(
         [](const auto& m) {
           bool read = true;
           for (const auto& field : m.fields()) read = read && !std::isnan(m.*field.value);
           return std::pair{m.tells_fineness || !read, m.name};
         },
-        g.breakage);
+        *g.breakage);
     if (t10 != nullptr && t10->t10 == 0 && !told)
       fault("fragments.model",
             fmt::format("[fragments] lacks `t10`, and [breakage] model = \"{}\" tells none", name),
             "write t10 = 0.3 or so, or choose \"shi-kojovic\" or \"tavares\"", "missing-value");
-    const bool remembers = std::holds_alternative<powder::Tavares>(g.breakage);
+    const bool remembers = powder::remembers(*g.breakage);
     if (remembers && g.bed == powder::Bed::mixed && g.method != Grinding::Method::statistical)
       fault(
           "grinding.bed",
@@ -112,7 +113,7 @@ class GrindingCheck {
             "out-of-range");
       return;
     }
-    const bool many = std::visit([](const auto& m) { return m.remembers; }, g.breakage);
+    const bool many = powder::remembers(*g.breakage);
     const double most = many ? most_remembering_classes : most_size_classes;
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);

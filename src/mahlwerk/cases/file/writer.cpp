@@ -11,6 +11,8 @@
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/geometry/mesh.hpp"
+#include "mahlwerk/kinematics/tabulated.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -73,11 +75,11 @@ std::string contents_of_files(const Case& c) {
   const auto add = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
-  if (const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape)) {
+  if (const auto* mesh = geometry::as<geometry::Mesh>(*c.jar.shape)) {
     for (const Vec3& point : mesh->surface().points) add(point);
     for (const auto& triangle : mesh->surface().triangles) add(triangle);
   }
-  if (const auto* measured = std::get_if<kinematics::Tabulated>(&c.mill.motion))
+  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*c.mill.motion))
     for (const kinematics::Sample& sample : measured->samples()) add(sample);
   return fmt::format("# files {:016x}\n", fingerprint(bytes));
 }

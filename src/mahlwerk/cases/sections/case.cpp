@@ -49,8 +49,8 @@ void describe(CaseVisitor& v, Case& c) {
   if (c.heat) section("heat", *c.heat);
   if (c.capture) section("capture", *c.capture, c, false);
   if (c.grinding) {
-    section("breakage", c.grinding->breakage, c);
-    section("fragments", c.grinding->fragments, c);
+    section("breakage", *c.grinding->breakage, c);
+    section("fragments", *c.grinding->fragments, c);
     section("grinding", *c.grinding, c);
   }
   if (c.kinetics) section("kinetics", *c.kinetics, c);

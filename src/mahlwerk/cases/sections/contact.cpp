@@ -17,13 +17,10 @@ namespace {
 
 /// [m/s2] the strongest of the mill.
 double field_of(const Case& c) {
-  return std::visit(
-      [&](const auto& motion) {
-        return kinematics::strongest_field({0, 0, -c.gravity}, motion.bounds().acceleration,
-                                           motion.period(),
-                                           [&](double t) { return motion.ride(t); });
-      },
-      c.mill.motion);
+  const kinematics::AnyMotion& motion = *c.mill.motion;
+  return kinematics::strongest_field({0, 0, -c.gravity}, kinematics::bounds(motion).acceleration,
+                                     kinematics::period(motion),
+                                     [&](double t) { return kinematics::ride(motion, t); });
 }
 
 /// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "mahlwerk/cases/file/register.hpp"
+#include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::cases {
 
@@ -37,12 +38,8 @@ const std::vector<std::string_view>& law_keys() {
 bool has_meaning(std::string_view key, const contact::ContactModel& model) {
   if (key == "rolling_friction") return contact::rule_of(model.rolling).resists;
   if (key == rolling_damping.key) return contact::rule_of(model.rolling).damped;
-  return std::visit(
-      [&]<class L>(const L&) {
-        return std::ranges::any_of(contact::adhesion_of<L>(),
-                                   [&](const auto& parameter) { return parameter.key == key; });
-      },
-      model.law);
+  return std::ranges::any_of(contact::adhesion(*model.law),
+                             [&](const auto& parameter) { return parameter.key == key; });
 }
 
 std::string_view unit_of(std::string_view key, std::string_view unit,
@@ -51,7 +48,8 @@ std::string_view unit_of(std::string_view key, std::string_view unit,
 }
 
 const std::vector<std::string>& contact_laws() {
-  static const std::vector<std::string> names = model_names(std::type_identity<contact::AnyLaw>{});
+  static const std::vector<std::string> names =
+      model_names(std::type_identity<contact::AnyLaw::Models>{});
   return names;
 }
 

@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/grinding_fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/powder/models.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -134,13 +135,9 @@ void lone_sections(const GrindingTables& t, Findings& findings) {
             fmt::format("add [{}] with model = ..., one of {}", name, listed(models)));
   };
   part(t.breakage, "breakage", "which hits break a grain",
-       model_names(std::type_identity<powder::AnyBreakage>{}));
+       model_names(std::type_identity<powder::AnyBreakage::Models>{}));
   part(t.fragments, "fragments", "into what a grain breaks",
-       model_names(std::type_identity<powder::AnyFragments>{}));
-}
-
-bool remembers(const powder::AnyBreakage& breakage) {
-  return std::visit([](const auto& model) { return model.remembers; }, breakage);
+       model_names(std::type_identity<powder::AnyFragments::Models>{}));
 }
 
 }  // namespace
@@ -165,7 +162,7 @@ void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) 
     v.number(Wanted(energy_share), capture.energy_share);
   };
   if (v.reading() != nullptr) energy();
-  if (describe_model(v, capture.model, c, remembering) && v.reading() == nullptr) energy();
+  if (describe_model(v, *capture.model, c, remembering) && v.reading() == nullptr) energy();
 }
 
 void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c) {
@@ -184,7 +181,7 @@ void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
   describe_method(v, g);
   describe_smallest(v, g, c);
-  describe_per_octave(v, g, remembers(g.breakage));
+  describe_per_octave(v, g, powder::remembers(*g.breakage));
   describe_sticking_and_welding(v, g);
 }
 
@@ -198,12 +195,12 @@ void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
   };
   if (t.breakage != nullptr) {
     g.breakage = powder::VogelPeukert{unread, unread};
-    read(t.breakage, "breakage", g.breakage);
+    read(t.breakage, "breakage", *g.breakage);
   }
-  if (t.fragments != nullptr) read(t.fragments, "fragments", g.fragments);
+  if (t.fragments != nullptr) read(t.fragments, "fragments", *g.fragments);
   if (t.capture != nullptr) {
     Capture capture{.model = powder::Barrios{unread}};
-    read(t.capture, "capture", capture, remembers(g.breakage));
+    read(t.capture, "capture", capture, powder::remembers(*g.breakage));
     c.capture = capture;
   }
   if (t.grinding == nullptr) return;

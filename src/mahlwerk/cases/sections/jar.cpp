@@ -9,6 +9,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -125,14 +126,14 @@ Jar unread_jar() {
 
 void describe(KeyVisitor& v, Jar& jar) {
   Model model;
-  const bool known = describe_kind(v, "jars", jar.shape, jar.model, model);
+  const bool known = describe_kind(v, "jars", *jar.shape, jar.model, model);
   if (v.reading() != nullptr) v.text("material", jar.material);
   if (!known) {
     jar.shape = unread_jar().shape;
     return v.ignore_unknown_keys();
   }
-  if (std::holds_alternative<geometry::Mesh>(jar.shape)) describe_mesh(v, jar);
-  describe_shape(v, jar.shape);
+  if (std::holds_alternative<geometry::Mesh>(*jar.shape)) describe_mesh(v, jar);
+  describe_shape(v, *jar.shape);
   if (v.reading() == nullptr) v.text("material", jar.material);
   describe_wall(v, jar);
 }

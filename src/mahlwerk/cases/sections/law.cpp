@@ -8,6 +8,7 @@
 
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -63,12 +64,12 @@ void describe_law(KeyVisitor& v, ContactModel* model) {
         v.maybe(Wanted(f), left_out);
   };
   if (in == nullptr) {
-    if (model != nullptr) std::visit(numbers, model->law);
+    if (model != nullptr) std::visit(numbers, *model->law);
     return;
   }
   for (const std::string_view key : law_keys()) {
     if (model != nullptr)
-      std::visit([&](auto& law) { read_key(*in, law, key); }, model->law);
+      std::visit([&](auto& law) { read_key(*in, law, key); }, *model->law);
     else
       in->find(key);
   }
@@ -78,7 +79,7 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
   const auto each = [&]<class L>(L& law) {
     for (const auto& one : contact::switches_of<L>()) describe_switch(v, law, one);
   };
-  if (v.reading() == nullptr) std::visit(each, model.law);  // read with the law's numbers
+  if (v.reading() == nullptr) std::visit(each, *model.law);  // read with the law's numbers
 }
 
 }  // namespace
@@ -92,12 +93,12 @@ bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
   if (key.starts_with("rolling"))
     without_meaning(*in, key, "rolling", contact::rule_of(model->rolling).name);
   else
-    without_meaning(*in, key, "law", contact::name_of(model->law));
+    without_meaning(*in, key, "law", contact::name_of(*model->law));
   return false;
 }
 
 bool describe(KeyVisitor& v, ContactModel& model) {
-  const bool law = v.model("law", model.law, contact_laws().front(),
+  const bool law = v.model("law", *model.law, contact_laws().front(),
                            "elastic spheres that stick and slip, the usual law of mills");
   const bool rolling = v.word(
       {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B"},

@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/setup/stl.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -148,7 +149,7 @@ void describe_measured(KeyVisitor& v, Mill& mill) {
 }
 
 void describe_axis(KeyVisitor& v, Mill& mill) {
-  const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, mill.motion);
+  const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, *mill.motion);
   const std::array axes{kinematics::upright, kinematics::lying};
   auto place = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
   const bool sound = v.choose({"jar_axis",
@@ -179,11 +180,11 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
 
 void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
-  if (!describe_kind(v, "mills", mill.motion, mill.model, model)) return v.ignore_unknown_keys();
+  if (!describe_kind(v, "mills", *mill.motion, mill.model, model)) return v.ignore_unknown_keys();
   if (v.reading() != nullptr) describe_axis(v, mill);
-  if (v.visits_all() || std::holds_alternative<Tabulated>(mill.motion)) describe_measured(v, mill);
-  if (!std::holds_alternative<Tabulated>(mill.motion))
-    std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, mill.motion);
+  if (v.visits_all() || std::holds_alternative<Tabulated>(*mill.motion)) describe_measured(v, mill);
+  if (!std::holds_alternative<Tabulated>(*mill.motion))
+    std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, *mill.motion);
   if (v.reading() == nullptr) describe_axis(v, mill);
   describe_jars(v, mill.jars_carried);
 }

@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/file/section.hpp"
+#include "mahlwerk/kinematics/tabulated.hpp"
 
 // The sections of a case, one function each: it names the section's keys with their values to a
 // visitor. What cannot be read is left `unread`.

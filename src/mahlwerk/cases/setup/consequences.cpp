@@ -7,6 +7,8 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -41,14 +43,13 @@ double radius_of(const geometry::Mesh& mesh) {
   return mesh.across();  // of the drum's shell, whatever stands out from it
 }
 double jar_radius(const Jar& jar) {
-  return std::visit([](const auto& s) { return radius_of(s); }, jar.shape);
+  return std::visit([](const auto& s) { return radius_of(s); }, *jar.shape);
 }
 bool axisymmetric(const Jar& jar) {
-  return std::visit([](const auto& s) { return std::decay_t<decltype(s)>::axisymmetric; },
-                    jar.shape);
+  return geometry::axisymmetric(*jar.shape);
 }
 double jar_reach(const Jar& jar) {
-  return std::visit([](const auto& s) { return s.reach(); }, jar.shape);
+  return geometry::reach(*jar.shape);
 }
 
 class Derivation {
@@ -62,8 +63,8 @@ class Derivation {
   }
 
   std::vector<Consequence> all() {
-    std::visit([&](const auto& motion) { speeds(motion); }, c_.mill.motion);
-    std::visit([&](const auto& motion) { special(motion); }, c_.mill.motion);
+    std::visit([&](const auto& motion) { speeds(motion); }, *c_.mill.motion);
+    std::visit([&](const auto& motion) { special(motion); }, *c_.mill.motion);
     charge();
     return std::move(found_);
   }
@@ -82,8 +83,7 @@ class Derivation {
       const double reach = about_axis ? jar_radius(c_.jar) : jar_reach(c_.jar);
       return norm(motion.ride(t).velocity) + norm(spin) * reach;
     };
-    peak_ = largest(motion, wall_speed) +
-            std::visit([](const auto& s) { return geometry::speed_of_parts(s); }, c_.jar.shape);
+    peak_ = largest(motion, wall_speed) + geometry::speed_of_parts(*c_.jar.shape);
     say("peak_wall_speed", peak_, "m/s",
         "largest speed of the jar's wall, at most: centre and turning added (kin.9)");
     const double pull =
@@ -135,7 +135,7 @@ class Derivation {
   }
 
   void mesh() {
-    const auto* mesh = std::get_if<geometry::Mesh>(&c_.jar.shape);
+    const auto* mesh = std::get_if<geometry::Mesh>(&*c_.jar.shape);
     if (mesh == nullptr) return;
     const auto triangles = static_cast<double>(mesh->surface().triangles.size());
     const Vec3 size = mesh->extent().size();

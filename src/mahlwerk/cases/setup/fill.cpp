@@ -50,7 +50,7 @@ class Charge {
       portions_[i].from = count_;
       count_ += portions_[i].count;
     }
-    room_.periods = std::visit([](const auto& s) { return geometry::periods_of(s); }, shape);
+    room_.periods = geometry::periods(shape);
     for (const std::size_t i : order_) {
       const Vec3& box = places_.emplace_back(shape, 0.5 * portions_[i].diameter).box();
       room_.half = {std::max(room_.half.x, box.x), std::max(room_.half.y, box.y),
@@ -196,7 +196,7 @@ class Charge {
   double filling() const {
     double volume = 0;
     for (const BallSet& set : sets_) volume += static_cast<double>(set.count) * ball_volume(set);
-    return volume / std::visit([](const auto& s) { return s.volume(); }, shape_);
+    return volume / geometry::volume(shape_);
   }
   /// Many balls of nearly one size, denser than any random packing of them: no push would end.
   bool hopeless() {

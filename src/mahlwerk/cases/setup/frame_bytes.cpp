@@ -5,6 +5,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -33,11 +34,11 @@ double triangles(const Round&) {
 }  // namespace
 
 bool looks_still(const Case& c) {
-  const Vec3 axis = std::visit([](const auto& m) { return m.fixed_axis(); }, c.mill.motion);
-  const bool turns = std::visit([](const auto& m) { return m.bounds().spin > 0; }, c.mill.motion);
-  const bool stirred = std::holds_alternative<geometry::Attritor>(c.jar.shape);
-  const bool along = std::visit([](const auto& s) { return s.axisymmetric; }, c.jar.shape) &&
-                     norm(cross(axis, c.mill.jar_axis)) < 1e-12;
+  const Vec3 axis = kinematics::fixed_axis(*c.mill.motion);
+  const bool turns = kinematics::bounds(*c.mill.motion).spin > 0;
+  const bool stirred = geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr;
+  const bool along =
+      geometry::axisymmetric(*c.jar.shape) && norm(cross(axis, c.mill.jar_axis)) < 1e-12;
   return !stirred && (!turns || along);
 }
 
@@ -49,7 +50,7 @@ double frame_bytes(const Case& c) {
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;
   bytes += 2200 + (forces ? 160 : 128) * balls;
   if (!looks_still(c))  // half as many corners as triangles, in base64
-    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, c.jar.shape);
+    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, *c.jar.shape);
   return bytes;
 }
 

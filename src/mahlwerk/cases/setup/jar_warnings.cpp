@@ -7,12 +7,13 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/geometry/mesh.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
 std::string tight_hollows(const Case& c) {
-  const auto* mesh = std::get_if<geometry::Mesh>(&c.jar.shape);
+  const auto* mesh = geometry::as<geometry::Mesh>(*c.jar.shape);
   if (mesh == nullptr) return "";
   const double bend = mesh->tightest_bend(), ball = 0.5 * largest_ball(c.balls);
   if (!(ball > bend * (1 + 1e-3))) return "";

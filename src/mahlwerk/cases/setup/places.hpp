@@ -2,95 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/cases/setup/grid.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 
 namespace mahlwerk::cases {
 
 /// What balls of one radius keep between themselves and the wall [m]: `share` of the radius, or
 /// half of what there is in a jar hardly larger.
-inline double wall_clearance(const geometry::AnyShape& shape, double radius, double share) {
-  const double room = std::visit([](const auto& s) { return s.inradius(); }, shape) - radius;
-  return std::min(share * radius, 0.5 * room);
-}
+double wall_clearance(const geometry::AnyShape& shape, double radius, double share);
 
 /// Random places in a jar for balls of one size, uniform over where such a ball is free. Positions
 /// are in the jar's own axes.
 class Places {
  public:
-  Places(const geometry::AnyShape& shape, double radius)
-      : shape_(&shape), radius_(radius), needed_(radius + wall_clearance(shape, radius, 1e-3)) {
-    std::visit([&](const auto& s) { measure(s); }, shape);
-  }
+  Places(const geometry::AnyShape& shape, double radius);
 
-  Vec3 draw(Random& random) const {
-    constexpr int tries = 1000;  // between halvings; the first box is half full at least
-    for (double scale = 1; scale > 1e-9; scale *= 0.5)
-      for (int i = 0; i < tries; ++i) {
-        const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-        const double z = random.uniform(-1, 1);
-        const Vec3 place = centre_ + Vec3{x * half_.x, y * half_.y, z * half_.z};
-        const Vec3 p = middle_ + scale * (place - middle_);
-        if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
-      }
-    throw InputError(Fault{"jar", "no place was found for a ball in it",
-                           "give a smaller ball; a mesh must not cut through itself",
-                           "does-not-fit"});
-  }
+  Vec3 draw(Random& random) const;
   /// Half the sides of a box that holds all such places.
   const Vec3& box() const { return box_; }
 
  private:
   template <class S>
-  void measure(const S& shape) {
-    if constexpr (requires { shape.middle(); }) {  // neither convex nor about the origin
-      const geometry::Extent e = shape.extent();
-      const Vec3 low = magnitude(e.low), high = magnitude(e.high);
-      box_ = {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
-      half_ = 0.5 * e.size();
-      centre_ = e.middle();
-      middle_ = shape.middle();
-      return;
-    }
-    const Vec3 half = 0.5 * geometry::periods_of(shape);
-    box_ = {std::min(extent(shape, {1, 0, 0}), half.x), std::min(extent(shape, {0, 1, 0}), half.y),
-            std::min(extent(shape, {0, 0, 1}), half.z)};
-    half_ = box_;
-  }
-
+  void measure(const S& shape);
   template <class S>
-  bool free(const S& shape, const Vec3& p) const {
-    bool free = true;
-    geometry::each_wall(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
-      free = free && gap.distance >= needed_;
-    });
-    return free;
-  }
-
-  /// How far the free region reaches along an axis: jars are convex, and where the wall it ends at
-  /// lies square to the axis no point of it is farther.
+  bool free(const S& shape, const Vec3& p) const;
   template <class S>
-  double extent(const S& shape, const Vec3& axis) const {
-    double in = 0, out = shape.reach();
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (in + out);
-      (free(shape, middle * axis) ? in : out) = middle;
-    }
-    return S::axisymmetric || square(shape, out * axis, axis) ? out : shape.reach();
-  }
+  double extent(const S& shape, const Vec3& axis) const;
   template <class S>
-  bool square(const S& shape, const Vec3& p, const Vec3& axis) const {
-    bool found = false;
-    geometry::each_wall(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
-      found = found || (gap.distance <= needed_ && dot(gap.inward, axis) < -1 + 1e-12);
-    });
-    return found;
-  }
+  bool square(const S& shape, const Vec3& p, const Vec3& axis) const;
 
   const geometry::AnyShape* shape_;
   double radius_, needed_;

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/setup/places.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {

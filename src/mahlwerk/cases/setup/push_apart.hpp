@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/setup/grid.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 
 namespace mahlwerk::cases {
 

@@ -7,6 +7,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -29,7 +30,7 @@ Notices densities(const Case& c) {
 }
 
 Notices ratios(const Case& c) {
-  const auto* planetary = std::get_if<kinematics::Planetary>(&c.mill.motion);
+  const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion);
   if (planetary == nullptr || planetary->ratio <= 0) return {};
   return {warning(
       "unusual-ratio",

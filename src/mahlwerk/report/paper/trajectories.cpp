@@ -47,12 +47,8 @@ class Film {
   Place place(std::size_t frame, std::size_t ball) const {
     const auto& p = film_.places()[frame * film_.balls() + ball];
     const Vec3 at = film_.place_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
-    const Rotation turn = std::visit(
-        [&](const auto& motion) {
-          return view_ == View::jar ? motion.turn(time(frame))
-                                    : kinematics::carrier(motion, time(frame)).turn;
-        },
-        mill_.motion);
+    const Rotation turn = view_ == View::jar ? kinematics::turn(*mill_.motion, time(frame))
+                                             : kinematics::carrier(*mill_.motion, time(frame)).turn;
     const Vec3 e = turn * charge_.right(), f = turn * charge_.up();
     return {dot(at, e), dot(at, f), dot(at, cross(e, f))};
   }
@@ -126,8 +122,7 @@ bool has_film(const Panel& panel) {
 
 /// The jar is cut across: its wall is a circle in the plane.
 bool is_round(const results::Outcome& outcome) {
-  const Vec3 normal = std::visit([](const auto& m) { return kinematics::plane_normal(m); },
-                                 outcome.what.mill.motion);
+  const Vec3 normal = kinematics::plane_normal(*outcome.what.mill.motion);
   return norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
 }
 

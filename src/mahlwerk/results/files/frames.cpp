@@ -25,18 +25,15 @@ FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& wha
     : chamber_(cases::chamber(what)) {
   using cases::FramesFormat;
   const auto with = [&](const char* ending) { return stem.string() + ending; };
-  if (what.observe.frames_format != FramesFormat::vtk) xyz_.emplace(with(".xyz"), chamber_.shape);
+  if (what.observe.frames_format != FramesFormat::vtk) xyz_.emplace(with(".xyz"), *chamber_.shape);
   if (what.observe.frames_format != FramesFormat::xyz)
-    vtk_.emplace(with(".pvd"), chamber_.shape, cases::looks_still(what));
+    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::looks_still(what));
 }
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
                      const std::vector<Vec3>& forces) {
-  const Frame frame = std::visit(
-      [&](const auto& m) {
-        return Frame{time, balls, forces, m.ride(time).centre, m.turn(time) * chamber_.mount};
-      },
-      chamber_.motion);
+  const Frame frame{time, balls, forces, kinematics::ride(*chamber_.motion, time).centre,
+                    kinematics::turn(*chamber_.motion, time) * chamber_.mount};
   if (xyz_) xyz_->add(frame);
   if (vtk_) vtk_->add(frame);
 }

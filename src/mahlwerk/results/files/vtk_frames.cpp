@@ -133,7 +133,7 @@ std::string VtkFrames::jar_text(const Frame& frame) const {
   std::int32_t part = 0;
   for (const JarMesh& mesh : jar_) {
     const auto first = static_cast<std::int32_t>(places.size() / 3);
-    const Rotation turn = mesh.rotor ? frame.turn * rotor_turn(shape_, frame.time) : frame.turn;
+    const Rotation turn = mesh.rotor ? frame.turn * rotor_turn(*shape_, frame.time) : frame.turn;
     for (const Vec3& p : mesh.vertices) results::add(places, turn * p);
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t corner : triangle)

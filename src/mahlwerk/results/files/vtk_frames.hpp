@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/results/files/frame.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 
@@ -30,7 +30,7 @@ class VtkFrames {
   std::filesystem::path path_, folder_;
   OpenFile list_;
   long written_ = 0;  // bytes of the list but for its end
-  geometry::AnyShape shape_;
+  Indirect<geometry::AnyShape> shape_;
   bool still_;
   std::vector<JarMesh> jar_;
   std::size_t frames_ = 0;

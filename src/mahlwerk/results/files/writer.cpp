@@ -9,6 +9,8 @@
 
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/setup/stl.hpp"
+#include "mahlwerk/geometry/mesh.hpp"
+#include "mahlwerk/kinematics/tabulated.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_file.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
@@ -67,7 +69,7 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
                size_distribution(outcome));
   unless_empty("conversion", "what the dose has done", conversion(outcome));
   unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
-  if (const auto* measured = std::get_if<kinematics::Tabulated>(&outcome.what.mill.motion))
+  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.what.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
     if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
@@ -80,11 +82,11 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
 
 std::string write_case(const Folder& folder, cases::Case what, std::string_view name) {
   const std::string below(name.substr(0, name.find_last_of('/') + 1));
-  if (const auto* measured = std::get_if<kinematics::Tabulated>(&what.mill.motion)) {
+  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*what.mill.motion)) {
     folder.write(below + std::string(motion_file), csv(samples(*measured)));
     what.mill.motion_file = motion_file;
   }
-  if (const auto* mesh = std::get_if<geometry::Mesh>(&what.jar.shape)) {
+  if (const auto* mesh = geometry::as<geometry::Mesh>(*what.jar.shape)) {
     folder.write(below + std::string(jar_file),
                  cases::stl_text(mesh->surface()));  // in m, as moved
     what.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};

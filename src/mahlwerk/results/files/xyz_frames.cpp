@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/geometry/periodic_box.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -21,8 +22,8 @@ std::string numbers(const Vec3& a) {
 
 /// The jar's box: a cube that it fits into however it turns, or the periods of a periodic box.
 std::string cell_of(const geometry::AnyShape& shape) {
-  const auto* periodic = std::get_if<geometry::PeriodicBox>(&shape);
-  const double reach = std::visit([](const auto& s) { return s.reach(); }, shape);
+  const auto* periodic = geometry::as<geometry::PeriodicBox>(shape);
+  const double reach = geometry::reach(shape);
   const Vec3 size = periodic != nullptr ? periodic->periods() : 2 * reach * Vec3{1, 1, 1};
   return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{}\"", shortest(size.x),
                      shortest(size.y), shortest(size.z), numbers(-0.5 * size),

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/results/files/frame.hpp"
 
 namespace mahlwerk::results {

@@ -9,7 +9,9 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -22,7 +24,7 @@ void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, N
   for (const powder::Stress& s : hits.stresses)
     nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
   constexpr double large = 0.25;
-  if (std::holds_alternative<powder::Barrios>(what.capture->model) && size > large * nip)
+  if (std::holds_alternative<powder::Barrios>(*what.capture->model) && size > large * nip)
     list.push_back(warning(
         "large-grains",
         fmt::format(
@@ -89,7 +91,7 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
 
 void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
   constexpr std::int64_t close = 12;
-  const bool binary = std::holds_alternative<powder::BinaryFragments>(grinding.fragments);
+  const bool binary = std::holds_alternative<powder::BinaryFragments>(*grinding.fragments);
   if (binary && chosen.front()->ground->balance && grinding.classes_per_octave < close)
     list.push_back(warning(
         "wide-classes",

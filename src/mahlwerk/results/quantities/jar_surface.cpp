@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "mahlwerk/geometry/shapes.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
@@ -198,13 +200,13 @@ void add(JarMesh& mesh, const geometry::Mesh& jar, Index) {
 std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, Index facets) {
   std::vector<JarMesh> made{{.name = "jar", .vertices = {}, .triangles = {}}};
   std::visit([&](const auto& s) { add(made.front(), s, facets); }, shape);
-  if (const auto* stirred = std::get_if<geometry::Attritor>(&shape))
+  if (const auto* stirred = geometry::as<geometry::Attritor>(shape))
     add_rotor(made.emplace_back(JarMesh{"rotor", {}, {}, true}), *stirred, facets);
   return made;
 }
 
 Rotation rotor_turn(const geometry::AnyShape& shape, double time) {
-  const auto* stirred = std::get_if<geometry::Attritor>(&shape);
+  const auto* stirred = geometry::as<geometry::Attritor>(shape);
   return stirred == nullptr ? Rotation{} : turning({0, 0, 1}, stirred->rotor_speed * time);
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/base/rotation.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 
 // What a jar looks like: its inner wall as triangles, for viewers.
 namespace mahlwerk::results {

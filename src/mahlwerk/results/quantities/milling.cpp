@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 
 namespace mahlwerk::results {
@@ -23,9 +25,9 @@ double drawn(const Replicate& r) {
 
 /// [rad/s] of the shaft that drives the mill; NaN where none turns steadily.
 double shaft_speed(const Case& c) {
-  if (const auto* drum = std::get_if<kinematics::Tumbling>(&c.mill.motion))
+  if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
     return std::abs(drum->speed);
-  if (const auto* planetary = std::get_if<kinematics::Planetary>(&c.mill.motion))
+  if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
     return planetary->speed;
   return nothing;
 }

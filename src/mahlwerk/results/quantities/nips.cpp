@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "mahlwerk/cases/wear_heat.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/columns.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
@@ -116,8 +117,8 @@ double effective_radius(const geometry::AnyShape& shape, int face, double radius
 
 std::vector<powder::Nip> nips(const cases::Case& what, const observe::Tally& tally) {
   const observe::WallMap& hits = tally.wall_map;
-  const std::vector<WallBit> bits = wall_bits(what.jar.shape, hits.grid());
-  const std::vector<double> areas = wall_areas(what.jar.shape, hits.grid());
+  const std::vector<WallBit> bits = wall_bits(*what.jar.shape, hits.grid());
+  const std::vector<double> areas = wall_areas(*what.jar.shape, hits.grid());
   const observe::ByPair& pairs = tally.by_pair;
   std::vector<powder::Nip> found;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {

@@ -105,7 +105,7 @@ std::array<std::string, 2> pair_names(const cases::Case& what, const ByPair& pai
   const auto kinds = pairs.kinds_of(pair);
   const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
   if (!kinds.with_jar()) return {one, cases::set_name(what, static_cast<std::size_t>(kinds.other))};
-  const std::vector<std::string> faces = cases::face_names(what.jar.shape);
+  const std::vector<std::string> faces = geometry::face_names(*what.jar.shape);
   if (faces.size() < 2 || pairs.faces() == 1) return {one, std::string(jar)};
   return {one, fmt::format("{}.{}", jar, faces[static_cast<std::size_t>(kinds.face())])};
 }

@@ -10,6 +10,9 @@
 #include <numeric>
 #include <variant>
 
+#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
+#include "mahlwerk/results/summary.hpp"
 namespace mahlwerk::results {
 namespace {
 
@@ -21,8 +24,9 @@ using observe::Charge;
 constexpr double degrees = 180 / std::numbers::pi;
 
 bool has_regime(const Case& c) {
-  const auto* drum = std::get_if<Tumbling>(&c.mill.motion);
-  return (drum != nullptr && drum->speed != 0) || std::holds_alternative<Planetary>(c.mill.motion);
+  const auto* drum = kinematics::as<Tumbling>(*c.mill.motion);
+  return (drum != nullptr && drum->speed != 0) ||
+         kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
 
 /// Where angles begin, from the plane's right, and the sense in which they grow (obs.8): the lowest
@@ -32,9 +36,9 @@ struct Reference {
   double sense = 1;
 };
 Reference reference(const Case& c) {
-  if (const auto* drum = std::get_if<Tumbling>(&c.mill.motion))
+  if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion))
     return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
-  return {0, std::get<Planetary>(c.mill.motion).ratio < 0 ? -1.0 : 1.0};
+  return {0, kinematics::as<Planetary>(*c.mill.motion)->ratio < 0 ? -1.0 : 1.0};
 }
 
 /// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end,
@@ -96,8 +100,8 @@ double shoulder(const Case& c, const Replicate& r) {
 }
 
 double jar_spin(const Case& c) {
-  if (const auto* drum = std::get_if<Tumbling>(&c.mill.motion)) return drum->speed;
-  return std::get<Planetary>(c.mill.motion).jar_spin();
+  if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion)) return drum->speed;
+  return kinematics::as<Planetary>(*c.mill.motion)->jar_spin();
 }
 
 double wall_slip(const Case& c, const Replicate& r) {
@@ -112,7 +116,7 @@ double pinning(const Case& c, const Replicate& r) {
     for (const cases::SizeClass& size : set.sizes())
       if (!set.grains) largest = std::max(largest, 0.5 * size.diameter);
   const double arm = r.tally.wall_map.grid().radius - largest, spin = jar_spin(c);
-  if (const auto* mill = std::get_if<Planetary>(&c.mill.motion))
+  if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
     return spin * spin * arm / (mill->speed * mill->speed * mill->orbit_radius);
   return share(spin * spin * arm, c.gravity);
 }
@@ -129,7 +133,7 @@ double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate
 
 std::vector<Measure> regime_measures(const Case& what) {
   if (!has_regime(what)) return {};
-  const bool drum = std::holds_alternative<Tumbling>(what.mill.motion);
+  const bool drum = kinematics::as<Tumbling>(*what.mill.motion) != nullptr;
   return {
       {"flight_share", "1", "share of the balls' time without any contact", flight_share},
       {"toe_angle", "deg",
@@ -157,7 +161,8 @@ std::string regime(const Outcome& outcome) {
   const double flight = mean_of(outcome, flight_share);
   const bool all_round = mean_of(outcome, emptiest_sector) > 0.1;
   if (flight < 0.02 && all_round)
-    return std::holds_alternative<Tumbling>(outcome.what.mill.motion) ? "centrifuging" : "rolling";
+    return kinematics::as<Tumbling>(*outcome.what.mill.motion) != nullptr ? "centrifuging"
+                                                                          : "rolling";
   return flight > 0.2 ? "cataracting" : "cascading";
 }
 
@@ -167,8 +172,8 @@ std::string regime_reason(const Outcome& outcome) {
       "charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
       100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
       mean_of(outcome, toe), mean_of(outcome, shoulder),
-      std::holds_alternative<Tumbling>(outcome.what.mill.motion) ? "Froude number"
-                                                                 : "pinning ratio",
+      kinematics::as<Tumbling>(*outcome.what.mill.motion) != nullptr ? "Froude number"
+                                                                     : "pinning ratio",
       mean_of(outcome, pinning));
 }
 

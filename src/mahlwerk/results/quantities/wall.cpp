@@ -157,16 +157,16 @@ std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGr
 
 /// A jar and its grid, the areas of which are reckoned when they are first asked for.
 struct KnownAreas {
-  KnownAreas(geometry::AnyShape of, const WallGrid& in) : shape(std::move(of)), grid(in) {}
+  KnownAreas(const geometry::AnyShape& of, const WallGrid& in) : shape(of), grid(in) {}
   bool are_of(const geometry::AnyShape& other, const WallGrid& in) const {
     return grid.radius == in.radius && grid.bottom == in.bottom && grid.top == in.top &&
            shape == other;
   }
   const std::vector<double>& reckoned() {
-    std::call_once(once, [&] { areas = reckoned_areas(shape, grid); });
+    std::call_once(once, [&] { areas = reckoned_areas(*shape, grid); });
     return areas;
   }
-  const geometry::AnyShape shape;
+  const Indirect<geometry::AnyShape> shape;
   const WallGrid grid;
   std::once_flag once;
   std::vector<double> areas;
@@ -206,7 +206,7 @@ WallRates wall_rates(const Outcome& outcome) {
                   .lost = std::vector<double>(n),
                   .slid = std::vector<double>(n),
                   .erosion = std::vector<double>(n)};
-  rates.area = wall_areas(outcome.what.jar.shape, rates.grid);
+  rates.area = wall_areas(*outcome.what.jar.shape, rates.grid);
   for (const Replicate* r : chosen) {
     const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
     for (std::size_t i = 0; i < n; ++i) {

@@ -66,7 +66,7 @@ double jar_wear(const Case& c, const Replicate& r) {
 
 /// What a mill comes to that loses this power, at the end of its last milling.
 powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
-  const powder::HeatNodes nodes = cases::heat_nodes(c, wall_area(c.jar.shape));
+  const powder::HeatNodes nodes = cases::heat_nodes(c, wall_area(*c.jar.shape));
   const powder::MillCycles mill = cases::mill_cycles(c, dissipated_power(r));
   const double end = (mill.milling + mill.pause) * static_cast<double>(mill.cycles) - mill.pause;
   powder::HeatPoint last;
@@ -153,7 +153,7 @@ Table temperatures(const Outcome& outcome) {
   for (const Replicate* r : chosen)
     power += dissipated_power(*r) / static_cast<double>(chosen.size());
   const powder::HeatNodes nodes =
-      cases::heat_nodes(outcome.what, wall_area(outcome.what.jar.shape));
+      cases::heat_nodes(outcome.what, wall_area(*outcome.what.jar.shape));
   for (const powder::HeatPoint& p : powder::history(nodes, cases::mill_cycles(outcome.what, power)))
     table.rows.push_back({p.time, p.balls - zero_celsius, p.jar - zero_celsius});
   return table;

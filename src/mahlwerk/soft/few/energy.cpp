@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
@@ -18,7 +20,7 @@ FewBodySolver::Stored FewBodySolver::stored() const {
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
       energy.normal += std::visit(
-          [&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); }, law_);
+          [&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); }, *law_);
       energy.tangential += 0.5 * p.stiffness[l] * squared(one(p.spring, l));
     }
   return energy;

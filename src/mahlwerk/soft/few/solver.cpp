@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 
@@ -25,8 +26,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       made_of_(balls),
       rules_(rules),
       law_(rules.model.law),
-      pairs_(balls, pairs, law_),
-      step_block_(std::visit([]<class L>(const L&) { return block_stepper<L>(); }, law_)),
+      pairs_(balls, pairs, *law_),
+      step_block_(std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *law_)),
       start_(start),
       skips_(rules.free_flight_skip && balls.size() <= skipping),
       folds_(repeats(jar_->periods())),

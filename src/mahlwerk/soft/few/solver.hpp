@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/engine.hpp"
@@ -82,7 +83,7 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   std::unique_ptr<const MovingWall> jar_;
   std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
   Rules rules_;
-  contact::AnyLaw law_;
+  Indirect<contact::AnyLaw> law_;
   SpeciesPairs pairs_;
   BlockStepper step_block_;
   double start_, skin_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
@@ -41,7 +43,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
               const double stiffness = L::push(numbers.data(), memory, at, 0.0).stiffness;
               energy.tangential += weight * 0.5 * stiffness * squared(one(g.spring, l));
             },
-            law_);
+            *law_);
       }
     }
   };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
@@ -120,7 +121,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
 
   std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
-  contact::AnyLaw law_;
+  Indirect<contact::AnyLaw> law_;
   SpeciesPairs pairs_;
   ChunkStepper step_chunk_;
   double start_, reach_ = 0, mass_ = 0;

@@ -7,6 +7,8 @@
 #include <variant>
 
 #include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "mahlwerk/scene/jar.hpp"
 
 namespace mahlwerk::soft {
@@ -24,7 +26,7 @@ class ChamberWall final : public MovingWall {
     sweep_ = jar.sweep();
     if constexpr (has_rotor) {
       turning_from_ = S::turning_from;
-      sweep_ += geometry::speed_of_parts(jar.shape());
+      sweep_ += geometry::speed_of_parts_of(jar.shape());
     }
     reach_ = jar.shape().reach();
   }
@@ -160,7 +162,7 @@ std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber) {
         const kinematics::ChosenMotion motion(chamber.motion);
         return std::make_unique<ChamberWall<S>>(scene::Jar<S>(shape, motion, chamber));
       },
-      chamber.shape);
+      *chamber.shape);
 }
 
 }  // namespace mahlwerk::soft

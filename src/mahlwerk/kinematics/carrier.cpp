@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/kinematics/carrier.hpp"
+
+#include "mahlwerk/kinematics/circular.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
+
+namespace mahlwerk::kinematics {
+namespace {
+
+/// [rad/s] about the vertical; 0 without a carrier. The force field of a circular motion goes round
+/// with the circle.
+double speed_of_carrier(const AnyMotion& motion) {
+  if (const auto* planetary = as<Planetary>(motion)) return planetary->speed;
+  if (const auto* circular = as<Circular>(motion)) return circular->speed;
+  return 0;
+}
+
+}  // namespace
+
+Carrier carrier(const AnyMotion& motion, double time) {
+  const double speed = speed_of_carrier(motion);
+  if (speed == 0) return {};
+  return {turning(upright, speed * time), {0, 0, speed}};
+}
+
+Vec3 plane_normal(const AnyMotion& motion) {
+  if (as<Planetary>(motion) != nullptr || as<Circular>(motion) != nullptr) return upright;
+  const Vec3 axis = fixed_axis(motion);
+  return axis == Vec3{} ? Vec3{0, 1, 0} : axis;
+}
+
+}  // namespace mahlwerk::kinematics

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/powder/models.hpp"
+
+#include "mahlwerk/base/indirect_members.hpp"
+
+template class mahlwerk::Indirect<mahlwerk::powder::AnyCapture>;
+template class mahlwerk::Indirect<mahlwerk::powder::AnyBreakage>;
+template class mahlwerk::Indirect<mahlwerk::powder::AnyFragments>;
+
+namespace mahlwerk::powder {
+namespace {
+
+template <class AnyModel>
+std::string_view name(const AnyModel& any) {
+  return std::visit([](const auto& m) -> std::string_view { return m.name; }, any);
+}
+
+}  // namespace
+
+std::string_view name_of(const AnyCapture& capture) {
+  return name(capture);
+}
+std::string_view name_of(const AnyBreakage& breakage) {
+  return name(breakage);
+}
+std::string_view name_of(const AnyFragments& fragments) {
+  return name(fragments);
+}
+std::string_view about(const AnyCapture& capture) {
+  return std::visit([](const auto& m) -> std::string_view { return m.about; }, capture);
+}
+bool remembers(const AnyBreakage& breakage) {
+  return std::visit([](const auto& m) -> bool { return m.remembers; }, breakage);
+}
+
+}  // namespace mahlwerk::powder
