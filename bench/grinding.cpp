@@ -99,7 +99,7 @@ std::vector<Row> grinding() {
   what.grinding->bed = powder::Bed::mixed;
   rows.push_back(prediction("20 h from 2 s, mixed bed", what, run));
   what.grinding->bed = powder::Bed::by_size;
-  const powder::AnyBreakage vogel = what.grinding->breakage;
+  const powder::AnyBreakage vogel = *what.grinding->breakage;
   rows.push_back(sample("sample of 10 000, vogel-peukert, each collision", what, vogel, run, 1));
   rows.push_back(sample("sample of 10 000, vogel-peukert, every tenth", what, vogel, run, 10));
   const powder::Tavares tavares{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};

@@ -26,7 +26,7 @@ void find(const std::string& text, const std::regex& pattern, Codes& found) {
     found.insert((*i)[1].str());
 }
 
-TEST(Notices, EveryCodeHasAHeadingInTheDocs) {
+TEST(Notices, every_code_has_a_heading_in_the_docs) {
   const fs::path home = MAHLWERK_HOME;
   const std::regex made(R"([^.>\w](?:note|warning|invalid)\(\s*"([^"]*)\")"),
       heading("\n### (\\S+)\n");

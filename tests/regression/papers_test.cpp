@@ -31,7 +31,7 @@ class Papers : public ProgramTest {
       "papers mine --set run.time='4000 s' --set run.replicates=1 --checkpoint 0.05 ";
 };
 
-TEST_F(Papers, OneCommandMakesEveryFigureAndJudgesEveryClaim) {
+TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
   const Ended e = mahlwerk("papers vertical-vibration-mill --out out");
   ASSERT_EQ(e.code, 0) << e.said;
   for (const char* file :
@@ -52,7 +52,7 @@ TEST_F(Papers, OneCommandMakesEveryFigureAndJudgesEveryClaim) {
   EXPECT_EQ(text("out/claims.csv"), claims);
 }
 
-TEST_F(Papers, AKilledPaperGoesOnAndGivesTheSame) {
+TEST_F(Papers, a_killed_paper_goes_on_and_gives_the_same) {
   long_paper();
   const Ended whole = mahlwerk(longer + "--out whole");
   ASSERT_EQ(whole.code, 0) << whole.said;
@@ -68,7 +68,7 @@ TEST_F(Papers, AKilledPaperGoesOnAndGivesTheSame) {
   EXPECT_FALSE(exists("out.checkpoints"));
 }
 
-TEST_F(Papers, AnInterruptedPaperWritesNothingAndGoesOn) {
+TEST_F(Papers, an_interrupted_paper_writes_nothing_and_goes_on) {
   long_paper();
   const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
   EXPECT_EQ(ended.code, 130) << ended.said;
@@ -77,7 +77,7 @@ TEST_F(Papers, AnInterruptedPaperWritesNothingAndGoesOn) {
   EXPECT_EQ(mahlwerk(longer + "--out out").code, 0);
 }
 
-TEST_F(Papers, WhatIsWrongIsSaidBeforeAnythingRuns) {
+TEST_F(Papers, what_is_wrong_is_said_before_anything_runs) {
   expect_refused("papers no-such-mill --out out", "there is no paper of this name");
   paper("flight_share", "mill.amplitude");
   expect_refused("papers mine --out out", "there is no such case file");

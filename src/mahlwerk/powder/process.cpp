@@ -12,7 +12,7 @@ Grain Process::grain(double size) const {
   Grain g{size, density, 0};
   if (const auto* bed_model = std::get_if<Barrios>(&*capture)) {
     g.fracture_energy = bed_model->fracture_energy;
-    if (const auto* tavares = std::get_if<Tavares>(&breakage);
+    if (const auto* tavares = std::get_if<Tavares>(&*breakage);
         tavares != nullptr && !(g.fracture_energy > 0))
       g.fracture_energy = tavares->median(size);
   }

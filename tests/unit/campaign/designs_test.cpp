@@ -59,7 +59,7 @@ void begins_alike(const Design& design, std::size_t few, std::size_t many, std::
   EXPECT_TRUE(std::equal(short_one.begin(), short_one.end(), long_one.begin()));
 }
 
-TEST(LatinHypercube, MeetsEachPartOfEachRangeOnce) {
+TEST(LatinHypercube, meets_each_part_of_each_range_once) {
   for (const std::size_t samples : {1U, 2U, 7U, 100U}) {
     const Places rows = latin_hypercube(5, samples, 3);
     ASSERT_EQ(rows.size(), samples);
@@ -68,7 +68,7 @@ TEST(LatinHypercube, MeetsEachPartOfEachRangeOnce) {
   }
 }
 
-TEST(LatinHypercube, PairsPartsOfTwoKeysAtRandom) {
+TEST(LatinHypercube, pairs_parts_of_two_keys_at_random) {
   // The correlation of two independent orders of n has the variance 1/(n - 1).
   constexpr std::size_t n = 1000;
   const Places rows = latin_hypercube(3, n, 1);
@@ -83,7 +83,7 @@ TEST(LatinHypercube, PairsPartsOfTwoKeysAtRandom) {
   EXPECT_EQ(latin_hypercube(3, n, 1), latin_hypercube(3, n, 1));
 }
 
-TEST(SobolPoints, AreThoseOfJoeAndKuo) {
+TEST(SobolPoints, are_those_of_joe_and_kuo) {
   // The first rows of new-joe-kuo-6.21201, in the order of Gray's code.
   const Places expected{{0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},    {0.25, 0.75, 0.75},
                         {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875},
@@ -91,14 +91,14 @@ TEST(SobolPoints, AreThoseOfJoeAndKuo) {
   EXPECT_EQ(sobol_points(3, 7), expected);
 }
 
-TEST(SobolPoints, LeaveOutOnlyThePartOfTheCorner) {
+TEST(SobolPoints, leave_out_only_the_part_of_the_corner) {
   const Places rows = sobol_points(40, 255);
   std::vector<int> once(256, 1);
   once.front() = 0;
   for (std::size_t key = 0; key < 40; ++key) EXPECT_EQ(met(rows, key, 256), once);
 }
 
-TEST(SobolPoints, LieMoreEvenlyThanRandomOnes) {
+TEST(SobolPoints, lie_more_evenly_than_random_ones) {
   for (const std::size_t keys : {1U, 2U, 5U, 8U})
     for (const std::size_t n : {16U, 40U, 256U})
       stays_below("unevenness, share of that of random rows",
@@ -106,7 +106,7 @@ TEST(SobolPoints, LieMoreEvenlyThanRandomOnes) {
                   "Warnock's sum");
 }
 
-TEST(RandomPoints, AreAsUnevenAsTheyShould) {  // so that the sums above are right
+TEST(RandomPoints, are_as_uneven_as_they_should) {  // so that the sums above are right
   double sum = 0, square = 0;
   constexpr int times = 200;
   for (std::uint32_t t = 0; t < times; ++t) {
@@ -122,13 +122,13 @@ TEST(RandomPoints, AreAsUnevenAsTheyShould) {  // so that the sums above are rig
   states("unevenness", mean, random_unevenness(3, 40), 3.3 * spread, "3.3 standard deviations");
 }
 
-TEST(OneAtATime, MovesOneKeyToBothEnds) {
+TEST(OneAtATime, moves_one_key_to_both_ends) {
   const Places expected{{0.5, 0.5}, {0, 0.5}, {1, 0.5}, {0.5, 0}, {0.5, 1}};
   EXPECT_EQ(one_at_a_time_design(2), expected);
   EXPECT_EQ(one_at_a_time_design(2, 0.25).front(), (std::vector{0.25, 0.25}));
 }
 
-TEST(MorrisDesign, MovesEachKeyOnceAWayByTwoThirds) {
+TEST(MorrisDesign, moves_each_key_once_a_way_by_two_thirds) {
   constexpr std::size_t keys = 6, ways = 50;
   const Places rows = morris_design(keys, ways, 5);
   ASSERT_EQ(rows.size(), ways * (keys + 1));
@@ -147,7 +147,7 @@ TEST(MorrisDesign, MovesEachKeyOnceAWayByTwoThirds) {
     for (const double x : row) EXPECT_EQ(x, std::round(3 * x) / 3);
 }
 
-TEST(MorrisDesign, BeginsAtAllLevelsAndMovesKeysInAnyOrder) {
+TEST(MorrisDesign, begins_at_all_levels_and_moves_keys_in_any_order) {
   constexpr std::size_t keys = 4, ways = 2000;
   const Places rows = morris_design(keys, ways, 1);
   const double tolerance =
@@ -167,7 +167,7 @@ TEST(MorrisDesign, BeginsAtAllLevelsAndMovesKeysInAnyOrder) {
   }
 }
 
-TEST(SaltelliDesign, TakesOneKeyFromTheOtherHalf) {
+TEST(SaltelliDesign, takes_one_key_from_the_other_half) {
   constexpr std::size_t keys = 3, base = 16;
   const Places rows = saltelli_design(keys, base);
   ASSERT_EQ(rows.size(), base * (keys + 2));
@@ -183,7 +183,7 @@ TEST(SaltelliDesign, TakesOneKeyFromTheOtherHalf) {
   }
 }
 
-TEST(SaltelliDesign, SpreadsBothHalvesEvenly) {
+TEST(SaltelliDesign, spreads_both_halves_evenly) {
   constexpr std::size_t keys = 20, base = 64;
   const Places rows = saltelli_design(keys, base, 9);
   Places a, b;
@@ -198,13 +198,13 @@ TEST(SaltelliDesign, SpreadsBothHalvesEvenly) {
   EXPECT_NE(rows, saltelli_design(keys, base, 10));
 }
 
-TEST(Designs, BeginAlikeWhenTheyAreMadeLonger) {
+TEST(Designs, begin_alike_when_they_are_made_longer) {
   begins_alike([](std::size_t n) { return sobol_points(4, n); }, 5, 50, 1);
   begins_alike([](std::size_t n) { return morris_design(4, n, 2); }, 5, 50, 5);
   begins_alike([](std::size_t n) { return saltelli_design(4, n); }, 5, 50, 6);
 }
 
-TEST(Designs, SayWhenThereAreTooManyKeys) {
+TEST(Designs, say_when_there_are_too_many_keys) {
   EXPECT_THROW(sobol_points(3668, 1), std::invalid_argument);
   EXPECT_THROW(saltelli_design(1834, 1), std::invalid_argument);
   EXPECT_EQ(sobol_points(3667, 1).front().size(), 3667U);

@@ -54,7 +54,7 @@ std::vector<Seen> some_seen(std::size_t count, std::size_t keys, double noise) {
   return seen;
 }
 
-TEST(Kernel, IsMaternsOfOrderFiveHalves) {
+TEST(Kernel, is_materns_of_order_five_halves) {
   const Kernel k{.size = 2, .lengths = {0.5}, .level = 3};
   const double r = std::sqrt(5.0) * 0.3 / 0.5;
   states("covariance", covariance(k, {0.2}, {0.5}), 4 * (1 + r + r * r / 3) * std::exp(-r) + 9,
@@ -62,7 +62,7 @@ TEST(Kernel, IsMaternsOfOrderFiveHalves) {
   EXPECT_EQ(covariance(k, {0.2}, {0.2}), 13);
 }
 
-TEST(GaussianProcess, AgreesWithTwoValuesByHand) {
+TEST(GaussianProcess, agrees_with_two_values_by_hand) {
   // K = [1.1, c; c, 1.2]: its inverse is [1.2, -c; -c, 1.1]/(1.32 - c^2).
   const Kernel kernel{.size = 1, .lengths = {0.6}, .level = 0};
   const GaussianProcess process(kernel, {{{0.0}, 2, 0.1}, {{1.0}, -1, 0.2}});
@@ -79,7 +79,7 @@ TEST(GaussianProcess, AgreesWithTwoValuesByHand) {
          1e-8, "by hand");
 }
 
-TEST(GaussianProcess, AgreesWithThePlainFormula) {
+TEST(GaussianProcess, agrees_with_the_plain_formula) {
   const Kernel kernel{.size = 1.3, .lengths = {0.4, 0.9, 2.0}, .level = 0.7};
   const std::vector<Seen> seen = some_seen(25, 3, 0.1);
   const GaussianProcess process(kernel, seen);
@@ -105,7 +105,7 @@ TEST(GaussianProcess, AgreesWithThePlainFormula) {
          -fit / 2 - volume / 2 - 12.5 * std::log(2 * std::numbers::pi), 1e-4, "Gauss and Jordan");
 }
 
-TEST(GaussianProcess, GoesThroughValuesWithoutNoise) {
+TEST(GaussianProcess, goes_through_values_without_noise) {
   const std::vector<Seen> seen = some_seen(8, 2, 0);
   const GaussianProcess process({.size = 1, .lengths = {0.5, 0.5}, .level = 1}, seen);
   for (const Seen& one : seen) {
@@ -114,7 +114,7 @@ TEST(GaussianProcess, GoesThroughValuesWithoutNoise) {
   }
 }
 
-TEST(GaussianProcess, DrawsScatterAsItBelieves) {
+TEST(GaussianProcess, draws_scatter_as_it_believes) {
   constexpr int count = 4000;
   const GaussianProcess process({.size = 1, .lengths = {0.3}, .level = 1}, some_seen(4, 1, 0.2));
   const std::vector<Place> places{{0.05}, {0.5}, {0.52}};
@@ -144,19 +144,19 @@ TEST(GaussianProcess, DrawsScatterAsItBelieves) {
   stays_below("neighbours apart", together, 0.5 * process.at(places[1]).deviation, "a function");
 }
 
-TEST(GaussianProcess, BelievesWithoutChangingItsMind) {
+TEST(GaussianProcess, believes_without_changing_its_mind) {
   const GaussianProcess before({.size = 1, .lengths = {0.3}, .level = 1}, some_seen(4, 1, 0.1));
   const GaussianProcess after = before.believing({0.9}, 1e-6);
   states("mean", after.at({0.8}).mean, before.at({0.8}).mean, 1e-6, "as expected");
   EXPECT_LT(after.at({0.9}).deviation, 0.01 * before.at({0.9}).deviation);
 }
 
-TEST(LikeliestKernel, IsLongAlongAKeyThatDoesNothing) {
+TEST(LikeliestKernel, is_long_along_a_key_that_does_nothing) {
   const Kernel found = likeliest_kernel(some_seen(30, 2, 0.05));
   EXPECT_GT(found.lengths[1], 2 * found.lengths[0]);
 }
 
-TEST(PlausibleKernels, AreDrawnAsLikelyAsTheyAre) {
+TEST(PlausibleKernels, are_drawn_as_likely_as_they_are) {
   const std::vector<Seen> seen = some_seen(6, 1, 0.1);
   double whole = 0, size = 0, length = 0;
   for (double s = -2.95; s < 4; s += 0.05)
@@ -182,7 +182,7 @@ TEST(PlausibleKernels, AreDrawnAsLikelyAsTheyAre) {
   states("mean ln length", found_length, length / whole, 0.07, "sums over a grid");
 }
 
-TEST(ExpectedImprovement, IsTheIntegralOfWhatIsGained) {
+TEST(ExpectedImprovement, is_the_integral_of_what_is_gained) {
   for (const auto& [mean, deviation, best] :
        {std::tuple{1.0, 0.5, 1.2}, {1.0, 0.5, 0.2}, {-1.0, 2.0, 3.0}, {0.0, 1.0, 0.0}}) {
     double gained = 0;
@@ -199,7 +199,7 @@ TEST(ExpectedImprovement, IsTheIntegralOfWhatIsGained) {
   EXPECT_EQ(expected_improvement({1, 0}, 1.5), 0);
 }
 
-TEST(Highest, IsFoundAmongManyPeaksAndAtEdges) {
+TEST(Highest, is_found_among_many_peaks_and_at_edges) {
   const auto peaks = [](const Place& x) {
     return std::cos(12 * x[0]) - std::pow(x[0] - 0.5, 2) + x[1];
   };
@@ -214,7 +214,7 @@ TEST(Highest, IsFoundAmongManyPeaksAndAtEdges) {
          highest(broken, {0}, {1}, {{0.1}}, {.wide = 100, .near = 100}).place[0], 0.5, 1e-3, "end");
 }
 
-TEST(Highest, LetsExceptionsThrough) {
+TEST(Highest, lets_exceptions_through) {
   const auto breaks = [](const Place& x) -> double {
     if (x[0] > 0.5) throw std::runtime_error("broken");
     return x[0];

@@ -68,7 +68,7 @@ class Ground : public ::testing::Test {
   }
 };
 
-TEST_F(Ground, StressesAreTheCollisionsOfTheRun) {
+TEST_F(Ground, stresses_are_the_collisions_of_the_run) {
   const auto chosen = results::averaged(outcome());
   const powder::StressSpectrum all = results::stresses(outcome().what, chosen);
   double rate = 0, power = 0, expected_rate = 0, expected_power = 0;
@@ -82,7 +82,7 @@ TEST_F(Ground, StressesAreTheCollisionsOfTheRun) {
   states("power [W]", power, expected_power, 1e-12 * expected_power, "the tally's sum of energies");
 }
 
-TEST_F(Ground, TableOfTheCatchAddsUpToTheSummary) {
+TEST_F(Ground, table_of_the_catch_adds_up_to_the_summary) {
   const results::Table table = results::capture(outcome());
   const double rate = named(outcome(), "captured_mass_rate");
   // The table takes bins of all replicates together, the summary each alone: a catch is not linear
@@ -92,7 +92,7 @@ TEST_F(Ground, TableOfTheCatchAddsUpToTheSummary) {
          named(outcome(), "captured_share_rate") / rate, 1e3, 1e-9, "a gram");
 }
 
-TEST_F(Ground, SampleOfTheStreamAgreesWithTheBalanceOfItsSpectrum) {
+TEST_F(Ground, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum) {
   const results::Table table = results::grinding(outcome());
   const auto chosen = results::averaged(outcome());
   for (const double share : {0.1, 0.5, 0.9}) {
@@ -119,7 +119,7 @@ TEST_F(Ground, SampleOfTheStreamAgreesWithTheBalanceOfItsSpectrum) {
   }
 }
 
-TEST_F(Ground, MorePowerThanTheMillDissipatesIsWarnedOf) {
+TEST_F(Ground, more_power_than_the_mill_dissipates_is_warned_of) {
   const auto warned = [](const Outcome& of) {
     for (const Notice& one : results::grinding_warnings(of))
       if (one.code == "more-than-dissipated") return true;
@@ -131,7 +131,7 @@ TEST_F(Ground, MorePowerThanTheMillDissipatesIsWarnedOf) {
   EXPECT_FALSE(warned(run(what)));
 }
 
-TEST_F(Ground, MassIsKeptAndSizesFallWithTime) {
+TEST_F(Ground, mass_is_kept_and_sizes_fall_with_time) {
   for (const auto& r : outcome().replicates)
     for (const auto* m : {&*r.ground->balance, &*r.ground->sample}) {
       double last = 1;
@@ -144,7 +144,7 @@ TEST_F(Ground, MassIsKeptAndSizesFallWithTime) {
     }
 }
 
-TEST_F(Ground, ConversionIsThatOfTheDissipatedDose) {
+TEST_F(Ground, conversion_is_that_of_the_dissipated_dose) {
   const double dose = named(outcome(), "dissipated_power") / 1e-3 * 600;  // [J/kg]
   states("dose [J/g]", named(outcome(), "milling_dose"), dose / 1000, 1e-9 * dose, "P t/m");
   double expected = 0;
@@ -153,7 +153,7 @@ TEST_F(Ground, ConversionIsThatOfTheDissipatedDose) {
   states("conversion", named(outcome(), "conversion"), expected, 1e-12, "1 - exp(-D/D_0)");
 }
 
-TEST(GroundAnew, SameCaseGivesTheSameSampleOnAnyNumberOfThreads) {
+TEST(GroundAnew, same_case_gives_the_same_sample_on_any_number_of_threads) {
   cases::Case what = grinding_case();
   what.run.replicates = 2;
   Options one, two;
@@ -164,7 +164,7 @@ TEST(GroundAnew, SameCaseGivesTheSameSampleOnAnyNumberOfThreads) {
     EXPECT_EQ(a.replicates[i].ground->sample->shares, b.replicates[i].ground->sample->shares);
 }
 
-TEST(GroundAnew, RunThatWasSavedAndGoneOnWithGrindsTheSame) {
+TEST(GroundAnew, run_that_was_saved_and_gone_on_with_grinds_the_same) {
   cases::Case what = grinding_case();
   Replica whole(what, 0), first(what, 0);
   while (!whole.done()) whole.go_on();

@@ -53,7 +53,7 @@ Values decay_data(std::size_t count, double noise, std::uint32_t stream) {
   return data;
 }
 
-TEST(LeastSquares, FindWhatPerfectDataWereMadeWith) {
+TEST(LeastSquares, find_what_perfect_data_were_made_with) {
   const Fitted fit =
       least_squares(decay(decay_data(8, 0, 0), 1), decay_parameters, Scatter::estimated);
   // Data of norm 20 are rounded to eps; the slopes by places are as large, or a few times smaller.
@@ -70,7 +70,7 @@ TEST(LeastSquares, FindWhatPerfectDataWereMadeWith) {
   EXPECT_EQ(fit.freedom, 6);
 }
 
-TEST(LeastSquares, FindTheLowerOfTwoValleys) {
+TEST(LeastSquares, find_the_lower_of_two_valleys) {
   // (x^2 - 1)^2 and a slope: the valley at -1 is the lower one, the start is in the other.
   const Residuals valleys = [](const Values& p) {
     return Values{p[0] * p[0] - 1, 0.3 * (p[0] + 2)};
@@ -99,26 +99,26 @@ std::array<int, 2> covered(int sets, std::size_t count, double noise, Scatter sc
 constexpr int trials = 400;
 const double spread = 3.3 * std::sqrt(trials * 0.95 * 0.05);
 
-TEST(LeastSquares, IntervalsHoldTheTruthInNineteenOfTwentyDataSets) {
+TEST(LeastSquares, intervals_hold_the_truth_in_nineteen_of_twenty_data_sets) {
   const std::array held = covered(trials, 8, 0.2, Scatter::estimated);
   states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
   states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
 }
 
-TEST(LeastSquares, IntervalsHoldTheTruthWhereNoiseIsStrongAndDataAreFew) {
+TEST(LeastSquares, intervals_hold_the_truth_where_noise_is_strong_and_data_are_few) {
   // Slopes at the best place alone would say too little here: the curve bends within the noise.
   const std::array held = covered(trials, 4, 0.8, Scatter::estimated);
   states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
   states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
 }
 
-TEST(LeastSquares, KnownErrorsGiveIntervalsThatHoldNoLessOften) {
+TEST(LeastSquares, known_errors_give_intervals_that_hold_no_less_often) {
   // They take the wider of the known and the seen scatter, so they hold more often than 95 %.
   for (const int held : covered(trials, 8, 0.2, Scatter::known))
     EXPECT_GE(held, 0.95 * trials - spread);
 }
 
-TEST(LeastSquares, KnownErrorsGiveTheWidthOfAMean) {
+TEST(LeastSquares, known_errors_give_the_width_of_a_mean) {
   // n values of error e: the mean is sure to 1.96 e/sqrt(n), however little they happen to scatter.
   const Values data{4.1, 4.0, 4.1, 4.0};
   const double error = 0.5;
@@ -136,7 +136,7 @@ TEST(LeastSquares, KnownErrorsGiveTheWidthOfAMean) {
   EXPECT_TRUE(fit.remarks.empty());
 }
 
-TEST(LeastSquares, ScatterGivesTheWidthOfAMean) {
+TEST(LeastSquares, scatter_gives_the_width_of_a_mean) {
   const Values data{4.2, 3.9, 4.4, 4.1, 3.6};
   const Residuals residuals = [&](const Values& p) {
     Values r;
@@ -150,7 +150,7 @@ TEST(LeastSquares, ScatterGivesTheWidthOfAMean) {
   states("scatter", fit.scatter, std::sqrt(0.093), 1e-9, "arithmetic");
 }
 
-TEST(LeastSquares, ErrorsThatAreTooSmallAreTold) {
+TEST(LeastSquares, errors_that_are_too_small_are_told) {
   const Values data = decay_data(12, 0.2, 5);
   const Fitted honest = least_squares(decay(data, 0.2), decay_parameters, Scatter::known);
   const Fitted vain = least_squares(decay(data, 0.02), decay_parameters, Scatter::known);
@@ -161,7 +161,7 @@ TEST(LeastSquares, ErrorsThatAreTooSmallAreTold) {
             0.5 * (honest.parameters[0].high - honest.parameters[0].low));
 }
 
-TEST(LeastSquares, AProductIsAllThatIsFoundOfTwoFactors) {
+TEST(LeastSquares, a_product_is_all_that_is_found_of_two_factors) {
   for (const double noise : {0.0, 0.2}) {
     const Residuals product = [=, decay = decay(decay_data(8, noise, 3), 1)](const Values& p) {
       return decay({p[0] * p[2], p[1]});
@@ -177,7 +177,7 @@ TEST(LeastSquares, AProductIsAllThatIsFoundOfTwoFactors) {
   }
 }
 
-TEST(LeastSquares, AParameterThatDoesNothingIsNamed) {
+TEST(LeastSquares, a_parameter_that_does_nothing_is_named) {
   const Residuals idle = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
     return decay({p[1], p[2]});
   };
@@ -191,7 +191,7 @@ TEST(LeastSquares, AParameterThatDoesNothingIsNamed) {
   EXPECT_EQ(fit.parameters[0].high, 2);
 }
 
-TEST(LeastSquares, WhatDrownsInTheScatterIsNotDetermined) {
+TEST(LeastSquares, what_drowns_in_the_scatter_is_not_determined) {
   // The second parameter adds a thousandth of what the data scatter.
   const Residuals weak = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
     Values r = decay({p[0], true_b});
@@ -204,7 +204,7 @@ TEST(LeastSquares, WhatDrownsInTheScatterIsNotDetermined) {
   EXPECT_TRUE(says(fit.parameters[1].remarks, "any value of its range fits"));
 }
 
-TEST(LeastSquares, OneSidedDataGiveOneLimit) {
+TEST(LeastSquares, one_sided_data_give_one_limit) {
   // A threshold that must lie below what was seen to break, and is zero for all that is known.
   const Residuals threshold = [](const Values& p) {
     Values r;
@@ -220,7 +220,7 @@ TEST(LeastSquares, OneSidedDataGiveOneLimit) {
   EXPECT_TRUE(says(p.remarks, "no lower limit"));
 }
 
-TEST(LeastSquares, FewerDataThanParametersAreTold) {
+TEST(LeastSquares, fewer_data_than_parameters_are_told) {
   const Fitted fit = least_squares([](const Values& p) { return Values{p[0] + p[1] - 1}; },
                                    {{"a", 0, 2}, {"b", 0, 2}}, Scatter::estimated);
   EXPECT_TRUE(says(fit.remarks, "fewer measured values than parameters: 1 and 2"));
@@ -228,7 +228,7 @@ TEST(LeastSquares, FewerDataThanParametersAreTold) {
   stays_below("sum of squares", fit.sum_of_squares, 1e-12, "many sets fit");
 }
 
-TEST(LeastSquares, AsManyDataAsParametersLeaveNothingToTellTheScatter) {
+TEST(LeastSquares, as_many_data_as_parameters_leave_nothing_to_tell_the_scatter) {
   const Values data = decay_data(2, 0, 1);
   const Fitted guess = least_squares(decay(data, 1), decay_parameters, Scatter::estimated);
   EXPECT_TRUE(says(guess.remarks, "no interval can be given"));
@@ -241,7 +241,7 @@ TEST(LeastSquares, AsManyDataAsParametersLeaveNothingToTellTheScatter) {
   states("lower end", known.parameters[0].low, true_a - width, 0.01 * width, "normal distribution");
 }
 
-TEST(LeastSquares, ABestValueAtABoundIsTold) {
+TEST(LeastSquares, a_best_value_at_a_bound_is_told) {
   const Residuals residuals = decay(decay_data(8, 0.01, 2), 1);
   const Fitted fit = least_squares(residuals, {{"a", 0.1, 100}, {"b", 0.5, 2}}, Scatter::estimated);
   EXPECT_EQ(fit.parameters[1].value, 0.5);
@@ -254,7 +254,7 @@ TEST(LeastSquares, ABestValueAtABoundIsTold) {
   EXPECT_TRUE(fit.parameters[1].open_low);
 }
 
-TEST(LeastSquares, ParametersThatAreHardToTellApartAreTold) {
+TEST(LeastSquares, parameters_that_are_hard_to_tell_apart_are_told) {
   // Two decays of nearly one rate: their sum is known well, each of them badly.
   const Residuals twins = [](const Values& p) {
     Values r;
@@ -270,7 +270,7 @@ TEST(LeastSquares, ParametersThatAreHardToTellApartAreTold) {
   EXPECT_EQ(fit.correlation[0][1], fit.correlation[1][0]);
 }
 
-TEST(LeastSquares, SetsThatFailCountAsVeryBad) {
+TEST(LeastSquares, sets_that_fail_count_as_very_bad) {
   const Residuals half = [decay = decay(decay_data(8, 0, 1), 1)](const Values& p) {
     return p[0] > 30 || p[1] < 0.2 ? Values(8, nan) : decay(p);
   };
@@ -279,14 +279,14 @@ TEST(LeastSquares, SetsThatFailCountAsVeryBad) {
   states("b", fit.parameters[1].value, true_b, 1e-7, "as put in");
 }
 
-TEST(LeastSquares, AModelThatAlwaysFailsIsAnError) {
+TEST(LeastSquares, a_model_that_always_fails_is_an_error) {
   const Residuals never = [](const Values&) { return Values(3, nan); };
   EXPECT_THROW(least_squares(never, decay_parameters, Scatter::estimated), RunError);
   const Residuals thrower = [](const Values&) -> Values { throw std::domain_error("mine"); };
   EXPECT_THROW(least_squares(thrower, decay_parameters, Scatter::estimated), std::domain_error);
 }
 
-TEST(LeastSquares, AnErrorDuringTheSearchComesThroughAsItIs) {
+TEST(LeastSquares, an_error_during_the_search_comes_through_as_it_is) {
   int left = 70;  // beyond the first places, within the simplexes
   const Residuals later = [&](const Values& p) {
     if (--left == 0) throw std::domain_error("mine");
@@ -295,7 +295,7 @@ TEST(LeastSquares, AnErrorDuringTheSearchComesThroughAsItIs) {
   EXPECT_THROW(least_squares(later, decay_parameters, Scatter::estimated), std::domain_error);
 }
 
-TEST(LeastSquares, BoundsMustHoldAnInterval) {
+TEST(LeastSquares, bounds_must_hold_an_interval) {
   const Residuals any = decay(decay_data(8, 0, 1), 1);
   EXPECT_THROW(least_squares(any, {{"a", 2, 2}, {"b", 0, 1}}, Scatter::known),
                std::invalid_argument);
@@ -303,7 +303,7 @@ TEST(LeastSquares, BoundsMustHoldAnInterval) {
                std::invalid_argument);
 }
 
-TEST(LeastSquares, TakeSomeHundredEvaluationsAParameter) {
+TEST(LeastSquares, take_some_hundred_evaluations_a_parameter) {
   const Fitted fit =
       least_squares(decay(decay_data(12, 0.2, 5), 0.2), decay_parameters, Scatter::known);
   std::printf("    %d evaluations\n", fit.evaluations);

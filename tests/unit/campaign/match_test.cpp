@@ -33,7 +33,7 @@ Milled even(double dose, int first, int last) {
   return m;
 }
 
-TEST(Distance, OfSpectraIsHowFarOneMustBeMoved) {
+TEST(Distance, of_spectra_is_how_far_one_must_be_moved) {
   states("moved by four bins", spectral_distance(even(1, 0, 2), even(1, 4, 6)), 4 * bin, 1e-14,
          "an octave: ln 2");
   states("moved back", spectral_distance(even(1, 4, 6), even(1, 0, 2)), 4 * bin, 1e-14, "the same");
@@ -44,20 +44,20 @@ TEST(Distance, OfSpectraIsHowFarOneMustBeMoved) {
          "mean of the quantiles' distance");
 }
 
-TEST(Distance, OfDosesIsTheirLogarithm) {
+TEST(Distance, of_doses_is_their_logarithm) {
   states("dose e times as large", distance(even(1, 0, 2), even(std::numbers::e, 0, 2)), 1, 1e-14,
          "ln e");
   states("both", distance(even(1, 0, 2), even(std::exp(3 * bin), 4, 6)), 5 * bin, 1e-13, "3, 4, 5");
   EXPECT_TRUE(std::isnan(distance(even(1, 0, 2), even(0, 0, 2))));
 }
 
-TEST(Overlap, IsThePowerAtTheSameEnergies) {
+TEST(Overlap, is_the_power_at_the_same_energies) {
   EXPECT_DOUBLE_EQ(overlap(even(1, 0, 3), even(1, 0, 3)), 1);
   EXPECT_DOUBLE_EQ(overlap(even(1, 0, 3), even(1, 2, 5)), 0.5);
   EXPECT_EQ(overlap(even(1, 0, 3), even(1, 4, 5)), 0);
 }
 
-TEST(HalfPowerEnergy, LiesInTheMiddleOfAnEvenSpectrum) {
+TEST(HalfPowerEnergy, lies_in_the_middle_of_an_even_spectrum) {
   states("even over an octave", half_power_energy(even(1, 0, 3)), std::sqrt(2.0), 1e-14,
          "half an octave above 1 J");
 }
@@ -73,7 +73,7 @@ MillMark some(double dose, int count, double scatter, std::uint32_t stream) {
   return made;
 }
 
-TEST(Difference, OfTheSameMillIsWithinItsScatterInNineteenOfTwenty) {
+TEST(Difference, of_the_same_mill_is_within_its_scatter_in_nineteen_of_twenty) {
   constexpr int times = 200;
   int within = 0, held = 0;
   for (std::uint32_t t = 0; t < times; ++t) {
@@ -87,7 +87,7 @@ TEST(Difference, OfTheSameMillIsWithinItsScatterInNineteenOfTwenty) {
   EXPECT_GE(held, 0.95 * times - tolerance);
 }
 
-TEST(Difference, IsSeenWhereItIsLargerThanTheScatter) {
+TEST(Difference, is_seen_where_it_is_larger_than_the_scatter) {
   const Difference d = difference(some(7, 5, 0.02, 1), some(14, 5, 0.02, 2));
   states("dose", d.dose.value, 2, 3.3 * 2 * 0.02 * std::sqrt(0.4), "3.3 standard errors");
   EXPECT_FALSE(d.within_scatter());
@@ -95,7 +95,7 @@ TEST(Difference, IsSeenWhereItIsLargerThanTheScatter) {
   EXPECT_GT(d.dose.low, 1.8);
 }
 
-TEST(Difference, IsNotSaidToBeScatterWithoutReplicates) {
+TEST(Difference, is_not_said_to_be_scatter_without_replicates) {
   const Difference d = difference(some(7, 1, 0.02, 1), some(7, 1, 0.02, 2));
   EXPECT_TRUE(std::isnan(d.chance));
   EXPECT_FALSE(d.within_scatter());
@@ -112,7 +112,7 @@ results::Outcome shaken_mill(double frequency, std::uint64_t seed) {
   return run(c);
 }
 
-TEST(MillMark, IsWhatTheSummarySays) {
+TEST(MillMark, is_what_the_summary_says) {
   const results::Outcome outcome = shaken_mill(20, 1);
   const MillMark mark = mill_mark(outcome, false);
   ASSERT_EQ(mark.replicates.size(), 6U);
@@ -127,7 +127,7 @@ TEST(MillMark, IsWhatTheSummarySays) {
   states("shares", all, 1, 1e-12, "all of the power");
 }
 
-TEST(MillMark, OfTheSameMillFromOtherStartsDiffersByScatter) {
+TEST(MillMark, of_the_same_mill_from_other_starts_differs_by_scatter) {
   constexpr int times = 40;
   int within = 0, held = 0;
   for (std::uint64_t t = 0; t < times; ++t) {
@@ -143,7 +143,7 @@ TEST(MillMark, OfTheSameMillFromOtherStartsDiffersByScatter) {
   EXPECT_GE(held, least);
 }
 
-TEST(MillMark, OfAFasterMillHasMoreDoseAndHarderImpacts) {
+TEST(MillMark, of_a_faster_mill_has_more_dose_and_harder_impacts) {
   const Difference d =
       difference(mill_mark(shaken_mill(20, 1), false), mill_mark(shaken_mill(40, 2), false));
   EXPECT_FALSE(d.within_scatter());
@@ -153,7 +153,7 @@ TEST(MillMark, OfAFasterMillHasMoreDoseAndHarderImpacts) {
   EXPECT_LT(d.overlap, 0.8);
 }
 
-TEST(MillMark, WithoutCollisionsIsNothing) {
+TEST(MillMark, without_collisions_is_nothing) {
   cases::Case c = shaken("event", 1);
   c.mill.motion = kinematics::Still{};
   c.run.time = 1e-6;

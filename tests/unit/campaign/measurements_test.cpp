@@ -35,7 +35,7 @@ void expect_fault(const std::string& text, const std::string& where, const std::
   EXPECT_FALSE(faults[0].remedy.empty()) << faults[0].what;
 }
 
-TEST(Measurements, AreReadInTheUnitsOfTheirHeadings) {
+TEST(Measurements, are_read_in_the_units_of_their_headings) {
   const Measurements all =
       of("# a comment\n\n"
          "time (min), D50 [mm], D90_um, specific_surface_m2_per_kg, conversion (%)\n"
@@ -61,7 +61,7 @@ TEST(Measurements, AreReadInTheUnitsOfTheirHeadings) {
   EXPECT_TRUE(all.conditions[0].empty());
 }
 
-TEST(Measurements, MayBeWholeDistributionsWithErrors) {
+TEST(Measurements, may_be_whole_distributions_with_errors) {
   const Measurements all =
       of("size (um);passing (%);passing_error (%)\n"
          "100;12,5;2\n"
@@ -76,7 +76,7 @@ TEST(Measurements, MayBeWholeDistributionsWithErrors) {
   EXPECT_TRUE(all.errors_known());
 }
 
-TEST(Measurements, ShareConditionsThatAreEqual) {
+TEST(Measurements, share_conditions_that_are_equal) {
   const Measurements all =
       of("mill.frequency (Hz),balls.1.count,D90 (um)\r\n"
          "16,1,900\r\n19,1,700\r\n16,1,880\r\n,2,500\r\n");
@@ -93,7 +93,7 @@ TEST(Measurements, ShareConditionsThatAreEqual) {
   EXPECT_EQ(all.values[3].condition, 2U);
 }
 
-TEST(Measurements, EmptyCellsWereNotMeasured) {
+TEST(Measurements, empty_cells_were_not_measured) {
   const Measurements all = of("time (s),D50 (um),D90 (um)\n10,,900\n20,300,\n,250,600,,\n");
   ASSERT_EQ(all.values.size(), 4U);
   EXPECT_EQ(all.values[0].percent, 90);
@@ -101,24 +101,24 @@ TEST(Measurements, EmptyCellsWereNotMeasured) {
   EXPECT_TRUE(std::isnan(all.values[2].time));
 }
 
-TEST(Measurements, MayBeQuotedAndBeginWithAByteOrderMark) {
+TEST(Measurements, may_be_quoted_and_begin_with_a_byte_order_mark) {
   const Measurements all =
       of("\xEF\xBB\xBF\"D90 (um)\",\"mill.model\"\n\"900\",\"a \"\"b\"\", c\"\n");
   ASSERT_EQ(all.values.size(), 1U);
   EXPECT_EQ(all.conditions[0][0].value, "a \"b\", c");
 }
 
-TEST(Measurements, MayRepeatWhatWasMeasured) {
+TEST(Measurements, may_repeat_what_was_measured) {
   EXPECT_EQ(of("size (um),passing (%)\n100,10\n200,50\n100,12\n200,47\n").values.size(), 4U);
   EXPECT_EQ(of("size (um),passing (%)\n200,50\n100,10\n200,47\n100,12\n").values.size(), 4U);
 }
 
-TEST(Measurements, OfWhichThereIsNoFileAreRefused) {
+TEST(Measurements, of_which_there_is_no_file_are_refused) {
   EXPECT_THROW(read_measurements("/no/such/file.csv"), InputError);
   EXPECT_THROW(read_measurements(std::filesystem::temp_directory_path()), InputError);
 }
 
-TEST(Measurements, UnknownColumnsAreNamedWithWhatMayHaveBeenMeant) {
+TEST(Measurements, unknown_columns_are_named_with_what_may_have_been_meant) {
   expect_fault("D9O (um)\n900\n", "data.csv:1", "unknown column \"D9O (um)\"", "unknown-column");
   EXPECT_EQ(faults_of("d50 (um)\n9\n").at(0).remedy, "did you mean \"D50 (um)\"?");
   EXPECT_EQ(faults_of("D90 (um),D90_eror (um)\n9,1\n").at(0).remedy,
@@ -130,7 +130,7 @@ TEST(Measurements, UnknownColumnsAreNamedWithWhatMayHaveBeenMeant) {
                "unknown-column");
 }
 
-TEST(Measurements, UnitsThatAreMissingOrWrongAreToldOnce) {
+TEST(Measurements, units_that_are_missing_or_wrong_are_told_once) {
   expect_fault("D90\n900\n800\n", "data.csv:1", "column \"D90\": the unit is missing",
                "bad-quantity");
   expect_fault("D90 (kg)\n900\n", "data.csv:1", "is not a length", "bad-quantity");
@@ -138,14 +138,14 @@ TEST(Measurements, UnitsThatAreMissingOrWrongAreToldOnce) {
   expect_fault("time,D90 (um)\n1,900\n", "data.csv:1", "column \"time\"", "bad-quantity");
 }
 
-TEST(Measurements, CellsThatAreNoNumbersAreNamed) {
+TEST(Measurements, cells_that_are_no_numbers_are_named) {
   expect_fault("D90 (um)\n900\nmany\n", "data.csv:3", "\"many\" in column \"D90\"", "bad-quantity");
   expect_fault("D90 (um)\nnan\n", "data.csv:2", "\"nan\"", "bad-quantity");
   expect_fault("D90 (um)\n1e999\n", "data.csv:2", "\"1e999\"", "bad-quantity");
   expect_fault("D90 (um)\n9 mm\n", "data.csv:2", "\"9 mm\"", "bad-quantity");
 }
 
-TEST(Measurements, NumbersOutOfRangeAreNamed) {
+TEST(Measurements, numbers_out_of_range_are_named) {
   expect_fault("D90 (um)\n-9\n", "data.csv:2", "D90 = -9 must be above 0", "out-of-range");
   expect_fault("D90 (um),D90_error (um)\n9,0\n", "data.csv:2", "D90_error = 0", "out-of-range");
   expect_fault("time (s),D90 (um)\n-1,9\n", "data.csv:2", "time = -1", "out-of-range");
@@ -155,13 +155,13 @@ TEST(Measurements, NumbersOutOfRangeAreNamed) {
   expect_fault("conversion\n1.2\n", "data.csv:2", "conversion = 1.2", "out-of-range");
 }
 
-TEST(Measurements, ThatContradictThemselvesAreRefused) {
+TEST(Measurements, that_contradict_themselves_are_refused) {
   expect_fault("D50 (um),D90 (um)\n900,800\n", "data.csv:2", "D50 is larger than D90", "bad-data");
   expect_fault("size (um),passing (%)\n100,40\n200,30\n", "data.csv:3", "passes falls", "bad-data");
   expect_fault("size (um),passing (%)\n200,30\n100,40\n", "data.csv:3", "passes falls", "bad-data");
 }
 
-TEST(Measurements, TablesThatSayNothingAreRefused) {
+TEST(Measurements, tables_that_say_nothing_are_refused) {
   expect_fault("", "data.csv", "no table", "bad-data");
   expect_fault("# a remark\n", "data.csv:1", "no table", "bad-data");
   expect_fault("D90 (um)\n", "data.csv", "no row", "bad-data");
@@ -169,7 +169,7 @@ TEST(Measurements, TablesThatSayNothingAreRefused) {
   expect_fault("time (s),D90 (um)\n5,\n", "data.csv:2", "says nothing", "bad-data");
 }
 
-TEST(Measurements, ColumnsThatDoNotGoTogetherAreRefused) {
+TEST(Measurements, columns_that_do_not_go_together_are_refused) {
   expect_fault("D90 (um),D90 (mm)\n9,8\n", "data.csv:1", "two columns", "bad-data");
   expect_fault("size (um),D90 (um)\n9,8\n", "data.csv:1", "a distribution needs", "bad-data");
   expect_fault("passing (%)\n9\n", "data.csv:1", "a distribution needs", "bad-data");
@@ -184,14 +184,14 @@ TEST(Measurements, ColumnsThatDoNotGoTogetherAreRefused) {
                "bad-data");
 }
 
-TEST(Measurements, AllFaultsAreToldTogetherUpToTwenty) {
+TEST(Measurements, all_faults_are_told_together_up_to_twenty) {
   EXPECT_EQ(faults_of("D90 (um),D50 (um)\n-1,x\ny,3\n").size(), 3U);
   std::string wrong = "D90 (um)\n";
   for (int i = 0; i < 100; ++i) wrong += "wrong\n";
   EXPECT_EQ(faults_of(wrong).size(), 20U);
 }
 
-TEST(Measurements, KnowTheirNamesAndUnits) {
+TEST(Measurements, know_their_names_and_units) {
   EXPECT_EQ(name_of(Measured::quantile, 90), "D90");
   EXPECT_EQ(name_of(Measured::specific_surface, 0), "specific_surface");
   EXPECT_EQ(unit_of(Measured::quantile), "m");

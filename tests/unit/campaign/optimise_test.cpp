@@ -47,7 +47,7 @@ double hardly_told(double noise) {
   return 2 * noise / std::sqrt(2.0);
 }
 
-TEST(Optimise, FindsTheTopOfAHillInNoise) {
+TEST(Optimise, finds_the_top_of_a_hill_in_noise) {
   const Optimum found = optimise({.keys = 1, .settings = 16}, Noisy{{hill}, 0.1});
   ASSERT_TRUE(found.best);
   const Tried& best = found.tried[*found.best];
@@ -61,7 +61,7 @@ TEST(Optimise, FindsTheTopOfAHillInNoise) {
   for (const Tried& t : found.tried) EXPECT_LE(t.replicates.size(), 16U);
 }
 
-TEST(Optimise, KeepsTheNoticesOfASettingsRuns) {
+TEST(Optimise, keeps_the_notices_of_a_settings_runs) {
   const Noisy noisy{{hill}, 0.1};
   const Optimum found = optimise({.keys = 1, .settings = 8}, [&](const std::vector<Asked>& asked) {
     std::vector<Told> told = noisy(asked);
@@ -78,25 +78,25 @@ TEST(Optimise, KeepsTheNoticesOfASettingsRuns) {
   }
 }
 
-TEST(Optimise, FindsTheTopExactlyWithoutNoise) {
+TEST(Optimise, finds_the_top_exactly_without_noise) {
   const Optimum found = optimise({.keys = 1, .settings = 30}, Noisy{{hill}, 0});
   stays_below("lost", 1 - hill(found.tried[*found.best].place), 1e-3, "no noise");
   stays_below("width", found.keys[0].high - found.keys[0].low, 0.1, "no noise");
 }
 
-TEST(Optimise, FindsOneOfBraninsValleys) {
+TEST(Optimise, finds_one_of_branins_valleys) {
   const Optimum found =
       optimise({.keys = 2, .maximise = false, .settings = 40}, Noisy{{branin}, 2});
   stays_below("above the deepest", branin(found.tried[*found.best].place) - 0.397887,
               hardly_told(2), "Branin's function reaches to 300");
 }
 
-TEST(Optimise, FindsTheTopOverFourKeys) {
+TEST(Optimise, finds_the_top_over_four_keys) {
   const Optimum found = optimise({.keys = 4, .settings = 40}, Noisy{{four_keys}, 0.05});
   stays_below("lost", -four_keys(found.tried[*found.best].place), hardly_told(0.05), "known top");
 }
 
-TEST(Optimise, MinimisesAsItMaximises) {
+TEST(Optimise, minimises_as_it_maximises) {
   const Optimum up = optimise({.keys = 1, .settings = 12}, Noisy{{hill}, 0.1});
   const Optimum down = optimise({.keys = 1, .maximise = false, .settings = 12},
                                 Noisy{{[](const Place& x) { return -hill(x); }}, -0.1});
@@ -108,7 +108,7 @@ TEST(Optimise, MinimisesAsItMaximises) {
   EXPECT_EQ(up.best, down.best);
 }
 
-TEST(Optimise, SearchesByRatiosInALogarithmicRange) {
+TEST(Optimise, searches_by_ratios_in_a_logarithmic_range) {
   const FreeParameter range{"k", 1e-3, 1e3};
   const Optimum found =
       optimise({.keys = 1, .settings = 20},
@@ -121,7 +121,7 @@ TEST(Optimise, SearchesByRatiosInALogarithmicRange) {
   states("lg of the best", std::log10(best), 1, std::sqrt(hardly_told(0.02) / 0.1), "known top");
 }
 
-TEST(Optimise, KeepsWithinALimitAndSaysThatItBinds) {
+TEST(Optimise, keeps_within_a_limit_and_says_that_it_binds) {
   // The higher the better, but another outcome, x^2, must stay below 0.36.
   const Noisy both{
       {[](const Place& x) { return 3 * x[0]; }, [](const Place& x) { return x[0] * x[0]; }}, 0.02};
@@ -142,7 +142,7 @@ TEST(Optimise, KeepsWithinALimitAndSaysThatItBinds) {
   EXPECT_TRUE(free.keys[0].at_high_end);
 }
 
-TEST(Optimise, SaysWhereNoSettingIsAllowed) {
+TEST(Optimise, says_where_no_setting_is_allowed) {
   const Noisy both{{hill, [](const Place& x) { return x[0]; }}, 0.01};
   const Optimum found =
       optimise({.keys = 1, .bounds = {{.below = false, .value = 2}}, .settings = 12}, both);
@@ -150,7 +150,7 @@ TEST(Optimise, SaysWhereNoSettingIsAllowed) {
   for (const Tried& t : found.tried) EXPECT_LT(t.allowed, 0.5);
 }
 
-TEST(Optimise, StaysOutOfACornerThatFails) {
+TEST(Optimise, stays_out_of_a_corner_that_fails) {
   Noisy corner{{[](const Place& x) { return x[0] + x[1]; }}, 0.02};
   corner.fails = [](const Place& x) { return x[0] + x[1] > 1.4; };
   const Optimum found = optimise({.keys = 2, .settings = 40}, corner);
@@ -163,7 +163,7 @@ TEST(Optimise, StaysOutOfACornerThatFails) {
                               found.tried, [](const Tried& t) { return t.failure == "too far"; }));
 }
 
-TEST(Optimise, SaysThatNothingRan) {
+TEST(Optimise, says_that_nothing_ran) {
   Noisy nothing{{hill}, 0.1};
   nothing.fails = [](const Place&) { return true; };
   const Optimum found = optimise({.keys = 1, .settings = 10}, nothing);
@@ -172,14 +172,14 @@ TEST(Optimise, SaysThatNothingRan) {
   EXPECT_EQ(found.failed, 10);
 }
 
-TEST(Optimise, LeavesOutReplicatesWithoutAnOutcome) {
+TEST(Optimise, leaves_out_replicates_without_an_outcome) {
   Noisy gaps{{hill}, 0.05};
   gaps.lacks = [](const Asked& one, int replicate) { return (one.setting + replicate) % 3 == 0; };
   const Optimum found = optimise({.keys = 1, .settings = 16}, gaps);
   stays_below("lost", 1 - hill(found.tried[*found.best].place), hardly_told(0.05), "known top");
 }
 
-TEST(Optimise, SaysThatAKeyDoesNothing) {
+TEST(Optimise, says_that_a_key_does_nothing) {
   const Optimum found = optimise({.keys = 2, .settings = 24},
                                  Noisy{{[](const Place& x) { return 5 + hill(x); }}, 0.02});
   EXPECT_FALSE(found.keys[0].flat);  // 2 % of 6 is lost 0.17 beside the top
@@ -188,7 +188,7 @@ TEST(Optimise, SaysThatAKeyDoesNothing) {
   EXPECT_GT(found.keys[1].high - found.keys[1].low, 0.7);
 }
 
-TEST(Optimise, FindsAPlateauFlat) {
+TEST(Optimise, finds_a_plateau_flat) {
   const Optimum found =
       optimise({.keys = 1, .settings = 12}, Noisy{{[](const Place&) { return 3.0; }}, 0.01});
   EXPECT_TRUE(found.keys[0].flat);
@@ -196,7 +196,7 @@ TEST(Optimise, FindsAPlateauFlat) {
   EXPECT_EQ(found.ended, Ended::nothing);
 }
 
-TEST(Optimise, SeesTheEdgeOfARange) {
+TEST(Optimise, sees_the_edge_of_a_range) {
   const Optimum found =
       optimise({.keys = 1, .settings = 12}, Noisy{{[](const Place& x) { return 2 * x[0]; }}, 0.1});
   EXPECT_TRUE(found.keys[0].at_high_end);
@@ -204,7 +204,7 @@ TEST(Optimise, SeesTheEdgeOfARange) {
   EXPECT_GT(found.keys[0].high, 0.999);
 }
 
-TEST(Optimise, AnswersTheSameForAnyNumberOfJobs) {
+TEST(Optimise, answers_the_same_for_any_number_of_jobs) {
   const Goal goal{.keys = 2, .settings = 16};
   Noisy noisy{{[](const Place& x) { return hill(x) - std::pow(x[1] - 0.8, 2); }}, 0.05};
   noisy.jobs = 1;
@@ -222,7 +222,7 @@ TEST(Optimise, AnswersTheSameForAnyNumberOfJobs) {
   }
 }
 
-TEST(Optimise, RunsOnlyPlacesThatThereAre) {
+TEST(Optimise, runs_only_places_that_there_are) {
   Goal goal{.keys = 1, .settings = 16};
   goal.snap = [](const Place& x) { return Place{std::round(5 * x[0]) / 5}; };
   const Optimum found = optimise(goal, Noisy{{hill}, 0.05});
@@ -231,7 +231,7 @@ TEST(Optimise, RunsOnlyPlacesThatThereAre) {
   for (const Tried& t : found.tried) EXPECT_EQ(t.place[0], std::round(5 * t.place[0]) / 5);
 }
 
-TEST(Optimise, RefusesAGoalOutOfItsRanges) {
+TEST(Optimise, refuses_a_goal_out_of_its_ranges) {
   const Noisy noisy{{hill}, 0.1};
   EXPECT_THROW(optimise({.keys = 0}, noisy), std::invalid_argument);
   EXPECT_THROW(optimise({.keys = 9}, noisy), std::invalid_argument);
@@ -243,7 +243,7 @@ TEST(Optimise, RefusesAGoalOutOfItsRanges) {
                std::runtime_error);
 }
 
-TEST(Optimise, IntervalsHoldTheTruthAsOftenAsTheyClaim) {
+TEST(Optimise, intervals_hold_the_truth_as_often_as_they_claim) {
   // A guess of where the top may be is rather too careful: what it supposes is rougher than a hill.
   constexpr int times = 200;
   int place = 0;

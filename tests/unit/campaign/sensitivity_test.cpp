@@ -16,7 +16,7 @@ namespace {
 using tests::states;
 using tests::stays_below;
 
-TEST(ElementaryEffects, AreExactForALine) {
+TEST(ElementaryEffects, are_exact_for_a_line) {
   const Places rows = morris_design(3, 10, 1);
   const auto found = elementary_effects(
       rows, outcomes(rows, [](const Values& x) { return 5 + 2 * x[0] - 3 * x[1]; }), {});
@@ -33,7 +33,7 @@ TEST(ElementaryEffects, AreExactForALine) {
   }
 }
 
-TEST(ElementaryEffects, KnowWhatKeysDoTogetherAndTheirIntervalsHold) {
+TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
   // Of y = (x1 - 1/2) x2 the effect of key 1 is x2: 0, 1/3, 2/3 or 1, so mu is 1/2 and sigma^2 the
   // mean square of +-1/2, +-1/6. Key 2 does +-1/2 or +-1/6: mu is 0, mu* is 1/3.
   constexpr int times = 200, ways = 40;
@@ -56,7 +56,7 @@ TEST(ElementaryEffects, KnowWhatKeysDoTogetherAndTheirIntervalsHold) {
     states("intervals that hold, of 200", h, 0.95 * times, tolerance, "binomial");
 }
 
-TEST(ElementaryEffects, OfNoiseAloneAreWhatErrorsGive) {
+TEST(ElementaryEffects, of_noise_alone_are_what_errors_give) {
   constexpr std::size_t ways = 4000;
   const Places rows = morris_design(1, ways, 3);
   Random random(5, 1);
@@ -69,7 +69,7 @@ TEST(ElementaryEffects, OfNoiseAloneAreWhatErrorsGive) {
          "3.3 standard errors");
 }
 
-TEST(ElementaryEffects, OfNoiseAreRightWhereErrorsComeFromTwoReplicates) {
+TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates) {
   // The error of a mean of two is half their difference. On the mean it is smaller than the true
   // one, by sqrt(2/pi); its square is not.
   constexpr std::size_t ways = 4000;
@@ -90,7 +90,7 @@ TEST(ElementaryEffects, OfNoiseAreRightWhereErrorsComeFromTwoReplicates) {
          "3.3 standard errors");
 }
 
-TEST(ElementaryEffects, AreToldIfSurelyMoreThanNoiseMakes) {
+TEST(ElementaryEffects, are_told_if_surely_more_than_noise_makes) {
   const Places rows = morris_design(3, 10, 1);
   Random random(5, 5);
   const Values y = outcomes(rows, [&](const Values& x) { return 100 * x[0] + normal(random); });
@@ -108,7 +108,7 @@ TEST(ElementaryEffects, AreToldIfSurelyMoreThanNoiseMakes) {
             std::optional(false));
 }
 
-TEST(ElementaryEffects, SayWhichKeyChangesNothing) {
+TEST(ElementaryEffects, say_which_key_changes_nothing) {
   const Places rows = morris_design(2, 5, 1);
   const Values y = outcomes(rows, [](const Values& x) { return std::exp(x[0]); });
   const auto found = elementary_effects(rows, y, {});
@@ -118,7 +118,7 @@ TEST(ElementaryEffects, SayWhichKeyChangesNothing) {
   EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).keys[1].idle) << "not known";
 }
 
-TEST(ElementaryEffects, LeaveOutStepsThatFailed) {
+TEST(ElementaryEffects, leave_out_steps_that_failed) {
   const Places rows = morris_design(2, 4, 1);
   Values y = outcomes(rows, [](const Values& x) { return x[0]; });
   y[1] = nan;  // the middle of the first way: both of its steps
@@ -132,7 +132,7 @@ TEST(ElementaryEffects, LeaveOutStepsThatFailed) {
   EXPECT_THROW(elementary_effects(rows, Values(11), {}), std::invalid_argument);
 }
 
-TEST(Swings, AreWhatEachKeyDoesAlone) {
+TEST(Swings, are_what_each_key_does_alone) {
   const Swings found = swings({5, 4, 6, 5.2, 5.3}, {0.1, 0.2, 0.2, 0.3, 0.3});
   EXPECT_EQ(found.base.value, 5);
   ASSERT_EQ(found.keys.size(), 2U);
@@ -147,27 +147,27 @@ TEST(Swings, AreWhatEachKeyDoesAlone) {
   EXPECT_THROW(swings({1, 2}, {}), std::invalid_argument);
 }
 
-TEST(Swings, AreComparedWithTheCaseItself) {
+TEST(Swings, are_compared_with_the_case_itself) {
   // The ends differ by 2, more than sqrt(1 + 1); from the case both by 1, which is less.
   EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].told, std::optional(false));
   EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].told, std::optional(true)) << "the high end";
 }
 
-TEST(Swings, AreNotJudgedWithoutIntervals) {
+TEST(Swings, are_not_judged_without_intervals) {
   EXPECT_EQ(swings({5, 4, 6}, {}).keys[0].told, std::nullopt);
   EXPECT_EQ(swings({5, 4, 6}, {nan, 0.1, 0.1}).keys[0].told, std::nullopt);
   EXPECT_EQ(swings({5, 5.1, 6}, {1, 1, nan}).keys[0].told, std::nullopt) << "the other may differ";
   EXPECT_EQ(swings({5, 9, 6}, {1, 1, nan}).keys[0].told, std::optional(true));
 }
 
-TEST(Swings, SayWhichKeyChangesNothing) {
+TEST(Swings, say_which_key_changes_nothing) {
   const Swings found = swings({5, 5, 5, 5, 5.1, 5, nan}, {});
   EXPECT_TRUE(found.keys[0].idle);
   EXPECT_FALSE(found.keys[1].idle);
   EXPECT_FALSE(found.keys[2].idle) << "a failed run tells nothing";
 }
 
-TEST(StandardErrors, AreHalfWidthsOverStudentsQuantile) {
+TEST(StandardErrors, are_half_widths_over_students_quantile) {
   const double t1 = std::tan(0.475 * std::numbers::pi);  // Cauchy's law
   const double t2 = 0.95 * std::sqrt(2 / (1 - 0.95 * 0.95));
   const Values found = standard_errors({1, 2, 3}, {t1, 2 * t2, 2}, {2, 3, 1});
@@ -177,7 +177,7 @@ TEST(StandardErrors, AreHalfWidthsOverStudentsQuantile) {
   states("of one, over time", found[2], 1, 0.131, "t_95 of 10 batches is 2.262, of many 1.960");
 }
 
-TEST(StandardErrors, AreUnknownWhereOneIsMissing) {
+TEST(StandardErrors, are_unknown_where_one_is_missing) {
   EXPECT_TRUE(standard_errors({1, 2}, {0.1, nan}, {2, 2}).empty());
   EXPECT_TRUE(standard_errors({1, 2}, {0.1, 0.1}, {2, nan}).empty());
   EXPECT_TRUE(standard_errors({1, 2}, {0.1, 0.1}, {}).empty());

@@ -41,7 +41,7 @@ double g_function(const Values& x) {
   return product;
 }
 
-TEST(VarianceShares, AreThoseOfIshigamisFunction) {
+TEST(VarianceShares, are_those_of_ishigamis_function) {
   const VarianceShares found = variance_shares(3, outcomes(saltelli_design(3, 4096), ishigami), {});
   const IshigamiParts v = ishigami_parts();
   const std::array first{v.first / v.all(), v.second / v.all(), 0.0};
@@ -57,7 +57,7 @@ TEST(VarianceShares, AreThoseOfIshigamisFunction) {
   EXPECT_EQ(found.failed, 0);
 }
 
-TEST(VarianceShares, AreThoseOfTheGFunction) {
+TEST(VarianceShares, are_those_of_the_g_function) {
   const VarianceShares found =
       variance_shares(5, outcomes(saltelli_design(5, 4096), g_function), {});
   double all = 1;
@@ -71,7 +71,7 @@ TEST(VarianceShares, AreThoseOfTheGFunction) {
   }
 }
 
-TEST(VarianceShares, IntervalsHoldTheTruthAsOftenAsTheyClaim) {
+TEST(VarianceShares, intervals_hold_the_truth_as_often_as_they_claim) {
   // Points drawn at random, so that nothing is surer than the intervals suppose.
   constexpr int times = 200, base = 512;
   const IshigamiParts v = ishigami_parts();
@@ -98,7 +98,7 @@ TEST(VarianceShares, IntervalsHoldTheTruthAsOftenAsTheyClaim) {
     states("intervals that hold, of 200", h, 0.95 * times, tolerance, "binomial");
 }
 
-TEST(VarianceShares, LeaveOutWhatHangsOnFailedRuns) {
+TEST(VarianceShares, leave_out_what_hangs_on_failed_runs) {
   const Places rows = saltelli_design(3, 2048);
   Values y = outcomes(rows, ishigami);
   y[0] = nan;                                            // a of group 0: nothing is left of it
@@ -122,7 +122,7 @@ TEST(VarianceShares, LeaveOutWhatHangsOnFailedRuns) {
   EXPECT_EQ(known.keys[1].told, std::optional(true));
 }
 
-TEST(VarianceShares, AreFreeOfTheShareOfErrors) {
+TEST(VarianceShares, are_free_of_the_share_of_errors) {
   // Errors as large as the outcome's own spread: without a correction they look like a share of
   // every key.
   constexpr std::size_t base = 8192;
@@ -141,7 +141,7 @@ TEST(VarianceShares, AreFreeOfTheShareOfErrors) {
   states("without errors said", raw.keys[1].total.value, 0.2, sure(raw.keys[1].total), "0.25/1.25");
 }
 
-TEST(VarianceShares, OfAKeyThatChangesNothingAreZeroWhateverTheErrors) {
+TEST(VarianceShares, of_a_key_that_changes_nothing_are_zero_whatever_the_errors) {
   // Runs that differ in an idle key alone are the same run: their errors do not add up.
   Random random(5, 2);
   const Places rows = saltelli_design(2, 64);
@@ -160,7 +160,7 @@ TEST(VarianceShares, OfAKeyThatChangesNothingAreZeroWhateverTheErrors) {
   EXPECT_EQ(found.keys[1].first.high, 0);
 }
 
-TEST(VarianceShares, OfNoiseAreToldInFewOf200Designs) {
+TEST(VarianceShares, of_noise_are_told_in_few_of200_designs) {
   // Key 0 does much, key 1 nothing, but its runs have errors of their own. The whole interval of a
   // total lies above the truth in 2.5 of 100.
   constexpr int times = 200;
@@ -181,7 +181,7 @@ TEST(VarianceShares, OfNoiseAreToldInFewOf200Designs) {
   EXPECT_EQ(unsure, 0) << "errors that are not known may make all of it";
 }
 
-TEST(VarianceShares, AreNotToldWhereTheOutcomeHardlyVariesMoreThanItsErrors) {
+TEST(VarianceShares, are_not_told_where_the_outcome_hardly_varies_more_than_its_errors) {
   // Nothing but noise, said to be all but a hundredth of the variance: of the groups drawn anew
   // many have less than that.
   Random random(5, 3);
@@ -200,7 +200,7 @@ TEST(VarianceShares, AreNotToldWhereTheOutcomeHardlyVariesMoreThanItsErrors) {
   EXPECT_EQ(less.keys[0].told, std::optional(false));
 }
 
-TEST(VarianceShares, OfOneGroupHaveNoInterval) {
+TEST(VarianceShares, of_one_group_have_no_interval) {
   const VarianceShares found = variance_shares(1, {1, 2, 3}, {0.1, 0.1, 0.1});
   EXPECT_EQ(found.keys[0].count, 1U);
   EXPECT_TRUE(std::isfinite(found.keys[0].total.value));
@@ -208,7 +208,7 @@ TEST(VarianceShares, OfOneGroupHaveNoInterval) {
   EXPECT_EQ(found.keys[0].told, std::nullopt);
 }
 
-TEST(VarianceShares, AreNotInventedWhereNothingVaries) {
+TEST(VarianceShares, are_not_invented_where_nothing_varies) {
   const VarianceShares found = variance_shares(2, Values(40, 3.0), {});
   EXPECT_TRUE(std::isnan(found.keys[0].first.value));
   EXPECT_TRUE(std::isnan(found.keys[1].total.high));

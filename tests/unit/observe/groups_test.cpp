@@ -34,7 +34,7 @@ int seen(int trials, std::size_t size, std::size_t shifted, double by) {
   return count;
 }
 
-TEST(TwoGroups, OneNormalDistributionIsSplitAsOftenAsTheLevelSays) {
+TEST(TwoGroups, one_normal_distribution_is_split_as_often_as_the_level_says) {
   // 2000 samples at a level of 0.01: 20 expected, a standard deviation of 4.45. That of the 1999
   // samples drawn to judge by is as large, and the same for all samples of a size.
   constexpr int trials = 2000;
@@ -47,14 +47,14 @@ TEST(TwoGroups, OneNormalDistributionIsSplitAsOftenAsTheLevelSays) {
         "level 0.01, three standard deviations");
 }
 
-TEST(TwoGroups, TenStandardDeviationsApartAreFound) {
+TEST(TwoGroups, ten_standard_deviations_apart_are_found) {
   for (const std::size_t size : {10U, 20U}) {
     EXPECT_GE(seen(200, size, size / 2, 10), 195) << size;
     EXPECT_GE(seen(200, size, 3, 10), 180) << size;
   }
 }
 
-TEST(TwoGroups, TheirBoundLiesBetweenThem) {
+TEST(TwoGroups, their_bound_lies_between_them) {
   const std::vector<double> values = sample(1, 10, 4, 30);
   const auto found = two_groups(values);
   ASSERT_TRUE(found);
@@ -64,7 +64,7 @@ TEST(TwoGroups, TheirBoundLiesBetweenThem) {
   EXPECT_GE(found->chance, 1.0 / 2000);
 }
 
-TEST(TwoGroups, UnitOriginAndOrderDoNotMatter) {
+TEST(TwoGroups, unit_origin_and_order_do_not_matter) {
   std::vector<double> values = sample(1, 10, 4, 30);
   const auto found = two_groups(values);
   ASSERT_TRUE(found);
@@ -76,7 +76,7 @@ TEST(TwoGroups, UnitOriginAndOrderDoNotMatter) {
   EXPECT_NEAR(other->between, 1e3 + 1e-3 * found->between, 1e-9);
 }
 
-TEST(TwoGroups, FewerThanFourValuesShowNothing) {
+TEST(TwoGroups, fewer_than_four_values_show_nothing) {
   EXPECT_FALSE(two_groups({}));
   EXPECT_FALSE(two_groups({1}));
   EXPECT_FALSE(two_groups({1, 100}));
@@ -84,7 +84,7 @@ TEST(TwoGroups, FewerThanFourValuesShowNothing) {
   EXPECT_TRUE(two_groups({1, 1, 100, 100})) << "equal within each group";
 }
 
-TEST(TwoGroups, EqualValuesAreOneGroup) {
+TEST(TwoGroups, equal_values_are_one_group) {
   EXPECT_FALSE(two_groups({3, 3, 3, 3, 3}));
   EXPECT_FALSE(two_groups({1, 1 + 1e-15, 1 - 1e-15, 1 + 2e-15})) << "but for rounding";
   EXPECT_FALSE(two_groups({0, 0, 0, 0}));

@@ -11,7 +11,7 @@
 namespace mahlwerk::observe {
 namespace {
 
-TEST(LogHistogram, EveryEdgeOpensItsOwnBin) {
+TEST(LogHistogram, every_edge_opens_its_own_bin) {
   for (int bin = 1; bin < LogHistogram::bins; ++bin) {
     const double edge = LogHistogram::lower(bin);
     EXPECT_EQ(LogHistogram::bin_of(edge), bin);
@@ -19,13 +19,13 @@ TEST(LogHistogram, EveryEdgeOpensItsOwnBin) {
   }
 }
 
-TEST(LogHistogram, EdgesAreQuartersOfAnOctave) {
+TEST(LogHistogram, edges_are_quarters_of_an_octave) {
   for (int bin = 0; bin < LogHistogram::bins; ++bin)
     EXPECT_NEAR(std::log2(LogHistogram::lower(bin)), 0.25 * bin + LogHistogram::lowest_octave,
                 1e-13);
 }
 
-TEST(LogHistogram, WhatLiesBeyondTheEndsIsNotLost) {
+TEST(LogHistogram, what_lies_beyond_the_ends_is_not_lost) {
   EXPECT_EQ(LogHistogram::bin_of(0), 0);
   EXPECT_EQ(LogHistogram::bin_of(-0.0), 0);
   EXPECT_EQ(LogHistogram::bin_of(-1e-20), 0);  // a loss that rounding made negative
@@ -34,7 +34,7 @@ TEST(LogHistogram, WhatLiesBeyondTheEndsIsNotLost) {
   EXPECT_EQ(LogHistogram::bin_of(INFINITY), LogHistogram::bins - 1);
 }
 
-TEST(LogHistogram, BinsAreThoseOfTheLogarithm) {
+TEST(LogHistogram, bins_are_those_of_the_logarithm) {
   Random random(1, 0);
   for (int i = 0; i < 100000; ++i) {
     const double value = std::exp2(random.uniform(-70, 30));
@@ -44,7 +44,7 @@ TEST(LogHistogram, BinsAreThoseOfTheLogarithm) {
   }
 }
 
-TEST(LogHistogram, MergingIsExact) {
+TEST(LogHistogram, merging_is_exact) {
   LogHistogram one, two, both;
   Random random(2, 0);
   for (int i = 0; i < 10000; ++i) {
@@ -61,7 +61,7 @@ TEST(LogHistogram, MergingIsExact) {
   }
 }
 
-TEST(LogHistogram, KnowsWhichBinsAreFilled) {
+TEST(LogHistogram, knows_which_bins_are_filled) {
   LogHistogram h;
   EXPECT_EQ(h.filled(), (std::array<int, 2>{0, 0}));
   h.add(1);

@@ -20,7 +20,7 @@ namespace {
 using tests::states;
 using tests::stays_below;
 
-TEST(Student95, IsThatOfThePrintedTables) {
+TEST(Student95, is_that_of_the_printed_tables) {
   // Abramowitz & Stegun, table 26.10, and the same to more digits.
   const std::pair<int, double> printed[] = {
       {1, 12.70620474}, {2, 4.30265273},  {3, 3.18244631},  {4, 2.77644511},  {5, 2.57058184},
@@ -30,23 +30,23 @@ TEST(Student95, IsThatOfThePrintedTables) {
   EXPECT_NEAR(student95(1000000), 1.95996636, 1e-7);
 }
 
-TEST(Student95, FallsAllTheWay) {
+TEST(Student95, falls_all_the_way) {
   for (int n = 1; n < 200; ++n) EXPECT_GT(student95(n), student95(n + 1)) << n;
 }
 
-TEST(Estimate, IsMeanAndStudentHalfWidth) {
+TEST(Estimate, is_mean_and_student_half_width) {
   const Estimate e = estimate({1, 2, 3, 4, 5});
   EXPECT_DOUBLE_EQ(e.mean, 3);
   EXPECT_NEAR(e.ci95, 2.77644511 * std::sqrt(2.5 / 5), 1e-7);
 }
 
-TEST(Estimate, OfOneReplicateKnowsNoWidth) {
+TEST(Estimate, of_one_replicate_knows_no_width) {
   const Estimate e = estimate({7});
   EXPECT_EQ(e.mean, 7);
   EXPECT_TRUE(std::isnan(e.ci95));
 }
 
-TEST(Estimate, OfEqualValuesIsSharp) {
+TEST(Estimate, of_equal_values_is_sharp) {
   const Estimate e = estimate({0.5, 0.5, 0.5, 0.5});
   EXPECT_EQ(e.mean, 0.5);
   EXPECT_EQ(e.ci95, 0);

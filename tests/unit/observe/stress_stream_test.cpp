@@ -21,7 +21,7 @@ scene::Collision hit(double speed) {
   return c;
 }
 
-TEST(StressStream, KeepsTheEnergyThatItIsToldTo) {
+TEST(StressStream, keeps_the_energy_that_it_is_told_to) {
   const std::vector<scene::Collision> one{hit(3)};
   const ByPair pairs;
   using Energy = StressStream::Energy;
@@ -35,7 +35,7 @@ TEST(StressStream, KeepsTheEnergyThatItIsToldTo) {
   }
 }
 
-TEST(StressStream, KeepsEveryFourthOfAStreamFourTimesAsLongAsItHolds) {
+TEST(StressStream, keeps_every_fourth_of_a_stream_four_times_as_long_as_it_holds) {
   StressStream stream;
   const ByPair pairs;
   std::vector<scene::Collision> some;
@@ -56,7 +56,7 @@ TEST(StressStream, KeepsEveryFourthOfAStreamFourTimesAsLongAsItHolds) {
     ASSERT_EQ(stream.hits()[i].energy, static_cast<float>(4 * i));  // in order, none left out
 }
 
-TEST(StressStream, GoesOnFromItsSavedState) {
+TEST(StressStream, goes_on_from_its_saved_state) {
   StressStream whole, first, second;
   const ByPair pairs;
   std::vector<scene::Collision> some;

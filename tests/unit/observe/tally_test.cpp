@@ -23,7 +23,7 @@ scene::Collision collision(double approach, double slip) {
   return c;
 }
 
-TEST(ImpactAngle, IsTheArcTangent) {
+TEST(ImpactAngle, is_the_arc_tangent) {
   double worst = 0;
   for (int i = 0; i <= 20000; ++i) {
     const double angle = 0.5 * std::numbers::pi * i / 20000;
@@ -35,14 +35,14 @@ TEST(ImpactAngle, IsTheArcTangent) {
   EXPECT_GT(worst, 0);
 }
 
-TEST(ImpactAngle, IsZeroHeadOnAndARightAngleGrazing) {
+TEST(ImpactAngle, is_zero_head_on_and_a_right_angle_grazing) {
   EXPECT_EQ(impact_angle(1, 0), 0);
   EXPECT_EQ(impact_angle(0, 0), 0);
   EXPECT_DOUBLE_EQ(impact_angle(0, 1), std::numbers::pi / 2);
   EXPECT_NEAR(impact_angle(2, 2), std::numbers::pi / 4, 2e-8);
 }
 
-TEST(Tally, AddsUpWhatItSees) {
+TEST(Tally, adds_up_what_it_sees) {
   Tally tally(0.1);
   const std::vector<scene::Collision> seen{collision(2, 0), collision(1, 1), collision(0.05, 0.1)};
   tally.collisions(seen);
@@ -63,19 +63,19 @@ TEST(Tally, AddsUpWhatItSees) {
   EXPECT_EQ(tally.whole().angle_above[63], 0);
 }
 
-TEST(Tally, TheThresholdItselfCounts) {
+TEST(Tally, the_threshold_itself_counts) {
   Tally tally(0.1);
   tally.collisions(std::vector{collision(0.1, 0), collision(std::nextafter(0.1, 0), 0)});
   EXPECT_EQ(tally.above.count, 1);
 }
 
-TEST(Tally, AGrazingHitIsInTheLastDegree) {
+TEST(Tally, a_grazing_hit_is_in_the_last_degree) {
   Tally tally(0);
   tally.collisions(std::vector{collision(0, 1)});
   EXPECT_EQ(tally.whole().angle_all[angle_bins - 1], 1);
 }
 
-TEST(Tally, ChunksDoNotMatter) {
+TEST(Tally, chunks_do_not_matter) {
   std::vector<scene::Collision> seen;
   for (int i = 1; i < 500; ++i) seen.push_back(collision(0.003 * i, 0.7 / i));
   Tally whole(0.1), pieces(0.1);

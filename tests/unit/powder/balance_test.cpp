@@ -62,7 +62,7 @@ std::vector<long double> reid(const Rates& rates, const std::vector<double>& sta
   return now;
 }
 
-TEST(Balance, StepIsReidsClosedForm) {
+TEST(Balance, step_is_reids_closed_form) {
   Rates rates(6);
   std::vector<double> start(6, 0.0);
   start[0] = 1;
@@ -77,7 +77,7 @@ TEST(Balance, StepIsReidsClosedForm) {
   }
 }
 
-TEST(Balance, TwoShortStepsAreOneLong) {
+TEST(Balance, two_short_steps_are_one_long) {
   Rates rates(40);
   for (int j = 0; j < 40; ++j)
     for (int i = j + 1; i < 40; ++i) rates.at(i, j) = std::exp2(-j) * (1 + (i * 7 + j) % 5);
@@ -88,7 +88,7 @@ TEST(Balance, TwoShortStepsAreOneLong) {
   stays_below("largest difference", worst, 1e-13, "exp(A 2t) = exp(A t)^2; doublings of roundings");
 }
 
-TEST(Balance, FirstOrderGrindingIsGaudinAndMeloys) {
+TEST(Balance, first_order_grinding_is_gaudin_and_meloys) {
   // S = k x as long as hits break hardly ever, B = x/y: what is coarser than x decays at S(x).
   constexpr double f = 1e-12;
   Process p = process(VogelPeukert{f, 0}, AustinFragments{1, 1, 1});
@@ -112,7 +112,7 @@ TEST(Balance, FirstOrderGrindingIsGaudinAndMeloys) {
   }
 }
 
-TEST(Balance, RandomBinaryBreakageIsZiffAndMcGradys) {
+TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
   // Rate proportional to volume, pieces uniform in volume, from one size: the share of the mass in
   // grains of less than v is 1 - exp(-t v) (1 + t (1 - v) + ... ) as below, v over that at the
   // start.
@@ -172,7 +172,7 @@ TEST(Balance, RandomBinaryBreakageIsZiffAndMcGradys) {
               "a sixty-fourth");
 }
 
-TEST(Balance, MassIsKeptAndSizesNeverGrowUnderEveryModel) {
+TEST(Balance, mass_is_kept_and_sizes_never_grow_under_every_model) {
   const Feed feed{Feed::Law::lognormal, 0.5e-3, 1.5};
   for (const AnyBreakage& breakage : tests::every_breakage())
     for (const AnyFragments& fragments : tests::every_fragments())
@@ -197,7 +197,7 @@ TEST(Balance, MassIsKeptAndSizesNeverGrowUnderEveryModel) {
       }
 }
 
-TEST(Balance, WeldingAloneDoublesVolumesAndKeepsMass) {
+TEST(Balance, welding_alone_doubles_volumes_and_keeps_mass) {
   Process p = process(Threshold{1e12, 1e-3, 0}, Halves{});  // nothing breaks
   p.welding = 0.1;
   const StressSpectrum hits{{nip}, {{0, 1e-3, 100}}};
@@ -216,7 +216,7 @@ TEST(Balance, WeldingAloneDoublesVolumesAndKeepsMass) {
   states("mass", sum(shares), 1, 1e-13, "kept");
 }
 
-TEST(Balance, StuckGrainsSlowGrindingDownByTheirShare) {
+TEST(Balance, stuck_grains_slow_grinding_down_by_their_share) {
   const SizeGrid grid(1e-3, 1e-3, 10e-6, 6);
   const Feed feed{Feed::Law::equal, 1e-3};
   Process free = process(), stuck = process();
@@ -229,7 +229,7 @@ TEST(Balance, StuckGrainsSlowGrindingDownByTheirShare) {
     EXPECT_NEAR(one.shares()[i], other.shares()[i], 1e-13);
 }
 
-TEST(Balance, MixedBedIsOfSecondOrderInItsSteps) {
+TEST(Balance, mixed_bed_is_of_second_order_in_its_steps) {
   // Against steps a hundred times shorter than those it takes by itself.
   Process p = process(VogelPeukert{2, 0.05}, BinaryFragments{}, Barrios{300});
   p.bed = Bed::mixed;

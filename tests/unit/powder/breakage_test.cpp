@@ -16,7 +16,7 @@ namespace {
 
 using tests::states;
 
-TEST(Breakage, ChanceOfEveryModelRisesWithEnergyFromNoneToCertainty) {
+TEST(Breakage, chance_of_every_model_rises_with_energy_from_none_to_certainty) {
   for (const AnyBreakage& any : tests::every_breakage())
     std::visit(
         [](const auto& model) {
@@ -33,14 +33,14 @@ TEST(Breakage, ChanceOfEveryModelRisesWithEnergyFromNoneToCertainty) {
         any);
 }
 
-TEST(Breakage, VogelAndPeukertsChanceIsTheirFormula) {
+TEST(Breakage, vogel_and_peukerts_chance_is_their_formula) {
   const VogelPeukert model{2, 0.1};
   states("x W = 0.6 J m/kg", model.chance(2e-3, 300), 1 - std::exp(-2 * (0.6 - 0.1)), 1e-15,
          "physics 5.2");
   EXPECT_EQ(model.chance(2e-3, 50), 0);  // at the threshold
 }
 
-TEST(Breakage, VogelAndPeukertsShortcutDecidesAsTheChanceDoes) {
+TEST(Breakage, vogel_and_peukerts_shortcut_decides_as_the_chance_does) {
   const VogelPeukert model{2, 0.1};
   Draws draw(3);
   for (int i = 0; i < 1000000; ++i) {
@@ -50,13 +50,13 @@ TEST(Breakage, VogelAndPeukertsShortcutDecidesAsTheChanceDoes) {
   }
 }
 
-TEST(Breakage, ThresholdOfFinerGrainsIsHigherByItsExponent) {
+TEST(Breakage, threshold_of_finer_grains_is_higher_by_its_exponent) {
   const Threshold model{200, 1e-3, 0.5};
   EXPECT_EQ(model.chance(0.25e-3, 399.9), 0);
   EXPECT_EQ(model.chance(0.25e-3, 400.1), 1);
 }
 
-TEST(Breakage, TavaresMedianBreaksHalfOfTheGrains) {
+TEST(Breakage, tavares_median_breaks_half_of_the_grains) {
   for (const double cut : {0.0, 4.0}) {
     Tavares model{43.4, 3.48e-3, 1.61, 0.5, cut, 5, 0.6, 0.03};
     // With a cut E' = E_max E/(E_max - E) is E_50 where E = E_50 cut/(cut + 1).
@@ -66,7 +66,7 @@ TEST(Breakage, TavaresMedianBreaksHalfOfTheGrains) {
   }
 }
 
-TEST(Breakage, TavaresDamageIsOneAtTheStrengthAndAPowerFarBelow) {
+TEST(Breakage, tavares_damage_is_one_at_the_strength_and_a_power_far_below) {
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 0, 5, 0.6, 0.03};
   states("at the strength", model.damage(1), 1, 0, "2 gamma/(2 gamma) = 1; physics 5.2");
   // With r(D) the right side, r'(1) = 1 and r''(1) = 1 + 5/(2 gamma): D goes to 1 as a root does.
@@ -82,14 +82,14 @@ TEST(Breakage, TavaresDamageIsOneAtTheStrengthAndAPowerFarBelow) {
   }
 }
 
-TEST(Breakage, StrengthsDrawnBreakAsOftenAsTheChanceSays) {
+TEST(Breakage, strengths_drawn_break_as_often_as_the_chance_says) {
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
   for (const double z : {-2.0, -0.3, 0.0, 1.1, 2.5})
     states("share broken", model.chance(1e-3, model.median(1e-3) * model.relative_strength(z)),
            0.5 * std::erfc(-z / std::sqrt(2.0)), 1e-14, "(brk.5)");
 }
 
-TEST(Fragments, EveryCurveRisesFromNothingToOne) {
+TEST(Fragments, every_curve_rises_from_nothing_to_one) {
   for (const AnyFragments& any : tests::every_fragments())
     std::visit(
         [](const auto& model) {
@@ -106,7 +106,7 @@ TEST(Fragments, EveryCurveRisesFromNothingToOne) {
         any);
 }
 
-TEST(Fragments, ShareFinerThanATenthIsT10) {
+TEST(Fragments, share_finer_than_a_tenth_is_t10) {
   for (const double t10 : {0.01, 0.3, 0.9})
     states("t_n at n = 10", T10Fragments{}.finer(0.1, 1e-3, t10), t10, 1e-15, "physics 5.2");
   states("its own t10 before the model's", (T10Fragments{0.2, 1}).finer(0.1, 1e-3, 0.7), 0.2, 1e-15,
@@ -129,7 +129,7 @@ double distance(const Model& model, double parent, double t10, int count) {
   return far;
 }
 
-TEST(Fragments, SizesDrawnFollowTheirCurve) {
+TEST(Fragments, sizes_drawn_follow_their_curve) {
   constexpr int count = 100000;
   for (const AnyFragments& any : tests::every_fragments())
     std::visit(

@@ -35,7 +35,7 @@ double hertz_depth(const Nip& n, double energy) {
   return low;
 }
 
-TEST(Capture, RadiusOfABedThatDoesNotYieldIsHertzsRadiusOfContact) {
+TEST(Capture, radius_of_a_bed_that_does_not_yield_is_hertzs_radius_of_contact) {
   for (const double energy : {1e-6, 1e-3, 1.0}) {
     const double expected = std::sqrt(nip.radius * hertz_depth(nip, energy));
     states("capture radius at " + std::to_string(energy) + " J", capture_radius(nip, energy, 0),
@@ -43,7 +43,7 @@ TEST(Capture, RadiusOfABedThatDoesNotYieldIsHertzsRadiusOfContact) {
   }
 }
 
-TEST(Capture, SpotOfABedIsWhereABallIsNoHigherThanTheBed) {
+TEST(Capture, spot_of_a_bed_is_where_a_ball_is_no_higher_than_the_bed) {
   // A sphere of radius K_g on a plane, pressed in by D: at the edge of the spot its surface is D
   // up.
   for (const double depth : {1e-6, 1e-4, 3e-3}) {
@@ -56,14 +56,14 @@ TEST(Capture, SpotOfABedIsWhereABallIsNoHigherThanTheBed) {
          "no more than the ball");
 }
 
-TEST(Capture, NumberOfGrainsGoesOverIntoOneWithoutAJump) {
+TEST(Capture, number_of_grains_goes_over_into_one_without_a_jump) {
   states("just below", grains_in_bed(0.5 * (1 - 1e-12), 1), 1, 0, "(cap.5)");
   states("just above", grains_in_bed(0.5 * (1 + 1e-12), 1), 1, 1e-11, "(cap.5)");
   states("many grains, share of the area", grains_in_bed(1e4, 1) / 4e8, 0.75, 1e-8,
          "(cap.5); hexagonal packing would be 0.907");
 }
 
-TEST(Capture, DeformationHasTheLimitsOfPaperBsEquation16) {
+TEST(Capture, deformation_has_the_limits_of_paper_bs_equation_16) {
   states("at endless energy", bed_deformation(1e30), 0.362, 1e-15, "paper B eq. 16");
   const double little = 1e-12;
   const double expected = 0.362 * 0.152 * std::pow(little, 0.413);
@@ -72,7 +72,7 @@ TEST(Capture, DeformationHasTheLimitsOfPaperBsEquation16) {
   EXPECT_EQ(bed_deformation(0), 0);
 }
 
-TEST(Capture, BarriosBedYieldsByTheEnergyThatItsOwnMassGets) {
+TEST(Capture, barrios_bed_yields_by_the_energy_that_its_own_mass_gets) {
   for (const double size : {1e-6, 40e-6, 1e-3, 6e-3})
     for (const double strength : {1.0, 1e3, 1e6})
       for (double energy = 1e-9; energy < 10; energy *= 10) {
@@ -91,7 +91,7 @@ TEST(Capture, BarriosBedYieldsByTheEnergyThatItsOwnMassGets) {
       }
 }
 
-TEST(Capture, StrengthOfTheGrainsMovesTheCatchBetweenTwoBoundsOnly) {
+TEST(Capture, strength_of_the_grains_moves_the_catch_between_two_bounds_only) {
   const double energy = 0.01;
   const double least = grains_in_bed(contact_radius(nip, energy), grain.size);
   const double most = grains_in_bed(capture_radius(nip, energy, 0.362 * grain.size), grain.size);
@@ -105,7 +105,7 @@ TEST(Capture, StrengthOfTheGrainsMovesTheCatchBetweenTwoBoundsOnly) {
   }
 }
 
-TEST(Capture, MassBelowOneGrainIsAGrainNowAndThen) {
+TEST(Capture, mass_below_one_grain_is_a_grain_now_and_then) {
   const double mass = 0.25 * grain.mass();
   const Catch some = FixedMass{mass}.caught(nip, 1e-3, grain);
   states("chance", some.chance, 0.25, 1e-15, "mass over that of a grain");

@@ -86,7 +86,7 @@ double apart(const Mean& found, const std::vector<double>& expected,
   return std::sqrt(sum / count);
 }
 
-TEST(Sample, MeanOfManyIsTheBalanceUnderEveryModelOfBreakage) {
+TEST(Sample, mean_of_many_is_the_balance_under_every_model_of_breakage) {
   // Halves of equal grains lie in the middles of classes, where the balance has no error of its
   // own.
   const SizeGrid grid(1e-3, 1e-3, 30e-6, 6);
@@ -103,7 +103,7 @@ TEST(Sample, MeanOfManyIsTheBalanceUnderEveryModelOfBreakage) {
   }
 }
 
-TEST(Sample, MeanOfManyIsTheBalanceUnderEveryKindOfFragments) {
+TEST(Sample, mean_of_many_is_the_balance_under_every_kind_of_fragments) {
   // A class counts as its middle: what halving the classes changes is what is left to be off by.
   const Feed feed{Feed::Law::lognormal, 0.5e-3, 1.4};
   for (const AnyFragments& fragments : tests::every_fragments()) {
@@ -127,7 +127,7 @@ TEST(Sample, MeanOfManyIsTheBalanceUnderEveryKindOfFragments) {
   }
 }
 
-TEST(Sample, MeanOfManyIsTheBalanceWhereGrainsRememberDamage) {
+TEST(Sample, mean_of_many_is_the_balance_where_grains_remember_damage) {
   const SizeGrid grid(1e-3, 1e-3, 60e-6, 3);
   const Feed feed{Feed::Law::equal, 1e-3};
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
@@ -154,7 +154,7 @@ TEST(Sample, MeanOfManyIsTheBalanceWhereGrainsRememberDamage) {
               "issue: within 3 sigma, and what twice the levels changes");
 }
 
-TEST(Sample, WeldingAndStickingAreThoseOfTheBalance) {
+TEST(Sample, welding_and_sticking_are_those_of_the_balance) {
   Process p = process(Threshold{400, 1e-3, 0.5}, Halves{});
   p.welding = 0.05;
   p.welding_energy = 100;
@@ -167,7 +167,7 @@ TEST(Sample, WeldingAndStickingAreThoseOfTheBalance) {
               "issue: within 3 sigma");
 }
 
-TEST(Sample, SizesNeverGrowWithoutWeldingAndMassIsKept) {
+TEST(Sample, sizes_never_grow_without_welding_and_mass_is_kept) {
   const Feed feed{Feed::Law::lognormal, 0.5e-3, 1.5};
   for (const AnyBreakage& breakage : tests::every_breakage())
     for (const AnyFragments& fragments : tests::every_fragments()) {

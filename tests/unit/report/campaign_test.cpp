@@ -162,7 +162,7 @@ TEST(CampaignPage, does_not_take_words_for_markup) {
   for (const auto& [name, picture] : campaign_figures(c)) EXPECT_FALSE(has(picture, "<b>")) << name;
 }
 
-TEST(CampaignPage, of_5000_points_is_below_5_MB) {
+TEST(CampaignPage, of_5000_points_is_below_5_mb) {
   Campaign wide = grid(100, 50);
   for (const Campaign& c : {scattered(5000), wide}) {
     const std::string html = campaign_page(c, "1");
@@ -209,7 +209,7 @@ TEST(CampaignTable, shows_why_a_point_failed_in_short) {
   EXPECT_TRUE(in_order(text, {"150 rpm", "1.500 ± 0.030 W", "200 rpm", "failed", "250 rpm"}));
 }
 
-TEST(Campaign, QuantitiesThatCameLaterAreColumnsOfTheirOwn) {
+TEST(Campaign, quantities_that_came_later_are_columns_of_their_own) {
   Campaign c;
   add(c, {.number = 1, .values = {"1"}}, {{"a", 1, 0.5, "m", "an a"}});
   add(c, {.number = 2, .values = {"2"}}, {{"b", 2, NAN, "1", "a b"}, {"a", 3, 0.25, "m", "an a"}});

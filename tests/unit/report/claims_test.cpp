@@ -44,7 +44,7 @@ bool has(const Judged& judged, const std::string& part) {
   return judged.found.find(part) != std::string::npos;
 }
 
-TEST(Claims, ATrendHoldsIfEachStepIsLargerThanBothIntervals) {
+TEST(Claims, a_trend_holds_if_each_step_is_larger_than_both_intervals) {
   const Claim rises = claim(Kind::trend, "rises");
   const Judged all = judge(rises, campaign({100, 200, 300}, {1, 2, 3}, 0.49));
   EXPECT_EQ(all.holds, Holds::yes);
@@ -59,13 +59,13 @@ TEST(Claims, ATrendHoldsIfEachStepIsLargerThanBothIntervals) {
   EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {1, 2, 3}, NAN)).holds, Holds::open);
 }
 
-TEST(Claims, TheOrderOfATrendIsThatOfTheKeyNotOfTheRuns) {
+TEST(Claims, the_order_of_a_trend_is_that_of_the_key_not_of_the_runs) {
   const Judged judged =
       judge(claim(Kind::trend, "rises"), campaign({300, 100, 200}, {3, 1, 2}, 0.1));
   EXPECT_EQ(judged.holds, Holds::yes);
 }
 
-TEST(Claims, ValuesInOtherUnitsStandWhereTheyBelong) {
+TEST(Claims, values_in_other_units_stand_where_they_belong) {
   Campaign c = campaign({1, 2, 3}, {1, 2, 3}, 0.1);
   c.swept[0].unit.clear();
   c.points[0].values = {"100 rpm"};
@@ -76,7 +76,7 @@ TEST(Claims, ValuesInOtherUnitsStandWhereTheyBelong) {
   EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::partly);
 }
 
-TEST(Claims, AComparisonGivesTheRatioWithItsInterval) {
+TEST(Claims, a_comparison_gives_the_ratio_with_its_interval) {
   Claim larger = claim(Kind::compare, "larger");
   larger.first = "100 rpm", larger.second = "300 rpm";
   // 6/2 = 3; its half-width sqrt(0.4^2 + (3*0.4)^2)/2 = 0.632.
@@ -90,7 +90,7 @@ TEST(Claims, AComparisonGivesTheRatioWithItsInterval) {
   EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 6}, 0.4)).holds, Holds::yes);
 }
 
-TEST(Claims, WhatIsAlikeStaysWithinItsBound) {
+TEST(Claims, what_is_alike_stays_within_its_bound) {
   Claim alike = claim(Kind::alike);
   alike.within = 0.1;
   EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.01)).holds, Holds::yes);
@@ -98,7 +98,7 @@ TEST(Claims, WhatIsAlikeStaysWithinItsBound) {
   EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.2)).holds, Holds::open);
 }
 
-TEST(Claims, ALawIsFoundWithItsSlopeOrExponent) {
+TEST(Claims, a_law_is_found_with_its_slope_or_exponent) {
   Claim law = claim(Kind::law);
   law.law = Form::line;
   const Judged line = judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1));
@@ -126,7 +126,7 @@ TEST(Claims, ALawIsFoundWithItsSlopeOrExponent) {
   EXPECT_EQ(judge(law, campaign({100, 200, 300}, {1, 4, 9}, 0.1)).holds, Holds::open);
 }
 
-TEST(Claims, RegimesAreCountedAndTold) {
+TEST(Claims, regimes_are_counted_and_told) {
   const Campaign c = campaign({100, 200, 300}, {1, 2, 3}, 0.1);
   const Judged judged = judge(claim(Kind::regime, "cascading"), c);
   EXPECT_EQ(judged.holds, Holds::partly);
@@ -137,7 +137,7 @@ TEST(Claims, RegimesAreCountedAndTold) {
   EXPECT_EQ(judge(slow, c).holds, Holds::yes);
 }
 
-TEST(Claims, ABoundIsKeptByMoreThanTheInterval) {
+TEST(Claims, a_bound_is_kept_by_more_than_the_interval) {
   Claim bound = claim(Kind::bound, "above");
   bound.bound = 0.8;
   EXPECT_EQ(judge(bound, campaign({100, 200}, {1, 2}, 0.1)).holds, Holds::yes);
@@ -146,7 +146,7 @@ TEST(Claims, ABoundIsKeptByMoreThanTheInterval) {
   EXPECT_EQ(judge(bound, campaign({100, 200}, {0.8, 0.8}, 0.1)).holds, Holds::open);
 }
 
-TEST(Claims, OtherKeysMakeLinesOfTheirOwnButNotThoseThatGoTogether) {
+TEST(Claims, other_keys_make_lines_of_their_own_but_not_those_that_go_together) {
   Campaign c;
   c.title = "two lines";
   c.swept = {{"mill.speed", "rpm"}, {"run.time", "s"}, {"contact.friction", ""}};
@@ -170,7 +170,7 @@ TEST(Claims, OtherKeysMakeLinesOfTheirOwnButNotThoseThatGoTogether) {
   EXPECT_TRUE(judge(along, c).found.starts_with("contact friction 0: "));
 }
 
-TEST(Claims, APointThatGaveNothingIsNoEvidence) {
+TEST(Claims, a_point_that_gave_nothing_is_no_evidence) {
   Campaign c = campaign({100, 200, 300}, {1, NAN, 3}, 0.1);
   EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::open);
   c.points.clear();

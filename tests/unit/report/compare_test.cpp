@@ -31,7 +31,7 @@ const Beside& of(const Comparison& c, std::string_view name) {
   return std::find_if(c.quantities.begin(), c.quantities.end(), same)->both;
 }
 
-TEST(Beside, RatioAndItsHalfWidthFollowFromBoth) {
+TEST(Beside, ratio_and_its_half_width_follow_from_both) {
   const Beside b{{10, 1}, {20, 4}};
   EXPECT_DOUBLE_EQ(b.ratio(), 2);
   EXPECT_DOUBLE_EQ(b.ratio_ci95(), 2 * std::hypot(0.1, 0.2));
@@ -40,7 +40,7 @@ TEST(Beside, RatioAndItsHalfWidthFollowFromBoth) {
   EXPECT_FALSE((Beside{{10, NAN}, {20, 4}}).apart()) << "nobody knows";
 }
 
-TEST(Compare, SetsTheSameQuantitiesBesideEachOther) {
+TEST(Compare, sets_the_same_quantities_beside_each_other) {
   const Comparison c = doubled();
   EXPECT_DOUBLE_EQ(of(c, "collision_rate").event.mean, 12);
   EXPECT_DOUBLE_EQ(of(c, "collision_rate").soft.mean, 24);
@@ -54,7 +54,7 @@ TEST(Compare, SetsTheSameQuantitiesBesideEachOther) {
   }
 }
 
-TEST(Compare, SpectraHoldEveryCollisionOnce) {
+TEST(Compare, spectra_hold_every_collision_once) {
   const Comparison c = doubled();
   for (const auto* bins : {&c.speeds, &c.energies, &c.speed_curve, &c.energy_curve}) {
     double event = 0, soft = 0;
@@ -75,7 +75,7 @@ TEST(Compare, SpectraHoldEveryCollisionOnce) {
   EXPECT_DOUBLE_EQ(c.energies.back().high, 4 * c.energies.back().low);
 }
 
-TEST(Compare, SlowestAreCountedInTheLastRow) {
+TEST(Compare, slowest_are_counted_in_the_last_row) {
   auto event = fake_outcome();
   for (results::Replicate& r : event.replicates) {
     scene::Collision slow = results::fake_collisions(1).front();
@@ -89,7 +89,7 @@ TEST(Compare, SlowestAreCountedInTheLastRow) {
   EXPECT_EQ(c.speeds.front().rate.soft.mean, 0);
 }
 
-TEST(Compare, TableCsvAndPageShowBothColumns) {
+TEST(Compare, table_csv_and_page_show_both_columns) {
   const Comparison c = doubled();
   const std::string table = compare_table(c);
   for (const char* part : {"soft/event", "12.0 ± 5.0 /s", "24.0 ± 9.9 /s", "2 to 4 m/s",
@@ -110,7 +110,7 @@ TEST(Compare, TableCsvAndPageShowBothColumns) {
   for (const char* part : {"nan", "inf", "src=", "href=\"http"}) EXPECT_FALSE(has(html, part));
 }
 
-TEST(Compare, SaysWhereTheCaseMeansAnotherThingToEachEngine) {
+TEST(Compare, says_where_the_case_means_another_thing_to_each_engine) {
   auto event = fake_outcome();
   event.what.contact.rule.tangential_restitution = 0;  // surfaces stick, as friction makes them
   EXPECT_EQ(compare(event, fake_outcome()).caution, "");
@@ -121,7 +121,7 @@ TEST(Compare, SaysWhereTheCaseMeansAnotherThingToEachEngine) {
   EXPECT_TRUE(has(compare_page(c, "1"), c.caution));
 }
 
-TEST(Compare, OfNothingIsStillAPage) {
+TEST(Compare, of_nothing_is_still_a_page) {
   auto none = fake_outcome();
   none.replicates.assign(2, results::Replicate(0.1));
   none = ended(std::move(none));

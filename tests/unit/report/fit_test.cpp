@@ -55,7 +55,7 @@ FitReport report(bool errors_known) {
   return fit;
 }
 
-TEST(FitReport, CountsWarningsOfItsMills) {
+TEST(FitReport, counts_warnings_of_its_mills) {
   FitReport fit = report(true);
   EXPECT_EQ(fit_table(fit).find("Warning:"), std::string::npos);
   fit.notices = {{invalid("long-contacts", "They <touch>."), 1}};
@@ -65,7 +65,7 @@ TEST(FitReport, CountsWarningsOfItsMills) {
             std::string::npos);
 }
 
-TEST(FitReport, SaysIntervalsAsFarAsThereAreAny) {
+TEST(FitReport, says_intervals_as_far_as_there_are_any) {
   FitNumber n = found("x", 1.234, 1.1, 1.4);
   EXPECT_EQ(n.value_text(), "1.23 kg/J/m");
   EXPECT_EQ(n.interval_text(), "1.1 kg/J/m to 1.4 kg/J/m");
@@ -78,13 +78,13 @@ TEST(FitReport, SaysIntervalsAsFarAsThereAreAny) {
   EXPECT_EQ(n.interval_text(), "not determined");
 }
 
-TEST(FitReport, ShowsAsManyDigitsAsTheIntervalKeepsApart) {
+TEST(FitReport, shows_as_many_digits_as_the_interval_keeps_apart) {
   const FitNumber sharp = found("x", 1.23456789, 1.2345, 1.2347);
   EXPECT_EQ(sharp.value_text(), "1.23457 kg/J/m");
   EXPECT_EQ(sharp.interval_text(), "1.2345 kg/J/m to 1.2347 kg/J/m");
 }
 
-TEST(FitReport, OnTheTerminalNamesWhatIsNotDetermined) {
+TEST(FitReport, on_the_terminal_names_what_is_not_determined) {
   const std::string table = fit_table(report(false));
   EXPECT_TRUE(has(table, "breakage.f_mat  1.23 kg/J/m  1.1 kg/J/m to 1.4 kg/J/m\n")) << table;
   EXPECT_TRUE(has(table, "not determined            NOT DETERMINED\n")) << table;
@@ -94,7 +94,7 @@ TEST(FitReport, OnTheTerminalNamesWhatIsNotDetermined) {
   EXPECT_TRUE(has(fit_table(report(true)), "scatter 0.9 errors."));
 }
 
-TEST(FitReport, AsATableHasARowForEachValue) {
+TEST(FitReport, as_a_table_has_a_row_for_each_value) {
   const std::string csv = fit_csv(report(true));
   EXPECT_TRUE(
       csv.starts_with("line,condition,what,unit,time_s,size_m,measured,error,fitted,residual\n"
@@ -104,7 +104,7 @@ TEST(FitReport, AsATableHasARowForEachValue) {
   EXPECT_TRUE(has(fit_csv(report(false)), ",0.0009,,0.00091,0.5\n"));
 }
 
-TEST(FitReport, AsAPageShowsNumbersCurvesAndWhatIsNotDetermined) {
+TEST(FitReport, as_a_page_shows_numbers_curves_and_what_is_not_determined) {
   for (const bool known : {false, true}) {
     const std::string page = fit_page(report(known), "1.2.3");
     for (const char* part :
@@ -118,14 +118,14 @@ TEST(FitReport, AsAPageShowsNumbersCurvesAndWhatIsNotDetermined) {
   }
 }
 
-TEST(FitReport, SetsConditionsBesideEachOtherWhereTimeIsOne) {
+TEST(FitReport, sets_conditions_beside_each_other_where_time_is_one) {
   FitReport fit = report(true);
   for (FitPoint& p : fit.points) p.time = 30;
   EXPECT_TRUE(has(fit_page(fit, "1"), "number of the condition"));
   EXPECT_FALSE(has(fit_page(fit, "1"), "time of milling (s)"));
 }
 
-TEST(FitReport, DrawsDistributionsOverSize) {
+TEST(FitReport, draws_distributions_over_size) {
   FitReport fit = report(true);
   for (FitPoint& p : fit.points) {
     p.what = "passing";

@@ -80,7 +80,7 @@ OptimumReport invalid_best() {
   return made;
 }
 
-TEST(OptimumReport, AnOptimumOutsideTheValidityOfItsEngineIsNotCertain) {
+TEST(OptimumReport, an_optimum_outside_the_validity_of_its_engine_is_not_certain) {
   OptimumReport sure = some();
   sure.settings[1].chance = 1;
   EXPECT_TRUE(sure.certain());
@@ -92,7 +92,7 @@ TEST(OptimumReport, AnOptimumOutsideTheValidityOfItsEngineIsNotCertain) {
   EXPECT_TRUE(says(told, "(long-contacts)"));
 }
 
-TEST(OptimumReport, ACheckStandsBesideWhatTheSearchGave) {
+TEST(OptimumReport, a_check_stands_beside_what_the_search_gave) {
   OptimumReport made = invalid_best();  // 2.5 W +- 0.2 W
   made.check = {.engine = cases::EngineName::soft, .value = {0.5, 0.1}, .replicates = 4};
   EXPECT_TRUE(made.disagrees());
@@ -111,14 +111,14 @@ TEST(OptimumReport, ACheckStandsBesideWhatTheSearchGave) {
   EXPECT_FALSE(made.disagrees());
 }
 
-TEST(OptimumReport, SaysWhyTheBestWasNotChecked) {
+TEST(OptimumReport, says_why_the_best_was_not_checked) {
   OptimumReport made = invalid_best();
   made.check = {.engine = cases::EngineName::soft, .failure = "it takes too long"};
   EXPECT_FALSE(made.disagrees());
   EXPECT_TRUE(says(sentences(made), "was not checked by the soft engine: it takes too long"));
 }
 
-TEST(OptimumReport, CountsTheWarningsOfItsSettings) {
+TEST(OptimumReport, counts_the_warnings_of_its_settings) {
   const OptimumReport made = invalid_best();
   EXPECT_TRUE(
       holds(optimum_table(made), "Warning: 2 of 3 settings: long-contacts: The balls <touch>."));
@@ -128,7 +128,7 @@ TEST(OptimumReport, CountsTheWarningsOfItsSettings) {
   EXPECT_TRUE(holds(optimum_csv(made), ",long-contacts\n"));
 }
 
-TEST(OptimumReport, SaysWhatIsSureAndWhatIsNot) {
+TEST(OptimumReport, says_what_is_sure_and_what_is_not) {
   const std::vector<std::string> told = sentences(some());
   EXPECT_TRUE(says(told, "chance of 98 %"));
   EXPECT_TRUE(says(told, "flat in mill.ratio: anything from -3 to -1"));
@@ -143,7 +143,7 @@ TEST(OptimumReport, SaysWhatIsSureAndWhatIsNot) {
   EXPECT_TRUE(says(sentences(free), "does not bind"));
 }
 
-TEST(OptimumReport, SaysNoMoreThanThatTheBestIsTold) {
+TEST(OptimumReport, says_no_more_than_that_the_best_is_told) {
   OptimumReport told = some();
   told.settings[1].chance = 1;
   for (OptimumKey& k : told.keys) k.model = k.best;
@@ -152,7 +152,7 @@ TEST(OptimumReport, SaysNoMoreThanThatTheBestIsTold) {
   EXPECT_FALSE(says(sentences(told), "prediction"));
 }
 
-TEST(OptimumReport, SaysThatThereIsNoBest) {
+TEST(OptimumReport, says_that_there_is_no_best) {
   OptimumReport none = some();
   none.best.reset();
   EXPECT_TRUE(says(sentences(none), "likely to keep the limits"));
@@ -162,14 +162,14 @@ TEST(OptimumReport, SaysThatThereIsNoBest) {
   EXPECT_FALSE(holds(optimum_page(none, "1"), "<h2>The best settings</h2>"));
 }
 
-TEST(OptimumReport, TableHasTheBestAndItsMeans) {
+TEST(OptimumReport, table_has_the_best_and_its_means) {
   const std::string table = optimum_table(some());
   EXPECT_TRUE(holds(table, "2.25 ± 0.12 W") || holds(table, "2.25 ± 0.13 W")) << table;
   EXPECT_TRUE(holds(table, "of its own 4 replicates 2.5"));
   EXPECT_TRUE(holds(table, "3 settings tried, 6 runs"));
 }
 
-TEST(OptimumReport, AnIntervalWithoutWidthIsToldAsAnEndOfTheRangeOrAsItsValue) {
+TEST(OptimumReport, an_interval_without_width_is_told_as_an_end_of_the_range_or_as_its_value) {
   OptimumReport found = some();  // both intervals are points, the first key's at an end
   EXPECT_TRUE(holds(optimum_table(found), "at the end of its range"));
   EXPECT_TRUE(holds(optimum_page(found, "1"), "at the end of its range</td>"));
@@ -178,7 +178,7 @@ TEST(OptimumReport, AnIntervalWithoutWidthIsToldAsAnEndOfTheRangeOrAsItsValue) {
   EXPECT_TRUE(holds(optimum_table(found), "200 rpm to 210 rpm"));
 }
 
-TEST(OptimumReport, CsvHasARowPerSettingAndReadsBack) {
+TEST(OptimumReport, csv_has_a_row_per_setting_and_reads_back) {
   const std::string csv = optimum_csv(some());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
   EXPECT_TRUE(
@@ -191,7 +191,7 @@ TEST(OptimumReport, CsvHasARowPerSettingAndReadsBack) {
   EXPECT_TRUE(holds(csv, "\"the ball, it does not fit\""));
 }
 
-TEST(OptimumReport, PageIsSafeAndShowsEverySetting) {
+TEST(OptimumReport, page_is_safe_and_shows_every_setting) {
   const std::string page = optimum_page(some(), "1.2.3");
   EXPECT_TRUE(holds(page, "A &lt;mill&gt;"));
   EXPECT_FALSE(holds(page, "<mill>"));
@@ -201,7 +201,7 @@ TEST(OptimumReport, PageIsSafeAndShowsEverySetting) {
   EXPECT_EQ(optimum_plots(some()).size(), 3U);
 }
 
-TEST(OptimumReport, HistoryIsTheBestUntilThen) {
+TEST(OptimumReport, history_is_the_best_until_then) {
   const Plot history = optimum_plots(some()).front();
   const Series& best = history.series.back();
   EXPECT_EQ(best.x, (std::vector<double>{1, 2, 3}));  // from the first setting on
@@ -228,7 +228,7 @@ MatchReport matched() {
   return made;
 }
 
-TEST(MatchReport, SaysWhetherTheMillsDoTheSame) {
+TEST(MatchReport, says_whether_the_mills_do_the_same) {
   MatchReport found = matched();
   EXPECT_TRUE(says(sentences(found), "cannot be told apart"));
   EXPECT_TRUE(says(sentences(found), "31 of 100"));
@@ -240,7 +240,7 @@ TEST(MatchReport, SaysWhetherTheMillsDoTheSame) {
   EXPECT_TRUE(says(sentences(found), "scatter is not known"));
 }
 
-TEST(MatchReport, TellsOfABestOutsideTheValidityOfItsEngineAndCountsBothMills) {
+TEST(MatchReport, tells_of_a_best_outside_the_validity_of_its_engine_and_counts_both_mills) {
   MatchReport found = matched();
   found.search = invalid_best();
   found.notices = {{invalid("long-contacts", "They touch."), 1}};
@@ -249,7 +249,7 @@ TEST(MatchReport, TellsOfABestOutsideTheValidityOfItsEngineAndCountsBothMills) {
   EXPECT_TRUE(holds(match_page(found, "1"), "1 of 2 mills: long-contacts: They touch."));
 }
 
-TEST(MatchReport, ShowsBothMills) {
+TEST(MatchReport, shows_both_mills) {
   const std::string table = match_table(matched());
   EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;
   EXPECT_TRUE(holds(table, "1.1 (1.02 to 1.19)")) << table;

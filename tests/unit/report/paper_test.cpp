@@ -46,7 +46,7 @@ cases::Case swept_case() {
   return c;
 }
 
-TEST(Paper, IsReadWholeWithItsDefaults) {
+TEST(Paper, is_read_whole_with_its_defaults) {
   const Paper paper = read_paper_text(
       head + figure + claim +
           "[[claim]]\nfigure = \"2\"\nsays = \"s\"\ncampaign = \"d\"\nkind = \"bound\"\n"
@@ -64,7 +64,7 @@ TEST(Paper, IsReadWholeWithItsDefaults) {
             (Where{{"mill.frequency", {"10", "20 Hz"}}, {"contact.friction", {"0.5"}}}));
 }
 
-TEST(Paper, FaultsNameTheLineAndComeTogether) {
+TEST(Paper, faults_name_the_line_and_come_together) {
   const std::vector<Fault> nameless = faults_of("title = \"T\"\n");
   ASSERT_EQ(nameless.size(), 1U);
   EXPECT_EQ(nameless[0].what, "the paper lacks `source`");
@@ -79,7 +79,7 @@ TEST(Paper, FaultsNameTheLineAndComeTogether) {
   EXPECT_GE(faults_of(wrong).size(), 4U);  // says, kind, campaign, quantity at least
 }
 
-TEST(Paper, WhatItAsksOfCampaignsIsCheckedBeforeTheyRun) {
+TEST(Paper, what_it_asks_of_campaigns_is_checked_before_they_run) {
   const auto faults = [](const std::string& text) {
     return paper_faults(read_paper_text(text, "paper.toml"), {{"c", swept_case()}});
   };
@@ -99,7 +99,7 @@ TEST(Paper, WhatItAsksOfCampaignsIsCheckedBeforeTheyRun) {
   expect(claim + "at = { \"mill.frequency\" = \"11 Hz\" }\n", "why", "why", "paper-unknown-value");
 }
 
-TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
+TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
   const Paper paper = read_paper_text(head + figure + claim, "paper.toml");
   std::map<std::string, RunCampaign> run;
   RunCampaign& c = run["c"];
@@ -129,7 +129,7 @@ TEST(Paper, ThePageHasEachFigureAndClaimWithWhatWasFound) {
     EXPECT_NE(told.find("1 of 2 points: two-states: They are two."), std::string::npos) << told;
 }
 
-TEST(Paper, WordsAboutItsOwnSettingsAreLeftOutWhereOthersWereRun) {
+TEST(Paper, words_about_its_own_settings_are_left_out_where_others_were_run) {
   std::string reasoned = claim;
   reasoned.replace(reasoned.find("\"w\""), 3, "\"for reasons\"");
   const Paper paper = read_paper_text(head + reasoned, "paper.toml");
@@ -146,7 +146,7 @@ TEST(Paper, WordsAboutItsOwnSettingsAreLeftOutWhereOthersWereRun) {
   EXPECT_EQ(claims_markdown(result).find("for reasons"), std::string::npos);
 }
 
-TEST(Paper, EveryPaperOfTheProjectAsksForWhatItsCampaignsHave) {
+TEST(Paper, every_paper_of_the_project_asks_for_what_its_campaigns_have) {
   const std::filesystem::path home(MAHLWERK_HOME);
   const cases::Catalogue catalogue(home / "catalogue");
   int papers = 0;

@@ -62,7 +62,7 @@ double quantity(const Outcome& o, std::string_view name) {
   return std::ranges::find(list, name, &results::Quantity::name)->value;
 }
 
-TEST(PowderReport, CurvesOfSizesEndInTheNumbersOfTheSummary) {
+TEST(PowderReport, curves_of_sizes_end_in_the_numbers_of_the_summary) {
   const Outcome o = ground_outcome();
   const Plot sizes = sizes_plot(o);
   ASSERT_EQ(sizes.series.size(), 3U);
@@ -82,7 +82,7 @@ TEST(PowderReport, CurvesOfSizesEndInTheNumbersOfTheSummary) {
          1e-12 * converted, "summary");
 }
 
-TEST(PowderReport, PassingCrossesHalfAtD50AndDensityHoldsAllTheMass) {
+TEST(PowderReport, passing_crosses_half_at_d50_and_density_holds_all_the_mass) {
   const Outcome o = ground_outcome({100});  // of one replicate D50 is exact, not a mean of three
   const Series milled = passing_plot(o).series.back();
   const double d50 = 1e6 * quantity(o, "d50");
@@ -101,7 +101,7 @@ TEST(PowderReport, PassingCrossesHalfAtD50AndDensityHoldsAllTheMass) {
   }
 }
 
-TEST(PowderReport, CatchesOfOneKindOfPairNeedNoLegendAndSharesAddUp) {
+TEST(PowderReport, catches_of_one_kind_of_pair_need_no_legend_and_shares_add_up) {
   const Outcome o = ground_outcome();
   ASSERT_EQ(catch_plot(o).series.size(), 1U);
   EXPECT_EQ(catch_plot(o).series[0].name, "");
@@ -121,7 +121,7 @@ TEST(PowderReport, CatchesOfOneKindOfPairNeedNoLegendAndSharesAddUp) {
   }
 }
 
-TEST(PowderReport, HasAtMostFortyRowsOfResultsBeforeItsPlotsAndEveryRowOnce) {
+TEST(PowderReport, has_at_most_forty_rows_of_results_before_its_plots_and_every_row_once) {
   const std::string html = report_page(ground_outcome(), "1");
   const auto rows = [](std::string_view part) {
     std::size_t count = 0;
@@ -141,7 +141,7 @@ TEST(PowderReport, HasAtMostFortyRowsOfResultsBeforeItsPlotsAndEveryRowOnce) {
   }
 }
 
-TEST(PowderReport, SectionsAreThereForWhatTheCaseAsksAndNoOther) {
+TEST(PowderReport, sections_are_there_for_what_the_case_asks_and_no_other) {
   const std::string all = report_page(ground_outcome(), "1");
   for (const char* part : {"<h2>What collisions catch", "<h2>How fine it gets", "<h2>Dose", ">D90<",
                            "25 % of it gets to the grains", "amorphous content"})
@@ -161,7 +161,7 @@ TEST(PowderReport, SectionsAreThereForWhatTheCaseAsksAndNoOther) {
   EXPECT_EQ(powder_sections(ended(nothing)), "");
 }
 
-TEST(PowderReport, SaysWhereGrainsGetMoreThanTheMillGivesOff) {
+TEST(PowderReport, says_where_grains_get_more_than_the_mill_gives_off) {
   Outcome o = ground_outcome();
   const double gets = 1.5e-4 * 1000 * quantity(o, "captured_dose_rate");
   const double share = 100 * gets / quantity(o, "dissipated_power");
@@ -174,7 +174,7 @@ TEST(PowderReport, SaysWhereGrainsGetMoreThanTheMillGivesOff) {
   EXPECT_TRUE(has(powder_sections(ended(o)), "more than the mill gives off"));
 }
 
-TEST(PowderReport, MethodsNameModelsAndNumbers) {
+TEST(PowderReport, methods_name_models_and_numbers) {
   const std::string text = methods(ground_outcome(), "1");
   for (const char* part :
        {"barrios (fracture energy 1 kJ/kg)", "25 % of the energy of the normal motion",
@@ -188,7 +188,7 @@ TEST(PowderReport, MethodsNameModelsAndNumbers) {
   EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "catch"));
 }
 
-TEST(PowderReport, TableGroupsRowsAndCallsThemByTheirNames) {
+TEST(PowderReport, table_groups_rows_and_calls_them_by_their_names) {
   const auto list = results::summarise(ground_outcome()).quantities;
   const std::string text = table(list, 0.1);
   for (const char* line : {"\n\nD10 ", "\nD50 ", "\nD90 ", "\n\npowder caught ",
@@ -198,7 +198,7 @@ TEST(PowderReport, TableGroupsRowsAndCallsThemByTheirNames) {
   EXPECT_EQ(readable(2.5e-10, NAN, "kg/s").text(), "900.0 µg/h");
 }
 
-TEST(PowderReport, CampaignsShowSizesWhereTheyGrind) {
+TEST(PowderReport, campaigns_show_sizes_where_they_grind) {
   const auto campaign = [](Outcome (*outcome)(const std::vector<int>&)) {
     Campaign c{.title = "Speeds"};
     for (const int hits : {100, 200})
@@ -222,7 +222,7 @@ TEST(PowderReport, CampaignsShowSizesWhereTheyGrind) {
 
 class PowderFiles : public results::ScratchTest {};
 
-TEST_F(PowderFiles, AResultThatGroundMayBeReplaced) {
+TEST_F(PowderFiles, a_result_that_ground_may_be_replaced) {
   for (int run = 0; run < 2; ++run) {
     results::Folder folder(scratch() / "result", true);  // refuses what Mahlwerk did not write
     write(folder, ground_outcome(), "1", "", false);

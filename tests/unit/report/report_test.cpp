@@ -20,7 +20,7 @@ namespace {
 
 using results::fake_outcome;
 
-TEST(Readable, RoundsWhereTheHalfWidthSaysSo) {
+TEST(Readable, rounds_where_the_half_width_says_so) {
   EXPECT_EQ(readable(0.0024192, 0.000012345, "J").text(), "2.419 ± 0.012 mJ");
   EXPECT_EQ(readable(159.234, 1.04, "1/s").text(), "159.2 ± 1.0 /s");
   EXPECT_EQ(readable(0.0442, NAN, "W").text(), "44.20 mW");
@@ -33,25 +33,25 @@ TEST(Readable, RoundsWhereTheHalfWidthSaysSo) {
   EXPECT_EQ(readable(0.000966, 0.000029, "J", 0.001022).text(), "0.966 ± 0.029 mJ");
 }
 
-TEST(Readable, RoundsToZeroWithoutASign) {
+TEST(Readable, rounds_to_zero_without_a_sign) {
   EXPECT_EQ(readable(-0.004, 0.14, "").text(), "0.00 ± 0.14");
   EXPECT_EQ(readable(-0.3, 43, "1/s").text(), "0 ± 43 /s");
   EXPECT_EQ(readable(-0.05, 0.14, "").text(), "-0.05 ± 0.14");
 }
 
-TEST(Readable, IsAsFineAsAHalfWidthLargerThanTheValue) {
+TEST(Readable, is_as_fine_as_a_half_width_larger_than_the_value) {
   EXPECT_EQ(readable(-773e-6, 12221e-6, "W").text(), "-1 ± 12 mW");
   EXPECT_EQ(readable(0.769, 1.687, "W").text(), "0.8 ± 1.7 W");
   EXPECT_EQ(readable(0.000773, 0.0000121, "W").text(), "773 ± 12 µW");
 }
 
-TEST(Readable, SaysSharesFarAboveAllAsTimes) {
+TEST(Readable, says_shares_far_above_all_as_times) {
   EXPECT_EQ(share_of(0.52), "52 % of");
   EXPECT_EQ(share_of(1.31), "131 % of");
   EXPECT_EQ(share_of(9518.79), "9519 times");
 }
 
-TEST(Ticks, OfLogarithmicAxesSayTheirValue) {
+TEST(Ticks, of_logarithmic_axes_say_their_value) {
   for (const auto& [value, text] : std::vector<std::pair<double, std::string>>{{2000, "2·10³"},
                                                                                {5000, "5·10³"},
                                                                                {10000, "10⁴"},
@@ -66,11 +66,11 @@ TEST(Ticks, OfLogarithmicAxesSayTheirValue) {
   EXPECT_EQ(tick_text(2000, false), "2000");
 }
 
-TEST(Readable, KnowsTheWidthOnATerminal) {
+TEST(Readable, knows_the_width_on_a_terminal) {
   EXPECT_EQ(width("2.4 ± 0.1 µJ"), 12U);
 }
 
-TEST(Table, ShowsTwinsBesideEachOther) {
+TEST(Table, shows_twins_beside_each_other) {
   const auto quantities = results::summarise(fake_outcome()).quantities;
   const std::string text = table(quantities, 0.1);
   EXPECT_TRUE(has(text, "u_n >= 0.1 m/s"));
@@ -83,7 +83,7 @@ TEST(Table, ShowsTwinsBesideEachOther) {
     }
 }
 
-TEST(Table, WhatIsCountedAboveTheThresholdStandsInItsColumn) {
+TEST(Table, what_is_counted_above_the_threshold_stands_in_its_column) {
   auto o = fake_outcome();
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
   const auto quantities = results::summarise(o).quantities;
@@ -100,7 +100,7 @@ TEST(Table, WhatIsCountedAboveTheThresholdStandsInItsColumn) {
   EXPECT_TRUE(html.substr(0, at).ends_with("<td class=\"n\"></td><td class=\"n\" "));
 }
 
-TEST(Report, NamesTwoStatesInsteadOfTheirMeanAlone) {
+TEST(Report, names_two_states_instead_of_their_mean_alone) {
   EXPECT_EQ(states_table(fake_outcome()), "");
   EXPECT_FALSE(has(report_page(fake_outcome(), "1"), "Two states"));
   auto o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
@@ -115,13 +115,13 @@ TEST(Report, NamesTwoStatesInsteadOfTheirMeanAlone) {
   EXPECT_TRUE(has(html, "describes neither"));
 }
 
-TEST(Report, SaysTheResultInASentence) {
+TEST(Report, says_the_result_in_a_sentence) {
   const std::string text = sentence(fake_outcome());
   EXPECT_TRUE(has(text, "In 3 runs of 10 s there were 6.0 ± 2.5 collisions per second")) << text;
   EXPECT_TRUE(has(text, "12.0 ± 5.0 mW")) << text;
 }
 
-TEST(Report, IsOneWellFormedPageThatLoadsNothing) {
+TEST(Report, is_one_well_formed_page_that_loads_nothing) {
   const std::string html = report_page(fake_outcome(), "1.2.3");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "A &lt;fake&gt; case &amp; more"));
@@ -134,7 +134,7 @@ TEST(Report, IsOneWellFormedPageThatLoadsNothing) {
     EXPECT_FALSE(has(html, outside));
 }
 
-TEST(Report, WarnsOfWhatMakesItDoubtful) {
+TEST(Report, warns_of_what_makes_it_doubtful) {
   EXPECT_TRUE(warnings(fake_outcome()).empty());
   auto o = fake_outcome();
   o.interrupted = true;
@@ -152,7 +152,7 @@ TEST(Report, WarnsOfWhatMakesItDoubtful) {
   EXPECT_TRUE(has(report_page(ended(o), "1"), "too many bounces"));
 }
 
-TEST(Report, OfNothingIsStillAPage) {
+TEST(Report, of_nothing_is_still_a_page) {
   auto o = fake_outcome();
   o.replicates.assign(2, results::Replicate(0.1));
   o.notices = warnings(ended(o));
@@ -175,7 +175,7 @@ Campaign campaign() {
   return c;
 }
 
-TEST(Campaign, UnitsOfSweptKeysAreFoundWhereTheyAreShared) {
+TEST(Campaign, units_of_swept_keys_are_found_where_they_are_shared) {
   const Campaign c = campaign();
   EXPECT_EQ(c.swept[0].unit, "rpm");
   EXPECT_EQ(c.swept[1].unit, "");
@@ -184,7 +184,7 @@ TEST(Campaign, UnitsOfSweptKeysAreFoundWhereTheyAreShared) {
   EXPECT_EQ(swept({"mill.speed"}, mixed)[0].unit, "");
 }
 
-TEST(Campaign, CsvHasARowPerPointAndACellPerColumn) {
+TEST(Campaign, csv_has_a_row_per_point_and_a_cell_per_column) {
   const std::string text = campaign_csv(campaign());
   const std::string head = text.substr(0, text.find('\n'));
   EXPECT_TRUE(head.starts_with(
@@ -195,7 +195,7 @@ TEST(Campaign, CsvHasARowPerPointAndACellPerColumn) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
-TEST(Campaign, PageLinksItsPointsAndPlotsEveryLine) {
+TEST(Campaign, page_links_its_points_and_plots_every_line) {
   const std::string html = campaign_page(campaign(), "1.2.3");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "href=\"point-1/report.html\""));

@@ -12,7 +12,7 @@
 namespace mahlwerk::report {
 namespace {
 
-TEST(Ticks, AreRoundNumbersInside) {
+TEST(Ticks, are_round_numbers_inside) {
   EXPECT_EQ(ticks(0, 60, false, 6), (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
   EXPECT_EQ(ticks(-1, 1, false, 4), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
   EXPECT_EQ(ticks(0.5, 2000, true, 6), (std::vector<double>{1, 10, 100, 1000}));
@@ -20,7 +20,7 @@ TEST(Ticks, AreRoundNumbersInside) {
   EXPECT_TRUE(ticks(1, 1, false, 5).empty());
 }
 
-TEST(Ticks, AreAFewWhateverTheRange) {
+TEST(Ticks, are_a_few_whatever_the_range) {
   Random random(3, 0);
   for (int i = 0; i < 2000; ++i) {
     const double least = std::pow(10, random.uniform(-20, 10));
@@ -39,7 +39,7 @@ TEST(Ticks, AreAFewWhateverTheRange) {
 }
 
 /// Strange data must not put "nan" or "inf" into a path.
-TEST(Svg, SurvivesStrangeData) {
+TEST(Svg, survives_strange_data) {
   for (const bool logarithmic : {false, true})
     for (const Mark mark : {Mark::line, Mark::points, Mark::dots, Mark::steps})
       for (const std::vector<double>& y : std::vector<std::vector<double>>{{},
@@ -60,7 +60,7 @@ TEST(Svg, SurvivesStrangeData) {
       }
 }
 
-TEST(Svg, PutsPointsWhereTheyBelong) {
+TEST(Svg, puts_points_where_they_belong) {
   Plot plot{"", {"x"}, {"y"}, {{"", {0, 5, 10}, {0, 5, 10}, {}, Mark::line}}};
   plot.y.least = 0;
   plot.y.most = 10;
@@ -69,7 +69,7 @@ TEST(Svg, PutsPointsWhereTheyBelong) {
   EXPECT_NE(text.find("M62.0 314.0L383.0 163.0L704.0 12.0"), std::string::npos) << text;
 }
 
-TEST(Svg, SeriesAreToldApart) {
+TEST(Svg, series_are_told_apart) {
   Plot plot{"", {"x"}, {"y"}, {}};
   for (int i = 0; i < 3; ++i) plot.series.push_back({"s", {0, 1}, {0, 1.0 * i}, {}, Mark::line});
   const std::string text = svg(plot);
@@ -77,7 +77,7 @@ TEST(Svg, SeriesAreToldApart) {
     EXPECT_NE(text.find(colour), std::string::npos);
 }
 
-TEST(Svg, DotsAreNotJoinedAndMayShareTheColourOfALine) {
+TEST(Svg, dots_are_not_joined_and_may_share_the_colour_of_a_line) {
   Plot plot{"",
             {"x"},
             {"y"},

@@ -63,7 +63,7 @@ double spread(const std::string& svg) {
   return most;
 }
 
-TEST(Trajectories, ABallAtRestOnTheDiscIsAPointThereAndACircleSeenFromTheJar) {
+TEST(Trajectories, a_ball_at_rest_on_the_disc_is_a_point_there_and_a_circle_seen_from_the_jar) {
   const results::Outcome o = outcome();
   const std::string disc = trajectories_picture({{"p", &o}}, View::carrier);
   EXPECT_EQ(count(disc, "<path"), 1);  // of the ball; the grain has none
@@ -73,7 +73,7 @@ TEST(Trajectories, ABallAtRestOnTheDiscIsAPointThereAndACircleSeenFromTheJar) {
   EXPECT_NEAR(spread(jar), 0.5 * 336, 1);
 }
 
-TEST(Trajectories, ASnapshotHasBallsRedAndGrainsGreenAtTheirSizes) {
+TEST(Trajectories, a_snapshot_has_balls_red_and_grains_green_at_their_sizes) {
   const results::Outcome o = outcome();
   const std::string svg = snapshot_picture({{"<p>", &o}}, View::carrier);
   EXPECT_EQ(count(svg, "#C8102E"), 1);
@@ -83,7 +83,7 @@ TEST(Trajectories, ASnapshotHasBallsRedAndGrainsGreenAtTheirSizes) {
   EXPECT_EQ(count(svg, "<circle"), 3);  // and the wall
 }
 
-TEST(Trajectories, WithoutAFilmThereIsNoPicture) {
+TEST(Trajectories, without_a_film_there_is_no_picture) {
   results::Outcome o = outcome();
   o.replicates[0].replay = {};
   EXPECT_EQ(trajectories_picture({{"p", &o}}, View::jar), "");

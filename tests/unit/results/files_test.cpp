@@ -38,7 +38,7 @@ std::vector<std::vector<std::string>> cells(const std::string& text) {
   return rows;
 }
 
-TEST(Csv, ReadsBackToTheBit) {
+TEST(Csv, reads_back_to_the_bit) {
   const std::vector<double> values{0.1, 1.0 / 3, 1e-300, 6.02214076e23, -2, 0, NAN};
   Table table{{{"a", "s", ""}}, {values}};
   table.columns.resize(values.size());
@@ -49,13 +49,13 @@ TEST(Csv, ReadsBackToTheBit) {
   EXPECT_EQ(rows[1].size() == values.size() ? rows[1].back() : "", "");
 }
 
-TEST(Csv, QuotesWhatWouldBreakALine) {
+TEST(Csv, quotes_what_would_break_a_line) {
   EXPECT_EQ(csv_cell("plain"), "plain");
   EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
   EXPECT_EQ(csv_cell("a \"b\""), "\"a \"\"b\"\"\"");
 }
 
-TEST(Csv, WhatASpreadsheetWouldComputeIsText) {
+TEST(Csv, what_a_spreadsheet_would_compute_is_text) {
   EXPECT_EQ(csv_cell("=1+1"), "\"'=1+1\"");
   EXPECT_EQ(csv_cell("@SUM(A1)"), "\"'@SUM(A1)\"");
   EXPECT_EQ(csv_cell("-2+3+cmd|' /C calc'!A0"), "\"'-2+3+cmd|' /C calc'!A0\"");
@@ -66,13 +66,13 @@ TEST(Csv, WhatASpreadsheetWouldComputeIsText) {
   EXPECT_EQ(csv_cell(-1.5e-3), "-0.0015");
 }
 
-TEST(Csv, ControlCharactersAreEscaped) {
+TEST(Csv, control_characters_are_escaped) {
   EXPECT_EQ(csv_cell(std::string_view("c\0d\x1b", 4)), "c\\u0000d\\u001b");
   EXPECT_EQ(csv_cell("a\rb"), "a\\u000db");
   EXPECT_EQ(csv_cell("a\nb"), "\"a\nb\"");
 }
 
-TEST(Csv, ColumnsNameTheirUnits) {
+TEST(Csv, columns_name_their_units) {
   EXPECT_EQ(column_name("energy", "J"), "energy_J");
   EXPECT_EQ(column_name("rate", "1/s"), "rate_per_s");
   EXPECT_EQ(column_name("speed", "m/s"), "speed_m_per_s");
@@ -80,7 +80,7 @@ TEST(Csv, ColumnsNameTheirUnits) {
   EXPECT_EQ(column_name("share", "1"), "share");
 }
 
-TEST(Csv, HeadsAreNamesWithUnitsAndWordsAreWritten) {
+TEST(Csv, heads_are_names_with_units_and_words_are_written) {
   Table table{{{"energy_low", "J", ""}, {"rate", "1/s", ""}, {"share", "1", ""}, {"set", "1", ""}},
               {}};
   for (const char* word : {"a,b", "plain", "a,b"})
@@ -91,7 +91,7 @@ TEST(Csv, HeadsAreNamesWithUnitsAndWordsAreWritten) {
 }
 
 /// As they have been since version 0.1.0: scripts of users name them.
-TEST(Csv, HeadsOfResultsStayAsTheyAre) {
+TEST(Csv, heads_of_results_stay_as_they_are) {
   const auto head = [](const Table& t) { return csv(t).substr(0, csv(t).find('\n')); };
   const Outcome o = fake_outcome();
   EXPECT_EQ(head(spectrum(o)),
@@ -110,7 +110,7 @@ TEST(Csv, HeadsOfResultsStayAsTheyAre) {
             "velocity_z_m_per_s,spin_x_rad_per_s,spin_y_rad_per_s,spin_z_rad_per_s");
 }
 
-TEST(Tables, EveryColumnSaysItsUnitAndWhatItIs) {
+TEST(Tables, every_column_says_its_unit_and_what_it_is) {
   const Outcome o = fake_outcome();
   for (const Table& t :
        {spectrum(o), speeds(o), angles(o), time_series(o), replicates(o), collisions_by_pair({}),
@@ -121,7 +121,7 @@ TEST(Tables, EveryColumnSaysItsUnitAndWhatItIs) {
     }
 }
 
-TEST(Tables, TheSpectrumHoldsEveryCollisionAndAllEnergy) {
+TEST(Tables, the_spectrum_holds_every_collision_and_all_energy) {
   const Table t = spectrum(fake_outcome());
   ASSERT_FALSE(t.rows.empty());
   EXPECT_EQ(t.columns[2].name, "rate_normal");
@@ -135,12 +135,12 @@ TEST(Tables, TheSpectrumHoldsEveryCollisionAndAllEnergy) {
     }
 }
 
-TEST(Tables, NeighbouringBinsTouch) {
+TEST(Tables, neighbouring_bins_touch) {
   for (const Table& t : {spectrum(fake_outcome()), speeds(fake_outcome()), angles(fake_outcome())})
     for (std::size_t i = 0; i + 1 < t.rows.size(); ++i) EXPECT_EQ(t.rows[i][1], t.rows[i + 1][0]);
 }
 
-TEST(Tables, SpeedsAndAnglesHoldEveryCollision) {
+TEST(Tables, speeds_and_angles_hold_every_collision) {
   EXPECT_NEAR(sum(speeds(fake_outcome()), 2), 12, 1e-12);
   const Table t = angles(fake_outcome());
   ASSERT_EQ(t.rows.size(), 90U);
@@ -149,7 +149,7 @@ TEST(Tables, SpeedsAndAnglesHoldEveryCollision) {
   EXPECT_NEAR(t.rows[0][2], 6, 1e-12);
 }
 
-TEST(Tables, TheTimeSeriesIsAMeanOverReplicates) {
+TEST(Tables, the_time_series_is_a_mean_over_replicates) {
   const Table t = time_series(fake_outcome());
   ASSERT_EQ(t.rows.size(), 2U);
   const std::vector<double> expected{10, 12, 6, 0.002, 0.012, 0.012, 0.2, 0.003};
@@ -157,7 +157,7 @@ TEST(Tables, TheTimeSeriesIsAMeanOverReplicates) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(t.rows[1][i], expected[i], 1e-12);
 }
 
-TEST(Tables, ReplicatesHaveARowEach) {
+TEST(Tables, replicates_have_a_row_each) {
   Outcome o = fake_outcome();
   o.replicates[2].complete = false;
   const Table t = replicates(o);
@@ -168,7 +168,7 @@ TEST(Tables, ReplicatesHaveARowEach) {
   for (const auto& row : t.rows) EXPECT_EQ(row.size(), t.columns.size());
 }
 
-TEST(Tables, AreEmptyWhenNothingWasCounted) {
+TEST(Tables, are_empty_when_nothing_was_counted) {
   Outcome o = fake_outcome();
   o.replicates.assign(1, Replicate(0.1));
   for (const Table& t : {spectrum(o), speeds(o), angles(o), time_series(o), replicates(o)})
@@ -177,7 +177,7 @@ TEST(Tables, AreEmptyWhenNothingWasCounted) {
 
 class FilesTest : public ScratchTest {};
 
-TEST_F(FilesTest, AResultIsComplete) {
+TEST_F(FilesTest, a_result_is_complete) {
   Folder folder(scratch() / "r", false);
   write(folder, fake_outcome(), "1.2.3", "point-01/");
   folder.commit();
@@ -195,7 +195,7 @@ std::vector<scene::Collision> numbered(int from, int to) {
   return {all.begin() + from, all.end()};
 }
 
-TEST_F(FilesTest, CollisionsReadBackToTheBit) {
+TEST_F(FilesTest, collisions_read_back_to_the_bit) {
   const fs::path file = scratch() / "c.h5";
   {
     CollisionFile out(file, "title = \"x\"\n", "1.2.3");
@@ -225,7 +225,7 @@ TEST_F(FilesTest, CollisionsReadBackToTheBit) {
   EXPECT_EQ(read_collisions(scratch() / "d.h5", 0).size(), 3U);
 }
 
-TEST_F(FilesTest, CollisionsPackWell) {
+TEST_F(FilesTest, collisions_pack_well) {
   const fs::path file = scratch() / "c.h5";
   {
     CollisionFile out(file, "", "");
@@ -234,7 +234,7 @@ TEST_F(FilesTest, CollisionsPackWell) {
   EXPECT_LT(fs::file_size(file), 40000 * sizeof(scene::Collision) / 4);
 }
 
-TEST_F(FilesTest, ACollisionFileThatCannotBeMadeIsAnError) {
+TEST_F(FilesTest, a_collision_file_that_cannot_be_made_is_an_error) {
   EXPECT_THROW(CollisionFile(scratch() / "no" / "c.h5", "", ""), InputError);
   EXPECT_THROW(read_collisions(scratch() / "none.h5", 0), InputError);
 }

@@ -47,7 +47,7 @@ std::size_t entries(const fs::path& folder) {
 
 class FolderTest : public ScratchTest {};
 
-TEST_F(FolderTest, AppearsOnlyWhenComplete) {
+TEST_F(FolderTest, appears_only_when_complete) {
   const fs::path place = scratch() / "deep" / "result";
   Folder folder(place, false);
   folder.write("summary.json", our_summary);
@@ -59,7 +59,7 @@ TEST_F(FolderTest, AppearsOnlyWhenComplete) {
   EXPECT_EQ(entries(place.parent_path()), 2U) << "beside it is its lock, as long as it is ours";
 }
 
-TEST_F(FolderTest, LeavesNothingBehindWhenGivenUp) {
+TEST_F(FolderTest, leaves_nothing_behind_when_given_up) {
   {
     Folder folder(scratch() / "result", false);
     folder.write("summary.json", our_summary);
@@ -68,7 +68,7 @@ TEST_F(FolderTest, LeavesNothingBehindWhenGivenUp) {
   EXPECT_EQ(entries(scratch()), 0U);
 }
 
-TEST_F(FolderTest, AnEmptyFolderIsFilled) {
+TEST_F(FolderTest, an_empty_folder_is_filled) {
   fs::create_directory(scratch() / "result");
   Folder folder(scratch() / "result", false);
   folder.write("summary.json", our_summary);
@@ -76,7 +76,7 @@ TEST_F(FolderTest, AnEmptyFolderIsFilled) {
   EXPECT_TRUE(fs::exists(scratch() / "result" / "summary.json"));
 }
 
-TEST_F(FolderTest, RefusesAnExistingResultUnlessForced) {
+TEST_F(FolderTest, refuses_an_existing_result_unless_forced) {
   const fs::path place = scratch() / "result";
   write_text_of(place / "summary.json", our_summary);
   write_text_of(place / "angles.csv", "old");
@@ -93,7 +93,7 @@ TEST_F(FolderTest, RefusesAnExistingResultUnlessForced) {
   EXPECT_EQ(entries(scratch()), 1U);
 }
 
-TEST_F(FolderTest, NeverTouchesWhatIsNotOurs) {
+TEST_F(FolderTest, never_touches_what_is_not_ours) {
   const fs::path place = scratch() / "thesis";
   write_text_of(place / "chapter1.tex", "years of work");
   EXPECT_NE(refusal(place, true).find("result-exists"), std::string::npos);
@@ -107,7 +107,7 @@ TEST_F(FolderTest, NeverTouchesWhatIsNotOurs) {
   EXPECT_EQ(read(place / "figures" / "a.png"), "a plot of the user's");
 }
 
-TEST_F(FolderTest, ACampaignsPointsMayBeReplaced) {
+TEST_F(FolderTest, a_campaigns_points_may_be_replaced) {
   const fs::path place = scratch() / "campaign";
   write_text_of(place / "campaign.csv", "point,mill.speed_rpm,collision_rate_per_s\n");
   write_text_of(place / "point-001" / "summary.json", our_summary);
@@ -117,7 +117,7 @@ TEST_F(FolderTest, ACampaignsPointsMayBeReplaced) {
   EXPECT_NE(refusal(place, true).find("point-001/notes.txt"), std::string::npos);
 }
 
-TEST_F(FolderTest, WhatIsListedMayBeReplacedAndNothingElse) {
+TEST_F(FolderTest, what_is_listed_may_be_replaced_and_nothing_else) {
   const fs::path place = scratch() / "result";
   {
     Folder folder(place, false);
@@ -146,7 +146,7 @@ TEST_F(FolderTest, WhatIsListedMayBeReplacedAndNothingElse) {
   EXPECT_FALSE(fs::exists(place / "figures"));
 }
 
-TEST_F(FolderTest, ACampaignsRunsAreTheirsByName) {
+TEST_F(FolderTest, a_campaigns_runs_are_theirs_by_name) {
   const fs::path place = scratch() / "campaign";
   fs::create_directory(place);
   list_files(place, {"campaign.lock", "campaign.sqlite"});
@@ -166,7 +166,7 @@ TEST_F(FolderTest, ACampaignsRunsAreTheirsByName) {
   }
 }
 
-TEST_F(FolderTest, OfAnEarlierVersionsCampaignNamesAreTakenStrictly) {
+TEST_F(FolderTest, of_an_earlier_versions_campaign_names_are_taken_strictly) {
   const fs::path place = scratch() / "campaign";
   write_text_of(place / "campaign.csv", "point,mill.speed_rpm,collision_rate_per_s\n");
   write_text_of(place / "campaign.slurm", "#!/bin/bash\n");
@@ -186,7 +186,7 @@ TEST_F(FolderTest, OfAnEarlierVersionsCampaignNamesAreTakenStrictly) {
       << "of a job that is not ours";
 }
 
-TEST_F(FolderTest, TwoIntoOnePlaceAreRefused) {
+TEST_F(FolderTest, two_into_one_place_are_refused) {
   const fs::path place = scratch() / "result";
   {
     const Folder first(place, false);
@@ -210,7 +210,7 @@ TEST_F(FolderTest, TwoIntoOnePlaceAreRefused) {
   return child;
 }
 
-TEST_F(FolderTest, WhatAKilledStartLeftGoesAndWhatALivingOneHasStays) {
+TEST_F(FolderTest, what_a_killed_start_left_goes_and_what_a_living_one_has_stays) {
   const std::string dead = std::to_string(a_dead_process()), alive = std::to_string(::getppid());
   const fs::path left = scratch() / (".result.partial-" + dead),
                  living = scratch() / (".result.partial-" + alive),
@@ -228,7 +228,7 @@ TEST_F(FolderTest, WhatAKilledStartLeftGoesAndWhatALivingOneHasStays) {
   EXPECT_FALSE(fs::exists(scratch() / ".result.lock"));
 }
 
-TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
+TEST_F(FolderTest, a_comparison_and_numbered_files_may_be_replaced) {
   const fs::path place = scratch() / "compared";
   write_text_of(place / "compare.csv", "quantity,unit,event,event_ci95,soft,soft_ci95\n");
   write_text_of(place / "compare.html", "<html>");
@@ -247,7 +247,7 @@ TEST_F(FolderTest, AComparisonAndNumberedFilesMayBeReplaced) {
   }
 }
 
-TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
+TEST_F(FolderTest, what_comes_in_during_the_run_is_not_overwritten) {
   const fs::path place = scratch() / "result";
   std::optional<Folder> folder;
   folder.emplace(place, false);
@@ -269,7 +269,7 @@ TEST_F(FolderTest, WhatComesInDuringTheRunIsNotOverwritten) {
   EXPECT_TRUE(fs::exists(scratch() / kept)) << "the next start lets it be";
 }
 
-TEST_F(FolderTest, APlaceThatCannotBeWrittenIsAnErrorBeforeTheRun) {
+TEST_F(FolderTest, a_place_that_cannot_be_written_is_an_error_before_the_run) {
   write_text_of(scratch() / "file", "text");
   EXPECT_NE(refusal(scratch() / "file", true).find("is a file"), std::string::npos);
   EXPECT_NE(refusal(scratch() / "file" / "result", false).find("cannot-write"), std::string::npos);
@@ -278,7 +278,7 @@ TEST_F(FolderTest, APlaceThatCannotBeWrittenIsAnErrorBeforeTheRun) {
   EXPECT_EQ(read(scratch() / "file"), "text");
 }
 
-TEST_F(FolderTest, AFullDiskIsAnError) {
+TEST_F(FolderTest, a_full_disk_is_an_error) {
   try {
     write_text("/dev/full", "text");
     FAIL() << "a full disk took the text";
@@ -309,7 +309,7 @@ class SmallDisk {
   void (*handler_)(int) = nullptr;
 };
 
-TEST_F(FolderTest, AFileThatCannotGrowLeavesNothingHalfWritten) {
+TEST_F(FolderTest, a_file_that_cannot_grow_leaves_nothing_half_written) {
   {
     Folder folder(scratch() / "result", false);
     const SmallDisk disk(4096);
@@ -318,7 +318,7 @@ TEST_F(FolderTest, AFileThatCannotGrowLeavesNothingHalfWritten) {
   EXPECT_EQ(entries(scratch()), 0U);
 }
 
-TEST_F(FolderTest, CollisionsThatDoNotFitAreAnError) {
+TEST_F(FolderTest, collisions_that_do_not_fit_are_an_error) {
   Folder folder(scratch() / "result", false);
   const SmallDisk disk(16384);
   const auto fill = [&] {
@@ -332,7 +332,7 @@ TEST_F(FolderTest, CollisionsThatDoNotFitAreAnError) {
   EXPECT_THROW(fill(), InputError);
 }
 
-TEST_F(FolderTest, AResultFileThatDoesNotFitIsAnError) {
+TEST_F(FolderTest, a_result_file_that_does_not_fit_is_an_error) {
   Table noise{{{"a", "1", "does not pack well"}}, {}};
   for (int i = 0; i < 10000; ++i) noise.rows.push_back({std::sin(1e6 * i)});
   const auto write = [&] {

@@ -30,7 +30,7 @@ scene::Ball ball(double x) {
           .kind = 1};
 }
 
-TEST(FrameTimes, BeginWhenCountingDoesAndEndWithIt) {
+TEST(FrameTimes, begin_when_counting_does_and_end_with_it) {
   cases::Case what;
   what.run.settle = 0.5;
   what.run.time = 0.3;
@@ -49,7 +49,7 @@ TEST(FrameTimes, BeginWhenCountingDoesAndEndWithIt) {
   EXPECT_EQ(one.next(), INFINITY);
 }
 
-TEST_F(FramesTest, SayWhereTheBallsAndTheJarAre) {
+TEST_F(FramesTest, say_where_the_balls_and_the_jar_are) {
   FrameFiles frames(scratch() / frames_name(0), fake_outcome().what);  // shakes at 10 Hz, 25 mm
   const fs::path file = scratch() / "frames-1.xyz";
   frames.add(0.025, {ball(0.001), ball(0.5)});
@@ -65,7 +65,7 @@ TEST_F(FramesTest, SayWhereTheBallsAndTheJarAre) {
   EXPECT_TRUE(read(file).ends_with(" 10 -20 30.5 0.5 -1 2\n"));
 }
 
-TEST_F(FramesTest, ReadBackAsTheSameDoubles) {
+TEST_F(FramesTest, read_back_as_the_same_doubles) {
   FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
   const double odd = 1.0 / 3;
   frames.add(0.1 + 0.2, {ball(odd)});
@@ -74,7 +74,7 @@ TEST_F(FramesTest, ReadBackAsTheSameDoubles) {
   EXPECT_NE(text.find(" Time=0.30000000000000004 "), std::string::npos) << text;
 }
 
-TEST_F(FramesTest, ForParaViewAreAListAndAFileForEachFrame) {
+TEST_F(FramesTest, for_paraview_are_a_list_and_a_file_for_each_frame) {
   FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
   const auto list = [&] { return read(scratch() / "frames-1.pvd"); };
   const std::string begin =
@@ -106,7 +106,7 @@ TEST_F(FramesTest, ForParaViewAreAListAndAFileForEachFrame) {
   EXPECT_FALSE(fs::exists(scratch() / "frames-1" / "jar-00001.vtp"));
 }
 
-TEST_F(FramesTest, AreWrittenAsTheCaseAsks) {
+TEST_F(FramesTest, are_written_as_the_case_asks) {
   cases::Case what = fake_outcome().what;
   what.observe.frames_format = cases::FramesFormat::xyz;
   FrameFiles(scratch() / "a", what).add(0, {ball(0)});
@@ -133,7 +133,7 @@ double room(const fs::path& folder, const cases::Case& what, bool forces) {
   return size / frames / cases::frame_bytes(what);
 }
 
-TEST_F(FramesTest, TakeAboutTheRoomThatIsReckonedWith) {
+TEST_F(FramesTest, take_about_the_room_that_is_reckoned_with) {
   cases::Case what = fake_outcome().what;
   what.balls[0].count = 100;
   what.run.engine = cases::EngineName::event;
@@ -167,7 +167,7 @@ TEST_F(FramesTest, TakeAboutTheRoomThatIsReckonedWith) {
   }
 }
 
-TEST_F(FramesTest, SayWhenTheyCannotBeWritten) {
+TEST_F(FramesTest, say_when_they_cannot_be_written) {
   EXPECT_THROW(FrameFiles(scratch() / "no" / "folder", fake_outcome().what), InputError);
   const std::vector<scene::Ball> balls{ball(0)};
   const std::vector<Vec3> none;
@@ -179,7 +179,7 @@ TEST_F(FramesTest, SayWhenTheyCannotBeWritten) {
   EXPECT_THROW(gone.add(frame), InputError);
 }
 
-TEST(Stopped, EveryBallIsARow) {
+TEST(Stopped, every_ball_is_a_row) {
   Replicate r(0.1);
   r.at_stop = {ball(0.001), ball(NAN)};
   const Table table = balls_at_stop(r);

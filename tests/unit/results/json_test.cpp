@@ -16,7 +16,7 @@ nlohmann::json parsed(const Outcome& o) {
   return nlohmann::json::parse(summary_json(o, "1.2.3"));
 }
 
-TEST(SummaryJson, HoldsEveryQuantityToTheBit) {
+TEST(SummaryJson, holds_every_quantity_to_the_bit) {
   const Outcome o = fake_outcome();
   const nlohmann::json all = parsed(o);
   for (const Quantity& q : o.summary.quantities) {
@@ -35,7 +35,7 @@ TEST(SummaryJson, HoldsEveryQuantityToTheBit) {
   }
 }
 
-TEST(SummaryJson, TellsWhatMadeIt) {
+TEST(SummaryJson, tells_what_made_it) {
   const nlohmann::json about = parsed(fake_outcome()).at("_about");
   EXPECT_EQ(about.at("mahlwerk"), "1.2.3");
   EXPECT_EQ(about.at("schema"), 1);
@@ -48,7 +48,7 @@ TEST(SummaryJson, TellsWhatMadeIt) {
   EXPECT_EQ(about.at("unverified")[0].at("source"), "catalogue jars/some");
 }
 
-TEST(SummaryJson, HoldsEveryNoticeWithItsCode) {
+TEST(SummaryJson, holds_every_notice_with_its_code) {
   Outcome o = fake_outcome();
   EXPECT_TRUE(parsed(o).at("_about").at("notices").empty());
   o.notices = {invalid("long-contacts", "In contact."), warning("stopped", "It was stopped."),
@@ -62,14 +62,14 @@ TEST(SummaryJson, HoldsEveryNoticeWithItsCode) {
   EXPECT_EQ(about.at("notes"), nlohmann::json({"Engine: event."}));
 }
 
-TEST(SummaryJson, NamesTheEngineThatRan) {
+TEST(SummaryJson, names_the_engine_that_ran) {
   Outcome o = fake_outcome();
   o.what.run.engine = cases::EngineName::automatic;
   o.engine = cases::EngineName::soft;
   EXPECT_EQ(parsed(o).at("_about").at("engine"), "soft");
 }
 
-TEST(SummaryJson, HoldsTwoStates) {
+TEST(SummaryJson, holds_two_states) {
   EXPECT_FALSE(parsed(fake_outcome()).contains("_states"));
   const auto states = parsed(fake_outcome({100, 900, 102, 98, 904, 101, 99, 100})).at("_states");
   EXPECT_EQ(states.at("states")[1].at("replicates"), nlohmann::json({2, 5}));
@@ -79,7 +79,7 @@ TEST(SummaryJson, HoldsTwoStates) {
   EXPECT_LE(states.at("chance").get<double>(), 0.01);
 }
 
-TEST(SummaryJson, CountsNoticesOfManyRuns) {
+TEST(SummaryJson, counts_notices_of_many_runs) {
   NoticeCounts counts;
   count(counts, {warning("stopped", "It \"was\" stopped.")});
   EXPECT_EQ(nlohmann::json::parse(notices_json(counts).text()),
@@ -89,7 +89,7 @@ TEST(SummaryJson, CountsNoticesOfManyRuns) {
                                     {"text", "It \"was\" stopped."}}}));
 }
 
-TEST(SummaryJson, TellsWhatIsMissing) {
+TEST(SummaryJson, tells_what_is_missing) {
   Outcome o = fake_outcome({100});
   o.interrupted = true;
   o.replicates[0].complete = false;
@@ -101,7 +101,7 @@ TEST(SummaryJson, TellsWhatIsMissing) {
   EXPECT_TRUE(all.at("collision_rate").at("ci95").is_null());
 }
 
-TEST(SummaryJson, SurvivesATitleThatIsNotUtf8) {
+TEST(SummaryJson, survives_a_title_that_is_not_utf8) {
   Outcome o = fake_outcome();
   o.what.title = "M\xFChle";
   EXPECT_NO_THROW(parsed(o));

@@ -50,7 +50,7 @@ void look(Outcome& outcome, double time, double r, double angle, const Vec3& vel
   outcome.replicates[0].charge.look(time, {b}, 1);
 }
 
-TEST(Motion, AnEvenChargeOccupiesAllAndHalfACircleOfItHalf) {
+TEST(Motion, an_even_charge_occupies_all_and_half_a_circle_of_it_half) {
   Outcome whole = drum(), half = drum();
   constexpr int rings = 200, around = 600;
   for (int i = 0; i < rings; ++i)
@@ -66,7 +66,7 @@ TEST(Motion, AnEvenChargeOccupiesAllAndHalfACircleOfItHalf) {
   EXPECT_NEAR(value(half, "occupied_share"), 0.5, 0.05);
 }
 
-TEST(Motion, ABallAtOnePlaceOccupiesTheCellsItIsSharedAmong) {
+TEST(Motion, a_ball_at_one_place_occupies_the_cells_it_is_shared_among) {
   Outcome outcome = drum();
   for (int i = 0; i < 10; ++i) look(outcome, i, 0.03, 1.0);
   // Cells whose middle is within 95 mm: pi 95^2/(200/48)^2 = 1633, give or take what their rim
@@ -76,7 +76,7 @@ TEST(Motion, ABallAtOnePlaceOccupiesTheCellsItIsSharedAmong) {
   EXPECT_NEAR(share * 1633, 4, 0.2);
 }
 
-TEST(Motion, SpeedsAreRootMeanSquaresInEachFrame) {
+TEST(Motion, speeds_are_root_mean_squares_in_each_frame) {
   Outcome outcome = drum();
   look(outcome, 0, 0.05, 0, {0, 0, 3});
   look(outcome, 0, 0.05, 0, {0, 0, 4});
@@ -87,7 +87,7 @@ TEST(Motion, SpeedsAreRootMeanSquaresInEachFrame) {
   EXPECT_NEAR(value(at_rest, "ball_speed_seen_from_jar"), 2.0 * 0.05, 1e-12);
 }
 
-TEST(Motion, TangentialEnergyAndGrazingAreThoseOfTheCollisions) {
+TEST(Motion, tangential_energy_and_grazing_are_those_of_the_collisions) {
   // Half of 100 collisions of 2 g have a slip of 2 m/s: 4 mJ each, at 45 degrees, in 10 s.
   const Outcome outcome = fake_outcome({100});
   EXPECT_NEAR(value(outcome, "energy_tangential_mean"), 0.002, 1e-15);
@@ -103,14 +103,14 @@ TEST(Motion, TangentialEnergyAndGrazingAreThoseOfTheCollisions) {
   EXPECT_EQ(value(grazing, "grazing_share_above_threshold"), 1);
 }
 
-TEST(Motion, NothingWasSeenGivesNoNumber) {
+TEST(Motion, nothing_was_seen_gives_no_number) {
   const Outcome outcome = drum();
   EXPECT_TRUE(std::isnan(value(outcome, "occupied_share")));
   EXPECT_TRUE(std::isnan(value(outcome, "ball_speed_seen_from_jar")));
   EXPECT_TRUE(std::isnan(value(outcome, "grazing_share")));
 }
 
-TEST(Motion, OnlyMillsWithARegimeHaveAnOccupiedShare) {
+TEST(Motion, only_mills_with_a_regime_have_an_occupied_share) {
   for (const Measure& m : motion_measures(fake_outcome().what)) EXPECT_NE(m.name, "occupied_share");
 }
 

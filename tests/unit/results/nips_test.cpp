@@ -27,12 +27,12 @@ WallMap hit_in(double half_length, int cell) {
   return map;
 }
 
-TEST(Nips, EffectiveRadiusOfABallInASphereIsThatOfBothCurvatures) {
+TEST(Nips, effective_radius_of_a_ball_in_a_sphere_is_that_of_both_curvatures) {
   states("R*", effective_radius(geometry::Sphere{2 * jar}, 0, ball, hit_in(jar, -1)), in_sphere,
          1e-12 * in_sphere, "1/R* = 1/r - 1/R; rounding");
 }
 
-TEST(Nips, EffectiveRadiusOnTheSideOfACylinderIsTheMeanOfBothDirections) {
+TEST(Nips, effective_radius_on_the_side_of_a_cylinder_is_the_mean_of_both_directions) {
   const geometry::Cylinder shape{2 * jar, 0.02};
   const WallMap map = hit_in(0.01, -1);
   double side = 0, flat = 0;
@@ -49,7 +49,7 @@ TEST(Nips, EffectiveRadiusOnTheSideOfACylinderIsTheMeanOfBothDirections) {
   states("R* on a flat end", flat / flats, ball, 1e-12, "a plane");
 }
 
-TEST(Nips, CapsuleCountsWhereItIsHit) {
+TEST(Nips, capsule_counts_where_it_is_hit) {
   const geometry::Capsule shape{2 * jar, 0.02};
   const double half = 0.5 * shape.height + jar;
   // Cells in the middle of the side, and of the bottom disc.

@@ -7,7 +7,7 @@
 namespace mahlwerk::results {
 namespace {
 
-TEST(NoticeCounts, CountRunsByCodeAndKeepTheWordsOfTheFirst) {
+TEST(NoticeCounts, count_runs_by_code_and_keep_the_words_of_the_first) {
   NoticeCounts counts;
   count(counts, {note("engine-chosen", "event")});
   count(counts, {warning("long-contacts", "31 %"), note("engine-chosen", "soft")});
@@ -22,7 +22,7 @@ TEST(NoticeCounts, CountRunsByCodeAndKeepTheWordsOfTheFirst) {
   EXPECT_EQ(sentence(counts[0], 4, "point"), "2 of 4 points: long-contacts: 31 %");
 }
 
-TEST(NoticeCounts, ACodeThatARunHasTwiceCountsOnce) {
+TEST(NoticeCounts, a_code_that_a_run_has_twice_counts_once) {
   NoticeCounts counts;
   count(counts, {warning("stopped", "Replicate 1"), warning("stopped", "Replicate 2")});
   ASSERT_EQ(counts.size(), 1U);
@@ -30,7 +30,7 @@ TEST(NoticeCounts, ACodeThatARunHasTwiceCountsOnce) {
   EXPECT_EQ(counts[0].first.text, "Replicate 1");
 }
 
-TEST(NoticeCounts, CodesOfWarningsAreACellOfATable) {
+TEST(NoticeCounts, codes_of_warnings_are_a_cell_of_a_table) {
   EXPECT_EQ(warning_codes({}), "");
   EXPECT_EQ(warning_codes({note("engine-chosen", "")}), "");
   EXPECT_EQ(warning_codes({invalid("long-contacts", ""), warning("stopped", "a"),

@@ -43,7 +43,7 @@ Matrix map() {
           .values = {1, 2, 3, 4, 5, 6}};
 }
 
-TEST_F(ResultFileTest, TheSameContentGivesTheSameBytes) {
+TEST_F(ResultFileTest, the_same_content_gives_the_same_bytes) {
   const std::string first = written("a.h5", {map()});
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // clocks of files tick in seconds
   EXPECT_GT(first.size(), 1000U);
@@ -74,7 +74,7 @@ std::string attribute(Handle::Id file, const std::string& set, const char* name)
   return copy;
 }
 
-TEST_F(ResultFileTest, AMatrixKeepsItsNumbersAndTheEdgesOfItsCells) {
+TEST_F(ResultFileTest, a_matrix_keeps_its_numbers_and_the_edges_of_its_cells) {
   written("a.h5", {map()});
   const Handle file(H5Fopen((scratch() / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   ASSERT_TRUE(file.valid());
@@ -88,7 +88,7 @@ TEST_F(ResultFileTest, AMatrixKeepsItsNumbersAndTheEdgesOfItsCells) {
   EXPECT_EQ(attribute(file, "nothing", "unit_a"), "m");
 }
 
-TEST_F(ResultFileTest, AMatrixFitsItsShape) {
+TEST_F(ResultFileTest, a_matrix_fits_its_shape) {
   EXPECT_NO_THROW(written("a.h5", {map()}));
   Matrix m = map();
   m.values.pop_back();
@@ -101,7 +101,7 @@ TEST_F(ResultFileTest, AMatrixFitsItsShape) {
   EXPECT_THROW(written("b.h5", {m}), std::invalid_argument);
 }
 
-TEST_F(ResultFileTest, OneThatCannotBeMadeIsAnError) {
+TEST_F(ResultFileTest, one_that_cannot_be_made_is_an_error) {
   EXPECT_THROW(written("no/a.h5"), InputError);
 }
 

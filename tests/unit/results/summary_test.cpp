@@ -17,7 +17,7 @@ double value(const Outcome& o, const std::string& name) {
   return named(summarise(o).quantities, name).value;
 }
 
-TEST(Summary, RatesAreMeansOverReplicates) {
+TEST(Summary, rates_are_means_over_replicates) {
   const std::vector<Quantity> list = summarise(fake_outcome()).quantities;
   const Quantity& rate = named(list, "collision_rate");
   EXPECT_DOUBLE_EQ(rate.value, 12);                             // 10, 12, 14
@@ -26,7 +26,7 @@ TEST(Summary, RatesAreMeansOverReplicates) {
   EXPECT_DOUBLE_EQ(named(list, "collision_rate_above_threshold").value, 6);
 }
 
-TEST(Summary, MeansOverCollisionsWithAndWithoutTheThreshold) {
+TEST(Summary, means_over_collisions_with_and_without_the_threshold) {
   const Outcome o = fake_outcome();
   EXPECT_NEAR(value(o, "energy_normal_mean_above_threshold"), 0.004, 1e-15);
   EXPECT_NEAR(value(o, "energy_normal_mean"), 0.5 * (0.004 + 2.5e-6), 1e-15);
@@ -39,7 +39,7 @@ TEST(Summary, MeansOverCollisionsWithAndWithoutTheThreshold) {
   EXPECT_NEAR(value(o, "impact_angle_mean"), 22.5, 2e-6);
 }
 
-TEST(Summary, PowersAndSharesLeaveOutWhatWasBeforeCounting) {
+TEST(Summary, powers_and_shares_leave_out_what_was_before_counting) {
   const Outcome o = fake_outcome();
   EXPECT_NEAR(value(o, "dissipated_power"), 0.012, 1e-12);
   EXPECT_NEAR(value(o, "drawn_power"), 0.512, 1e-12);
@@ -49,7 +49,7 @@ TEST(Summary, PowersAndSharesLeaveOutWhatWasBeforeCounting) {
   EXPECT_EQ(value(o, "replicates"), 3);
 }
 
-TEST(Summary, ResidualsAreThoseOfTheWorstReplicate) {
+TEST(Summary, residuals_are_those_of_the_worst_replicate) {
   Outcome o = fake_outcome();
   EXPECT_DOUBLE_EQ(value(o, "energy_residual"), 1.4e-13);
   EXPECT_LT(value(o, "energy_balance"), 1e-15);
@@ -59,19 +59,19 @@ TEST(Summary, ResidualsAreThoseOfTheWorstReplicate) {
   EXPECT_TRUE(std::isnan(named(summarise(o).quantities, "energy_balance").ci95));
 }
 
-TEST(Summary, OneReplicateHasNoInterval) {
+TEST(Summary, one_replicate_has_no_interval) {
   const std::vector<Quantity> list = summarise(fake_outcome({100})).quantities;
   EXPECT_DOUBLE_EQ(named(list, "collision_rate").value, 10);
   EXPECT_TRUE(std::isnan(named(list, "collision_rate").ci95));
 }
 
-TEST(Summary, WithoutCollisionsThereIsNoMeanEnergy) {
+TEST(Summary, without_collisions_there_is_no_mean_energy) {
   const Outcome o = fake_outcome({0, 0});
   EXPECT_EQ(value(o, "collision_rate"), 0);
   EXPECT_TRUE(std::isnan(value(o, "energy_normal_mean")));
 }
 
-TEST(Summary, WithoutAnyTimeNothingIsKnown) {
+TEST(Summary, without_any_time_nothing_is_known) {
   Outcome o = fake_outcome();
   o.replicates.assign(2, Replicate(0.1));
   EXPECT_TRUE(std::isnan(value(o, "collision_rate")));
@@ -79,7 +79,7 @@ TEST(Summary, WithoutAnyTimeNothingIsKnown) {
   EXPECT_FALSE(complete(o));
 }
 
-TEST(Summary, ReplicatesCutShortAreLeftOutWhileThereAreTwoOthers) {
+TEST(Summary, replicates_cut_short_are_left_out_while_there_are_two_others) {
   Outcome o = fake_outcome({100, 120, 1000});
   o.replicates[2].complete = false;
   EXPECT_FALSE(complete(o));
@@ -89,7 +89,7 @@ TEST(Summary, ReplicatesCutShortAreLeftOutWhileThereAreTwoOthers) {
   EXPECT_EQ(value(o, "replicates"), 3);
 }
 
-TEST(Summary, DosesNeedPowder) {
+TEST(Summary, doses_need_powder) {
   Outcome o = fake_outcome();
   EXPECT_THROW(value(o, "specific_energy_dose"), std::out_of_range);
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
@@ -98,7 +98,7 @@ TEST(Summary, DosesNeedPowder) {
   EXPECT_THROW(value(o, "milling_time"), std::out_of_range);
 }
 
-TEST(Summary, ADoseIsOverTheTimeThatTheCaseSaysTheMillWorks) {
+TEST(Summary, a_dose_is_over_the_time_that_the_case_says_the_mill_works) {
   Outcome o = fake_outcome();  // 0.006 W/g in 10 s
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
   o.what.heat = cases::Heat{.milling = 600, .pause = 300, .cycles = 4};
@@ -111,7 +111,7 @@ TEST(Summary, ADoseIsOverTheTimeThatTheCaseSaysTheMillWorks) {
   EXPECT_EQ(value(o, "simulated_time"), 10);
 }
 
-TEST(Summary, TheTcRuleTellsItsShare) {
+TEST(Summary, the_tc_rule_tells_its_share) {
   Outcome o = fake_outcome({100, 100});
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
   o.what.contact.lasting = cases::Lasting::tc;
@@ -121,7 +121,7 @@ TEST(Summary, TheTcRuleTellsItsShare) {
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
 }
 
-TEST(Summary, EveryQuantityIsNamedOnceAndExplained) {
+TEST(Summary, every_quantity_is_named_once_and_explained) {
   Outcome o = fake_outcome();
   o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
   std::set<std::string> names;

@@ -42,7 +42,7 @@ Outcome run_of(int windows, const Power& power, const Drawn& drawn) {
   return o;
 }
 
-TEST(NotSettled, IsToldOfAStartThatStandsOutAndGainsEnergy) {
+TEST(NotSettled, is_told_of_a_start_that_stands_out_and_gains_energy) {
   const auto power = [](int i) { return i < 40 ? 0.5 + 0.0125 * i : 1.0; };
   const auto drawn = [](int i) { return 1.0 + 1e-4 * (i % 7); };
   const Notices notices = warnings(ended(run_of(200, power, drawn)));
@@ -50,14 +50,14 @@ TEST(NotSettled, IsToldOfAStartThatStandsOutAndGainsEnergy) {
   EXPECT_FALSE(has(warnings(ended(run_of(200, drawn, drawn))), "not-settled"));
 }
 
-TEST(NotSettled, IsNotToldOfAShortSeries) {
+TEST(NotSettled, is_not_told_of_a_short_series) {
   const auto power = [](int i) { return i < 4 ? 0.5 : 1.0; };
   const auto drawn = [](int) { return 1.0; };
   for (const int windows : {1, 2, 10, 12, 40})
     EXPECT_FALSE(has(warnings(ended(run_of(windows, power, drawn))), "not-settled")) << windows;
 }
 
-TEST(NotSettled, IsNotToldWhereTheStoredEnergyGoesUpAndDown) {
+TEST(NotSettled, is_not_told_where_the_stored_energy_goes_up_and_down) {
   // Power that differs by chance from half to half of the run, and an energy that swings.
   int told = 0;
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
@@ -78,7 +78,7 @@ TEST(NotSettled, IsNotToldWhereTheStoredEnergyGoesUpAndDown) {
   EXPECT_EQ(told, 0) << "of 40 runs";
 }
 
-TEST(Overlap, IsWarnedOfByWhatWasReached) {
+TEST(Overlap, is_warned_of_by_what_was_reached) {
   Outcome o = fake_outcome();
   o.engine = cases::EngineName::soft;
   o.replicates[1].account.deepest_overlap = 0.009;
@@ -92,7 +92,7 @@ TEST(Overlap, IsWarnedOfByWhatWasReached) {
   EXPECT_EQ(warnings(ended(o))[0].code, "deep-overlap");
 }
 
-TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
+TEST(TwoStates, are_named_with_their_shares_and_values) {
   EXPECT_FALSE(summarise(fake_outcome({100, 101, 99, 102, 98, 100, 101, 99})).two_states);
   const Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
   const auto found = summarise(o).two_states;
@@ -113,13 +113,13 @@ TEST(TwoStates, AreNamedWithTheirSharesAndValues) {
       << notices[0].text;
 }
 
-TEST(TwoStates, ThatHardlyDifferAreOne) {
+TEST(TwoStates, that_hardly_differ_are_one) {
   EXPECT_FALSE(
       summarise(fake_outcome({1000, 1200, 1000, 1200, 1000, 1200, 1000, 1200})).two_states);
   EXPECT_TRUE(summarise(fake_outcome({1000, 1300, 1000, 1300, 1000, 1300, 1000, 1300})).two_states);
 }
 
-TEST(TwoStates, AreNoneWhereNothingIsLostButByRounding) {
+TEST(TwoStates, are_none_where_nothing_is_lost_but_by_rounding) {
   Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});
   for (Replicate& r : o.replicates)
     r.windows[0].kinetic = 1e6;  // J: a power below 1e-4 W is rounding
@@ -128,7 +128,7 @@ TEST(TwoStates, AreNoneWhereNothingIsLostButByRounding) {
   EXPECT_FALSE(summarise(o).two_states);
 }
 
-TEST(TwoStates, NeedFourReplicates) {
+TEST(TwoStates, need_four_replicates) {
   EXPECT_FALSE(summarise(fake_outcome({100, 100, 900})).two_states);
   EXPECT_FALSE(summarise(fake_outcome({})).two_states);
 }

@@ -44,7 +44,7 @@ void expect_held(const std::vector<int>& count) {
   }
 }
 
-TEST(OptimumInterval, HoldsTheTopOfANarrowHillOnASlope) {
+TEST(OptimumInterval, holds_the_top_of_a_narrow_hill_on_a_slope) {
   const auto hill = [](const Place& x) {
     return std::exp(-0.5 * std::pow((x[0] - 0.7) / 0.12, 2)) + 0.3 * x[0];
   };
@@ -54,7 +54,7 @@ TEST(OptimumInterval, HoldsTheTopOfANarrowHillOnASlope) {
   expect_held(held({.keys = 1, .settings = 20}, {{hill}, 0.05}, {0.7 + 0.12 * z}));
 }
 
-TEST(OptimumInterval, HoldsTheTopOverTwoKeys) {
+TEST(OptimumInterval, holds_the_top_over_two_keys) {
   const auto hill = [](const Place& x) {
     const double a = x[0] - 0.3, b = x[1] - 0.6;
     return std::exp(-2 * a * a - 6 * b * b - 2 * a * b);
