@@ -19,7 +19,7 @@ function(mahlwerk_law_loops)
     configure_file(soft/law_loops.cpp.in ${loops} @ONLY)
     target_sources(mahlwerk_soft PRIVATE ${loops})
     set_source_files_properties(${loops} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
-      COMPILE_OPTIONS "${mahlwerk_fewer_optimizations};$<$<CXX_COMPILER_ID:GNU>:-fira-region=one>")
+      COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>;$<$<CXX_COMPILER_ID:GNU>:-fira-region=one>")
   endforeach()
   list(LENGTH laws count)
   set_source_files_properties(contact/laws.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
