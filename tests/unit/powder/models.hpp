@@ -2,26 +2,84 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/powder/process.hpp"
 
-// One of every model of the registers, with numbers that make it do something.
+// One of every model of the registers, with numbers that make it do something. A model that is not
+// here does not link.
 namespace mahlwerk::tests {
 
+template <class Model>
+Model sample();
+template <>
+inline powder::VogelPeukert sample() {
+  return {2, 0.05};
+}
+template <>
+inline powder::ShiKojovic sample() {
+  return {0.5, 2, 0.05};
+}
+template <>
+inline powder::Tavares sample() {
+  return {43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
+}
+template <>
+inline powder::Threshold sample() {
+  return {200, 1e-3, 0.5};
+}
+template <>
+inline powder::VogelFragments sample() {
+  return {1.2, 20e-6};
+}
+template <>
+inline powder::AustinFragments sample() {
+  return {0.4, 0.8, 3};
+}
+template <>
+inline powder::T10Fragments sample() {
+  return {0.3, 1};
+}
+template <>
+inline powder::BinaryFragments sample() {
+  return {};
+}
+template <>
+inline powder::Halves sample() {
+  return {};
+}
+template <>
+inline powder::Barrios sample() {
+  return {300};
+}
+template <>
+inline powder::TrappedVolume sample() {
+  return {1e-4, 0.6};
+}
+template <>
+inline powder::SurfaceLayer sample() {
+  return {0.3};
+}
+template <>
+inline powder::FixedMass sample() {
+  return {2e-6};
+}
+
+template <class Any, class... Models>
+std::vector<Any> samples(std::type_identity<std::variant<Models...>>) {
+  return {Any(sample<Models>())...};
+}
 inline std::vector<powder::AnyBreakage> every_breakage() {
-  return {powder::VogelPeukert{2, 0.05}, powder::ShiKojovic{0.5, 2, 0.05},
-          powder::Tavares{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03},
-          powder::Threshold{200, 1e-3, 0.5}};
+  return samples<powder::AnyBreakage>(std::type_identity<powder::BreakageModels>{});
 }
 inline std::vector<powder::AnyFragments> every_fragments() {
-  return {powder::VogelFragments{1.2, 20e-6}, powder::AustinFragments{0.4, 0.8, 3},
-          powder::T10Fragments{0.3, 1}, powder::BinaryFragments{}, powder::Halves{}};
+  return samples<powder::AnyFragments>(std::type_identity<powder::FragmentsModels>{});
 }
 inline std::vector<powder::AnyCapture> every_capture() {
-  return {powder::Barrios{300}, powder::TrappedVolume{1e-4, 0.6}, powder::SurfaceLayer{0.3},
-          powder::FixedMass{2e-6}};
+  return samples<powder::AnyCapture>(std::type_identity<powder::CaptureModels>{});
 }
 
 }  // namespace mahlwerk::tests

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Every rule of rolling resistance keeps what its row in contact/rolling.hpp says, and what holds
+// for all forces between two bodies.
+#include "mahlwerk/contact/rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mahlwerk/base/random.hpp"
+#include "soft.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests {
+namespace {
+
+constexpr int tries = 40;
+
+/// Two balls that collide obliquely while they spin, under one rule.
+Impact collision(contact::Rolling rule, Random& random) {
+  std::vector<scene::Ball> both(2);
+  for (scene::Ball& ball : both) {
+    ball.radius = random.uniform(1e-3, 1e-2);
+    ball.density = random.uniform(2000, 8000);
+    ball.spin = random.uniform(10, 500) * random.direction();
+  }
+  both[0].velocity = {random.uniform(0.2, 3), random.uniform(-1, 1), random.uniform(-1, 1)};
+  contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, random.uniform(0.2, 0.9), 0.4);
+  pair.rolling_friction = random.uniform(0.01, 0.2);
+  return impact(both, pair, of_law(contact::HertzMindlin{}, rule), 0.01);
+}
+
+Vec3 momentum(const std::vector<scene::Ball>& balls) {
+  Vec3 sum;
+  for (const scene::Ball& b : balls) sum += b.mass() * b.velocity;
+  return sum;
+}
+Vec3 angular_momentum(const std::vector<scene::Ball>& balls) {
+  Vec3 sum;
+  for (const scene::Ball& b : balls)
+    sum += b.mass() * (cross(b.position, b.velocity) + 0.4 * b.radius * b.radius * b.spin);
+  return sum;
+}
+double energy(const std::vector<scene::Ball>& balls) {
+  double sum = 0;
+  for (const scene::Ball& b : balls)
+    sum += 0.5 * b.mass() * (squared(b.velocity) + 0.4 * b.radius * b.radius * squared(b.spin));
+  return sum;
+}
+
+TEST(RollingRules, act_and_react) {
+  for (const contact::RollingRule& rule : contact::rolling_rules) {
+    Random random(5, 1);
+    double way = 0, turn = 0;
+    for (int i = 0; i < tries; ++i) {
+      const Impact found = collision(rule.rule, random);
+      const double all = found.before[0].mass() * norm(found.before[0].velocity);
+      way = max_or_nan(way, norm(momentum(found.after) - momentum(found.before)) / all);
+      const double arm = found.before[0].radius + found.before[1].radius;
+      turn = max_or_nan(
+          turn, norm(angular_momentum(found.after) - angular_momentum(found.before)) / (all * arm));
+    }
+    stays_below(std::string(rule.name) + ": momentum is kept, of its size", way, 1e-12, "Newton");
+    stays_below(std::string(rule.name) + ": angular momentum is kept, of its size", turn, 1e-12,
+                "torques of both bodies are opposite");
+  }
+}
+
+TEST(RollingRules, make_no_energy) {
+  for (const contact::RollingRule& rule : contact::rolling_rules) {
+    Random random(6, 1);
+    double most = -INFINITY;
+    for (int i = 0; i < tries; ++i) {
+      const Impact found = collision(rule.rule, random);
+      most = max_or_nan(most, energy(found.after) / energy(found.before) - 1);
+    }
+    stays_below(std::string(rule.name) + ": gain of a collision, of its energy", most, 0,
+                "resistance only takes");
+  }
+}
+
+TEST(RollingRules, take_energy_if_they_say_that_they_resist) {
+  for (const contact::RollingRule& rule : contact::rolling_rules) {
+    Random random(7, 1);
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < tries; ++i) {
+      const double lost = collision(rule.rule, random).account.lost_rolling;
+      least = std::min(least, lost), most = max_or_nan(most, lost);
+    }
+    EXPECT_EQ(most > 0, rule.resists) << rule.name;
+    EXPECT_GE(least, 0) << rule.name;
+  }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests
