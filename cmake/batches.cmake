@@ -2,9 +2,9 @@
 # are made once for all of them. A name in an anonymous namespace therefore stands once in its
 # folder. -DMAHLWERK_BATCHES=OFF compiles each file by itself, which suits who changes one again and
 # again. Files that make the event engine for one shape are large enough by themselves; so are those
-# that CMake makes for each law (src/mahlwerk/CMakeLists.txt). Files that know every shape, motion,
-# law or powder model are together apart from the others of their folder: who changes one of these
-# compiles them alone.
+# that CMake makes for each law (src/mahlwerk/CMakeLists.txt). Files that include a register form
+# batches of their own, so that a changed model recompiles these and leaves the rest of the folder;
+# which files do is read when CMake configures.
 set(mahlwerk_registers "mahlwerk/(geometry/shapes|kinematics/motions|contact/laws|powder/models)[.]hpp")
 function(mahlwerk_batches target)
   if(NOT MAHLWERK_BATCHES)

@@ -33,7 +33,9 @@ class Indirect {
   const T& operator*() const { return *value_; }
   T* operator->() { return value_.get(); }
   const T* operator->() const { return value_.get(); }
-  bool operator==(const Indirect& other) const { return *this == *other; }
+  bool operator==(const Indirect& other) const {
+    return value_ && other.value_ ? *this == *other : value_ == other.value_;
+  }
   bool operator==(const T& other) const;
 
  private:

@@ -16,12 +16,13 @@ Indirect<T>::Indirect(const T& value) : value_(std::make_unique<T>(value)) {}
 template <class T>
 Indirect<T>::Indirect(T&& value) : value_(std::make_unique<T>(std::move(value))) {}
 template <class T>
-Indirect<T>::Indirect(const Indirect& other) : value_(std::make_unique<T>(*other.value_)) {}
+Indirect<T>::Indirect(const Indirect& other)
+    : value_(other.value_ ? std::make_unique<T>(*other.value_) : nullptr) {}
 template <class T>
 Indirect<T>::Indirect(Indirect&& other) noexcept = default;
 template <class T>
 Indirect<T>& Indirect<T>::operator=(const Indirect& other) {
-  if (this != &other) value_ = std::make_unique<T>(*other.value_);
+  if (this != &other) value_ = other.value_ ? std::make_unique<T>(*other.value_) : nullptr;
   return *this;
 }
 template <class T>

@@ -206,8 +206,9 @@ struct Heat {
 struct Capture {
   enum class Energy { normal, contact_point, lost };  ///< of a collision, that presses the powder
   Indirect<powder::AnyCapture> model;
+  static constexpr double all = 1;
   Energy energy = Energy::normal;
-  double energy_share = 1;  ///< [1] of it that the caught grains get
+  double energy_share = all;  ///< [1] of it that the caught grains get
   bool operator==(const Capture&) const = default;
 };
 

@@ -41,7 +41,7 @@ std::invalid_argument nothing_called(const std::string& key) {
 }  // namespace
 
 powder::Process process(const Case& c) {
-  powder::Process p{.capture = *c.capture->model,
+  powder::Process p{.capture = c.capture->model,
                     .energy_share = c.capture->energy_share,
                     .breakage = {},
                     .fragments = {},
@@ -49,8 +49,8 @@ powder::Process process(const Case& c) {
                     .mass = c.powder->mass};
   if (!c.grinding) return p;
   const Grinding& g = *c.grinding;
-  p.breakage = *g.breakage;
-  p.fragments = *g.fragments;
+  p.breakage = g.breakage;
+  p.fragments = g.fragments;
   p.bed = g.bed;
   p.sticking = g.sticking;
   p.sticking_size = g.sticking_size.value_or(std::numeric_limits<double>::infinity());

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mahlwerk/base/indirect.hpp"
-#include "mahlwerk/contact/law.hpp"
+#include "mahlwerk/contact/adhesion.hpp"
 
 // A contact law chosen at run time, for those who do not look into it; contact/laws.hpp lists what
 // it can be.

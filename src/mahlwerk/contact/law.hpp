@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "mahlwerk/base/lanes.hpp"
+#include "mahlwerk/contact/adhesion.hpp"
 #include "mahlwerk/contact/law_field.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 
@@ -46,14 +47,6 @@ using StepErrors = std::array<std::array<double, 3>, step_error_restitutions.siz
 
 /// The `shortest` of most laws.
 constexpr std::string_view whole_collision = "the shortest collision";
-
-/// A number of a pair by which bodies adhere, with its key in a case.
-struct AdhesionParameter {
-  std::string_view key;
-  double Pair::*value;
-};
-constexpr AdhesionParameter surface_energy{"surface_energy", &Pair::surface_energy};
-constexpr AdhesionParameter cohesion{"cohesion", &Pair::cohesion};
 
 /// Whether L itself states its scales: one inherited is another law's, and wrong without a word.
 template <class L>

@@ -34,8 +34,7 @@ using Laws =
 /// A class of its own, so that any_law.hpp can name it.
 struct AnyLaw : Laws {
   using Models = Laws;
-  using Laws::Laws;
-  using Laws::operator=;
+  using Models::Models;
 };
 
 constexpr std::size_t laws_count = std::variant_size_v<Laws>;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <variant>
 
 #include "mahlwerk/event/enclosure.hpp"
 #include "mahlwerk/event/rules.hpp"

@@ -4,10 +4,12 @@
 
 #include <string>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/geometry/shape.hpp"
 
 // A jar shape chosen at run time, for those who do not look into it; geometry/shapes.hpp lists what
 // it can be.
@@ -29,16 +31,18 @@ Vec3 periods(const AnyShape& shape);           ///< [m] as periods_of() in geome
 double speed_of_parts(const AnyShape& shape);  ///< [m/s] of a stirrer's tips; 0 without one
 /// Why there is no such shape, as a sentence without its end; empty if nothing is wrong.
 std::string flaw(const AnyShape& shape);
-/// [m] from the nearest wall to `p`, in the jar's own axes: exact within `within`, larger than that
-/// elsewhere, negative outside.
-double nearest_wall(const AnyShape& shape, const Vec3& p, double within);
+/// [m] from `p`, in the jar's own axes, to the nearest wall that a ball of `radius` there can
+/// touch: exact up to `radius`, larger than that beyond, negative outside.
+double nearest_wall(const AnyShape& shape, const Vec3& p, double radius);
 
-/// What is held, of the type whose name is name_of().
-const void* held(const AnyShape& shape);
-/// The shape if it is one of type S, else null.
-template <class S>
+/// What is held if it is of this type, else null.
+const void* held(const AnyShape& shape, const std::type_info& type);
+/// The shape if it is an S, else null.
+template <Shape S>
 const S* as(const AnyShape& shape) {
-  return name_of(shape) == S::name ? static_cast<const S*>(held(shape)) : nullptr;
+  return static_cast<const S*>(held(shape, typeid(S)));
 }
+template <Shape S>
+const S* as(const AnyShape&&) = delete;
 
 }  // namespace mahlwerk::geometry

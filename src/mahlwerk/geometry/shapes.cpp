@@ -56,19 +56,20 @@ std::string flaw(const AnyShape& shape) {
       },
       shape);
 }
-double nearest_wall(const AnyShape& shape, const Vec3& p, double within) {
+double nearest_wall(const AnyShape& shape, const Vec3& p, double radius) {
   double least = never;
   std::visit(
       [&](const auto& s) {
-        each_wall(s, p, within, within,
+        each_wall(s, p, radius, radius,
                   [&](int, const Gap& gap) { least = std::min(least, gap.distance); });
       },
       shape);
   return least;
 }
 
-const void* held(const AnyShape& shape) {
-  return std::visit([](const auto& s) -> const void* { return &s; }, shape);
+const void* held(const AnyShape& shape, const std::type_info& type) {
+  return std::visit([&](const auto& s) -> const void* { return typeid(s) == type ? &s : nullptr; },
+                    shape);
 }
 
 }  // namespace mahlwerk::geometry

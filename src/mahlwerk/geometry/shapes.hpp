@@ -31,7 +31,6 @@ using FormulaShape = Shapes::Formula;  ///< convex ones, whose touches are exact
 struct AnyShape : Shapes::Any {
   using Models = Shapes::Any;
   using Models::Models;
-  using Models::operator=;
 };
 
 template <class S, class Variant>

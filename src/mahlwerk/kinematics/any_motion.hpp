@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <typeinfo>
 
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
@@ -31,12 +32,14 @@ Bounds bounds(const AnyMotion& motion);
 double period(const AnyMotion& motion);
 Vec3 fixed_axis(const AnyMotion& motion);
 
-/// What is held, of the type whose name is name_of().
-const void* held(const AnyMotion& motion);
-/// The motion if it is one of type M, else null.
-template <class M>
+/// What is held if it is of this type, else null.
+const void* held(const AnyMotion& motion, const std::type_info& type);
+/// The motion if it is an M, else null.
+template <Motion M>
 const M* as(const AnyMotion& motion) {
-  return name_of(motion) == M::name ? static_cast<const M*>(held(motion)) : nullptr;
+  return static_cast<const M*>(held(motion, typeid(M)));
 }
+template <Motion M>
+const M* as(const AnyMotion&&) = delete;
 
 }  // namespace mahlwerk::kinematics

@@ -40,8 +40,9 @@ Vec3 fixed_axis(const AnyMotion& motion) {
   return std::visit([](const auto& m) -> Vec3 { return m.fixed_axis(); }, motion);
 }
 
-const void* held(const AnyMotion& motion) {
-  return std::visit([](const auto& m) -> const void* { return &m; }, motion);
+const void* held(const AnyMotion& motion, const std::type_info& type) {
+  return std::visit([&](const auto& m) -> const void* { return typeid(m) == type ? &m : nullptr; },
+                    motion);
 }
 
 }  // namespace mahlwerk::kinematics

@@ -22,8 +22,7 @@ using Motions = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, F
 /// A class of its own, so that any_motion.hpp can name it.
 struct AnyMotion : Motions {
   using Models = Motions;
-  using Motions::Motions;
-  using Motions::operator=;
+  using Models::Models;
 };
 
 }  // namespace mahlwerk::kinematics

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <variant>
 
 namespace mahlwerk::observe {
 namespace {

@@ -18,6 +18,8 @@ std::string_view name_of(const AnyCapture& capture);      ///< "barrios"
 std::string_view name_of(const AnyBreakage& breakage);    ///< "tavares"
 std::string_view name_of(const AnyFragments& fragments);  ///< "austin"
 std::string_view about(const AnyCapture& capture);        ///< what it is, in a few words
+/// Whether it knows the strength of grains that [capture] leaves to it.
+bool knows_strength(const AnyBreakage& breakage);
 /// Whether it keeps a strength for each grain.
 bool remembers(const AnyBreakage& breakage);
 

@@ -30,6 +30,15 @@ std::string_view name_of(const AnyFragments& fragments) {
 std::string_view about(const AnyCapture& capture) {
   return std::visit([](const auto& m) -> std::string_view { return m.about; }, capture);
 }
+bool knows_strength(const AnyBreakage& breakage) {
+  return std::visit(
+      [](const auto& m) {
+        return requires {
+          m.median(1.0);
+        };
+      },
+      breakage);
+}
 bool remembers(const AnyBreakage& breakage) {
   return std::visit([](const auto& m) -> bool { return m.remembers; }, breakage);
 }

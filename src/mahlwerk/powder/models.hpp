@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
 #include <variant>
 
 #include "mahlwerk/powder/any_model.hpp"
@@ -27,8 +28,7 @@ namespace mahlwerk::powder {
 using CaptureModels = std::variant<Barrios, TrappedVolume, SurfaceLayer, FixedMass>;
 struct AnyCapture : CaptureModels {
   using Models = CaptureModels;
-  using CaptureModels::CaptureModels;
-  using CaptureModels::operator=;
+  using Models::Models;
 };
 
 /// `chance(size [m], energy [J/kg])` that a hit breaks a fresh grain. Those that `tells_fineness`
@@ -36,9 +36,16 @@ struct AnyCapture : CaptureModels {
 using BreakageModels = std::variant<VogelPeukert, ShiKojovic, Tavares, Threshold>;
 struct AnyBreakage : BreakageModels {
   using Models = BreakageModels;
-  using BreakageModels::BreakageModels;
-  using BreakageModels::operator=;
+  using Models::Models;
 };
+
+/// Whether M is the one breakage model that remembers: what looks after its grains knows no other.
+template <class M, class... Models>
+constexpr bool remembers_alone(std::type_identity<std::variant<Models...>>) {
+  return ((Models::remembers == std::is_same_v<Models, M>)&&...);
+}
+template <class M>
+constexpr bool only_remembering = remembers_alone<M>(std::type_identity<BreakageModels>{});
 
 /// `finer(x/y, y [m], t10)` of the mass of a broken grain of size y; `drawn(y, t10, uniform)` is
 /// the size of a piece that a random bit of that mass finds itself in.
@@ -46,8 +53,7 @@ using FragmentsModels =
     std::variant<VogelFragments, AustinFragments, T10Fragments, BinaryFragments, Halves>;
 struct AnyFragments : FragmentsModels {
   using Models = FragmentsModels;
-  using FragmentsModels::FragmentsModels;
-  using FragmentsModels::operator=;
+  using Models::Models;
 };
 
 }  // namespace mahlwerk::powder

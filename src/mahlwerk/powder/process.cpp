@@ -10,12 +10,15 @@ namespace mahlwerk::powder {
 
 Grain Process::grain(double size) const {
   Grain g{size, density, 0};
-  if (const auto* bed_model = std::get_if<Barrios>(&*capture)) {
-    g.fracture_energy = bed_model->fracture_energy;
-    if (const auto* tavares = std::get_if<Tavares>(&*breakage);
-        tavares != nullptr && !(g.fracture_energy > 0))
-      g.fracture_energy = tavares->median(size);
-  }
+  const auto* bed_model = std::get_if<Barrios>(&*capture);
+  if (bed_model == nullptr) return g;
+  g.fracture_energy = bed_model->fracture_energy;
+  if (g.fracture_energy > 0) return g;
+  std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { model.median(size); }) g.fracture_energy = model.median(size);
+      },
+      *breakage);
   return g;
 }
 

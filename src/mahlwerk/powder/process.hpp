@@ -3,10 +3,9 @@
 #pragma once
 
 #include <limits>
-#include <vector>
 
 #include "mahlwerk/powder/any_model.hpp"
-#include "mahlwerk/powder/stress.hpp"
+#include "mahlwerk/powder/nip.hpp"
 
 // What each hit does to grains.
 namespace mahlwerk::powder {

@@ -162,6 +162,7 @@ class Assembly {
 }  // namespace
 
 Levels levels(const AnyBreakage& breakage, int count) {
+  static_assert(only_remembering<Tavares>);
   const auto* model = std::get_if<Tavares>(&breakage);
   if (model == nullptr) return {};
   // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a sixth of what as

@@ -30,6 +30,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
       groups_(static_cast<std::size_t>(2 * (grid.classes() - 1) / grid.per_octave() + 1)),
       draw_(start),
       grains_(grains) {
+  static_assert(only_remembering<Tavares>);
   const auto* tavares = std::get_if<Tavares>(&*process_.breakage);
   if (tavares != nullptr)  // small damage goes as this power of the load: smooth in it
     for (int i = 0; i <= damage_steps; ++i)

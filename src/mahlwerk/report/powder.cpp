@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/powder/models.hpp"
+#include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/powder_plots.hpp"
 #include "mahlwerk/report/readable.hpp"

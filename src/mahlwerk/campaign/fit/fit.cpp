@@ -122,7 +122,7 @@ namespace {
 /// what is caught, welding the classes there are, a strength that [breakage] lends to the bed both.
 bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& numbers) {
   if (what.grinding->bed == powder::Bed::mixed) return false;
-  const bool lent = powder::remembers(*what.grinding->breakage);
+  const bool lent = powder::knows_strength(*what.grinding->breakage);
   return std::ranges::none_of(numbers, [&](const FreeParameter& number) {
     const bool of_capture =
         number.name.starts_with("capture.") && number.name != "capture.energy_share";

@@ -51,8 +51,7 @@ class GrindingCheck {
             "leave out `as`: collisions of the balls then tell what is caught",
             "grains-and-capture");
     const auto* barrios = std::get_if<powder::Barrios>(&*c_.capture->model);
-    const bool known =
-        c_.grinding && std::holds_alternative<powder::Tavares>(*c_.grinding->breakage);
+    const bool known = c_.grinding && powder::knows_strength(*c_.grinding->breakage);
     if (barrios != nullptr && barrios->fracture_energy == 0 && !known)
       fault("capture.fracture_energy",
             "capture.fracture_energy = 0 leaves it to [breakage], which knows none",
@@ -113,8 +112,8 @@ class GrindingCheck {
             "out-of-range");
       return;
     }
-    const bool many = powder::remembers(*g.breakage);
-    const double most = many ? most_remembering_classes : most_size_classes;
+    const bool remembers = powder::remembers(*g.breakage);
+    const double most = remembers ? most_remembering_classes : most_size_classes;
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);
     if (!(count > most)) return;

@@ -22,7 +22,7 @@ constexpr Field<Capture> energy_share{"energy_share",
                                       &Capture::energy_share,
                                       {.least = 0, .most = 1, .without_least = true},
                                       "share of a collision's energy that the caught grains get",
-                                      1.0,
+                                      Capture::all,
                                       "all of it: an upper bound; uncalibrated"};
 
 constexpr Field<Grinding> welding_energy{"welding_energy",

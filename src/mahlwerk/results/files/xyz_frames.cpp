@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"

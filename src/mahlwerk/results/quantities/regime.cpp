@@ -8,11 +8,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <variant>
+#include <stdexcept>
 
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/summary.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
@@ -22,6 +23,13 @@ using kinematics::Tumbling;
 using observe::Charge;
 
 constexpr double degrees = 180 / std::numbers::pi;
+
+/// Of a mill with a regime that is no drum.
+const Planetary& planetary(const Case& c) {
+  const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
+  if (mill == nullptr) throw std::logic_error("a regime is that of a drum or of a planetary mill");
+  return *mill;
+}
 
 bool has_regime(const Case& c) {
   const auto* drum = kinematics::as<Tumbling>(*c.mill.motion);
@@ -38,7 +46,7 @@ struct Reference {
 Reference reference(const Case& c) {
   if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion))
     return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
-  return {0, kinematics::as<Planetary>(*c.mill.motion)->ratio < 0 ? -1.0 : 1.0};
+  return {0, planetary(c).ratio < 0 ? -1.0 : 1.0};
 }
 
 /// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end,
@@ -101,7 +109,7 @@ double shoulder(const Case& c, const Replicate& r) {
 
 double jar_spin(const Case& c) {
   if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion)) return drum->speed;
-  return kinematics::as<Planetary>(*c.mill.motion)->jar_spin();
+  return planetary(c).jar_spin();
 }
 
 double wall_slip(const Case& c, const Replicate& r) {

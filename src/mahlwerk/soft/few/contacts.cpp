@@ -38,13 +38,13 @@ void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, con
   if (p.wall[lane] == 0) touches(p.j[lane], 1);
   if (p.wall[lane] != 0 && rules_.model.curved_walls)
     bend(p, lane, *jar_, p.face[k], particles_.position.one(static_cast<std::size_t>(p.i[lane])),
-         clock(particles_.step), pairs_[p.species_pair[k]], *law_);
+         clock(particles_.step), pairs_[p.species_pair[k]], *rules_.model.law);
   p.began[k] = beginning(particles_.step, m, b, lane);
   put(p.spring, lane, {});
   put(p.roll, lane, {});
   p.stiffness[lane] = 0;
   p.pulls[lane] = 0;
-  begin_memory(p.memory, p, lane, p.began[k].approach, *law_);
+  begin_memory(p.memory, p, lane, p.began[k].approach, *rules_.model.law);
 }
 
 void FewBodySolver::end(PairPacket& p, int lane) {
@@ -79,7 +79,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
                     .lost_normal = d.normal[lane],
                     .lost_tangential = d.tangential[lane] + d.rolling[lane]});
   ++account_.collisions;
-  if (outlasts(duration, began, pair, *law_)) ++account_.lasting_contacts;
+  if (outlasts(duration, began, pair, *rules_.model.law)) ++account_.lasting_contacts;
   p.touching[lane] = 0;
   settle(p, lane);
 }

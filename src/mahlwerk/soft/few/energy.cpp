@@ -19,8 +19,9 @@ FewBodySolver::Stored FewBodySolver::stored() const {
                                  particles_.position.one(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
-      energy.normal += std::visit(
-          [&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); }, *law_);
+      energy.normal +=
+          std::visit([&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); },
+                     *rules_.model.law);
       energy.tangential += 0.5 * p.stiffness[l] * squared(one(p.spring, l));
     }
   return energy;

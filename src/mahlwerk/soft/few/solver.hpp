@@ -83,7 +83,6 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   std::unique_ptr<const MovingWall> jar_;
   std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
   Rules rules_;
-  Indirect<contact::AnyLaw> law_;
   SpeciesPairs pairs_;
   BlockStepper step_block_;
   double start_, skin_;

@@ -119,13 +119,13 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
     if (own != nullptr) {
       copy_lane(usual, l, *own, l);
       bend(*own, l, *jar_, g.j[k], now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
-           pairs_[g.species_pair[k]], *law_);
+           pairs_[g.species_pair[k]], *rules_.model.law);
     }
     Beginning& began = list.began[n][k];
     began = beginning(step_, m, b, l);
     if (remembers_)
       begin_memory(list.memories[n].memory, own != nullptr ? *own : usual, l, began.approach,
-                   *law_);
+                   *rules_.model.law);
   }
   g.fresh = 0;
 }
@@ -175,7 +175,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
                           .lost_normal = g.lost_normal[l],
                           .lost_tangential = g.lost_across[l]}});
   ++chunk.sums.collisions;
-  if (outlasts(duration, began, pair, *law_)) ++chunk.sums.lasting;
+  if (outlasts(duration, began, pair, *rules_.model.law)) ++chunk.sums.lasting;
 }
 
 }  // namespace mahlwerk::soft

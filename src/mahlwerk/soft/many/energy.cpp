@@ -43,7 +43,7 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
               const double stiffness = L::push(numbers.data(), memory, at, 0.0).stiffness;
               energy.tangential += weight * 0.5 * stiffness * squared(one(g.spring, l));
             },
-            *law_);
+            *rules_.model.law);
       }
     }
   };

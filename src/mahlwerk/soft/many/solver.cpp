@@ -33,13 +33,13 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
                                const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       rules_(rules),
-      law_(rules.model.law),
-      pairs_(balls, pairs, *law_),
-      step_chunk_(std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *law_)),
+      pairs_(balls, pairs, *rules.model.law),
+      step_chunk_(
+          std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *rules_.model.law)),
       start_(start),
       folds_(repeats(jar_->periods())),
       large_(balls.size() > in_cache),
-      remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, *law_) ||
+      remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, *rules_.model.law) ||
                  contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
       team_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());

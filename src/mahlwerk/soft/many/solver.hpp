@@ -121,7 +121,6 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
 
   std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
-  Indirect<contact::AnyLaw> law_;
   SpeciesPairs pairs_;
   ChunkStepper step_chunk_;
   double start_, reach_ = 0, mass_ = 0;
