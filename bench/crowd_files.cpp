@@ -9,7 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
 
 namespace mahlwerk::bench {
 namespace {
@@ -18,12 +19,12 @@ namespace fs = std::filesystem;
 constexpr double pi = std::numbers::pi;
 
 kinematics::Ride ride_of(const CrowdCase& c) {
-  return std::visit([](const auto& m) { return m.ride(0); }, *c.mill.motion);
+  return kinematics::ride(*c.mill.motion, 0);
 }
 
 /// Null for a drum.
 const kinematics::Planetary* planetary(const CrowdCase& c) {
-  return std::get_if<kinematics::Planetary>(&*c.mill.motion);
+  return kinematics::as<kinematics::Planetary>(*c.mill.motion);
 }
 
 void write_state(const fs::path& file, const CrowdCase& c, const std::vector<scene::Ball>& balls) {
@@ -61,7 +62,7 @@ struct Speeds {
 
 Speeds speeds_of(const CrowdCase& c) {
   if (const auto* p = planetary(c)) return {p->speed, p->jar_spin(), p->orbit_radius};
-  return {0, std::get<kinematics::Tumbling>(*c.mill.motion).speed, 0};
+  return {0, kinematics::as<kinematics::Tumbling>(*c.mill.motion)->speed, 0};
 }
 
 void write_numbers(const fs::path& file, const CrowdCase& c) {

@@ -46,7 +46,7 @@ inline std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
                                              const contact::Pair& pair = soft_pair()) {
   const scene::Chamber chamber{shape, motion, mount, down};
   for (scene::Ball& b : balls) b.position = mount * b.position;
-  const int faces = std::visit([](const auto& s) { return s.faces; }, shape);
+  const int faces = geometry::faces(shape);
   soft::Rules rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
   rules.few = few;
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);

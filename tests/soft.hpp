@@ -44,7 +44,7 @@ inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                                                   const contact::ContactModel& model,
                                                   const contact::Pair& pair, double step,
                                                   bool hop = false, double start = 0) {
-  const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
+  const int faces = geometry::faces(*chamber.shape);
   return soft::engine(chamber, balls, {model, step, hop}, contact::PairTable(1, faces, pair),
                       start);
 }

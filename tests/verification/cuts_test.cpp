@@ -100,7 +100,7 @@ Make many(const scene::Chamber& chamber, int n, double radius) {
   return [=] {
     event::Rules rules;
     rules.lasting = event::Lasting::tc;
-    const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
+    const int faces = geometry::faces(*chamber.shape);
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});
     return event::many_balls(chamber, charge(n, radius), rules, table, 0.37);

@@ -67,9 +67,7 @@ class PlainSwarm {
   kinematics::Ride ride_at(double t) const {
     return of_motion([t](const auto& m) { return m.ride(t); });
   }
-  int faces() const {
-    return std::visit([](const auto& s) { return s.faces; }, *chamber_.shape);
-  }
+  int faces() const { return geometry::faces(*chamber_.shape); }
   Vec3 at(const scene::Ball& b, double s) const {
     return b.position + s * b.velocity + 0.5 * s * s * chamber_.gravity;
   }

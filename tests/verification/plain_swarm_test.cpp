@@ -27,8 +27,7 @@ std::vector<scene::Ball> mixed(const scene::Chamber& chamber, int count, double 
   const double reach = geometry::reach(*chamber.shape);
   const Vec3 periods =
       std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber.shape);
-  const Rotation turn =
-      std::visit([](const auto& m) { return m.turn(0); }, *chamber.motion) * chamber.mount;
+  const Rotation turn = kinematics::turn(*chamber.motion, 0) * chamber.mount;
   const auto fits = [&](const scene::Ball& b) {
     const Vec3 own = turn.back(b.position);
     const Vec3 out = magnitude(own) - 0.5 * periods;
@@ -65,7 +64,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
                        int enough) {
   SCOPED_TRACE(what);
   const double size = geometry::reach(*chamber.shape);
-  const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
+  const int faces = geometry::faces(*chamber.shape);
   // What the engine's touches may be off by: the margin of its search (evt.5), or rounding of
   // places.
   const double noise = 1e-12 * balls.front().radius + 64 * 0x1p-52 * size;

@@ -81,7 +81,7 @@ TEST(Build, the_chamber_is_the_case_s) {
 void expect_free(const Case& c, int replicate) {
   const scene::Chamber chamber = cases::chamber(c);
   const auto balls = starting_balls(c, replicate);
-  const Rotation turn = std::visit([](const auto& m) { return m.turn(0); }, *chamber.motion);
+  const Rotation turn = kinematics::turn(*chamber.motion, 0);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Vec3 p = chamber.mount.back(turn.back(balls[i].position));
     std::visit(
@@ -130,7 +130,7 @@ TEST(Build, starting_balls_are_uniform_over_the_free_volume) {
 
 TEST(Build, starting_speeds_are_paper_a_s_in_the_laboratory) {
   const Case c = read_sample(vial);
-  const Vec3 jar = std::visit([](const auto& m) { return m.ride(0).velocity; }, *c.mill.motion);
+  const Vec3 jar = kinematics::ride(*c.mill.motion, 0).velocity;
   double speed = 0, spin = 0;
   const int n = 5000;
   for (int i = 0; i < n; ++i) {

@@ -106,7 +106,7 @@ TEST(StartFrame, a_ball_without_speed_rides_with_the_jar_or_stands_in_the_labora
   const Case lab = read_sample(vial, still);
   Case jar = lab;
   jar.run.start_frame = StartFrame::jar;
-  const Vec3 ride = std::visit([](const auto& m) { return m.ride(0).velocity; }, *lab.mill.motion);
+  const Vec3 ride = kinematics::ride(*lab.mill.motion, 0).velocity;
   EXPECT_GT(norm(ride), 1);
   EXPECT_EQ(starting_balls(lab, 0)[0].velocity, -1 * ride);
   EXPECT_EQ(norm(starting_balls(jar, 0)[0].velocity), 0);

@@ -82,7 +82,7 @@ std::vector<scene::Collision> hits(const AnyShape& shape, int count) {
       triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
   Random random(8, 0);
   std::vector<scene::Collision> list;
-  const int faces = std::visit([](const auto& s) { return s.faces; }, shape);
+  const int faces = geometry::faces(shape);
   for (int i = 0; i < count; ++i) {
     scene::Collision c;
     const auto& t = triangles[static_cast<std::size_t>(random.uniform() *

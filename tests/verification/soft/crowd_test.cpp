@@ -64,7 +64,7 @@ struct World {
 };
 
 std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
-  const int faces = std::visit([](const auto& s) { return s.faces; }, *w.mill.shape);
+  const int faces = geometry::faces(*w.mill.shape);
   soft::Rules rules{w.law, w.step, false};
   rules.few = few;
   rules.threads = threads;

@@ -31,7 +31,7 @@ std::string arranged(std::size_t balls, std::size_t few) {
 std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
                                          const std::vector<scene::Ball>& balls, double step,
                                          std::size_t few, bool hop = true) {
-  const int faces = std::visit([](const auto& s) { return s.faces; }, *mill.shape);
+  const int faces = geometry::faces(*mill.shape);
   soft::Rules rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
   rules.few = few;
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.3, 0.4);

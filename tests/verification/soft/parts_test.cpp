@@ -28,7 +28,7 @@ std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
                                       std::size_t few = 32) {
   soft::Rules rules{of_law(HertzMindlin{}, Rolling::none), step, false};
   rules.few = few;
-  const int faces = std::visit([](const auto& s) { return s.faces; }, *chamber.shape);
+  const int faces = geometry::faces(*chamber.shape);
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 

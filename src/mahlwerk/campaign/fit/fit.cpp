@@ -15,7 +15,6 @@
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -81,4 +81,5 @@ Vec3 Places::draw(Random& random) const {
                          "give a smaller ball; a mesh must not cut through itself",
                          "does-not-fit"});
 }
+
 }  // namespace mahlwerk::cases

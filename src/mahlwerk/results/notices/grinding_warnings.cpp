@@ -11,7 +11,6 @@
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {

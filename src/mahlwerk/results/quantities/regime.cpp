@@ -12,7 +12,6 @@
 
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
-#include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
 namespace {
