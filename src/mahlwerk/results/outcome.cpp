@@ -4,24 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mahlwerk::results {
-
-Replicate::Replicate(double threshold, observe::BallKinds kinds, const observe::WallGrid& wall)
-    : tally(threshold, std::move(kinds), wall) {}
-Replicate::Replicate(const Replicate&) = default;
-Replicate::Replicate(Replicate&&) noexcept = default;
-Replicate& Replicate::operator=(const Replicate&) = default;
-Replicate& Replicate::operator=(Replicate&&) noexcept = default;
-Replicate::~Replicate() = default;
-
-Outcome::Outcome() = default;
-Outcome::Outcome(const Outcome&) = default;
-Outcome::Outcome(Outcome&&) noexcept = default;
-Outcome& Outcome::operator=(const Outcome&) = default;
-Outcome& Outcome::operator=(Outcome&&) noexcept = default;
-Outcome::~Outcome() = default;
 
 double value_of(const Outcome& outcome, const Replicate& replicate, std::string_view quantity) {
   const std::vector<Quantity>& names = outcome.summary.quantities;

@@ -57,16 +57,10 @@ struct Ground {
 };
 
 /// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
-/// Its copies, and those of an outcome, are made in outcome.cpp: they take a compiler seconds.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
-                     const observe::WallGrid& wall = {});
-  Replicate(const Replicate&);
-  Replicate(Replicate&&) noexcept;
-  Replicate& operator=(const Replicate&);
-  Replicate& operator=(Replicate&&) noexcept;
-  ~Replicate();
-
+                     const observe::WallGrid& wall = {})
+      : tally(threshold, std::move(kinds), wall) {}
   observe::Tally tally;
   observe::Charge charge;        ///< how it lies in the jar
   observe::Replay replay;        ///< of the first replicate
@@ -84,13 +78,6 @@ struct Replicate {
 };
 
 struct Outcome {
-  Outcome();
-  Outcome(const Outcome&);
-  Outcome(Outcome&&) noexcept;
-  Outcome& operator=(const Outcome&);
-  Outcome& operator=(Outcome&&) noexcept;
-  ~Outcome();
-
   cases::Case what;
   std::vector<Replicate> replicates;
   cases::EngineName engine = cases::EngineName::event;  ///< that ran it: event or soft

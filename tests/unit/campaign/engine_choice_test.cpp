@@ -38,8 +38,7 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
 
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
   const auto notes = [](const cases::Case& what) {
-    results::Outcome outcome;
-    outcome.what = what;
+    results::Outcome outcome{.what = what, .replicates = {}};
     outcome.engine = cases::EngineName::event;
     return texts(notes_on(outcome, {cases::EngineName::event, {}}));
   };

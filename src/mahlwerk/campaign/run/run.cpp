@@ -40,9 +40,7 @@ Load load_of(const std::vector<cases::Case>& points) {
 /// Of a point that was never begun.
 results::Outcome nothing_yet(const cases::Case& what) {
   const auto count = static_cast<std::size_t>(what.run.replicates);
-  results::Outcome outcome;
-  outcome.what = what;
-  outcome.replicates = {count, results::empty_replicate(what)};
+  results::Outcome outcome{.what = what, .replicates = {count, results::empty_replicate(what)}};
   outcome.interrupted = true;
   outcome.summary = results::summarise(outcome);
   outcome.notices = results::warnings(outcome);
