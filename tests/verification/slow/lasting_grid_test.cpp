@@ -83,7 +83,7 @@ void every_run_ends(const geometry::AnyShape& jar) {
       rules.lasting_friction = bounce.lasting_friction;
       rules.rolling_friction = 0.01;
       const scene::Chamber chamber{
-          jar, *mill.motion, scene::mounted_along(mill.axis), {0, 0, -gravity}};
+          jar, mill.motion, scene::mounted_along(mill.axis), {0, 0, -gravity}};
       const scene::Ball ball{r, 7850, {0.001, 0.002, -0.0013}, {0.03, -0.02, 0.05}, {1, 2, 3}};
       const auto engine = event::one_ball(chamber, ball, rules);
       Recorder recorder;
