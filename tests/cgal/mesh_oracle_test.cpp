@@ -16,7 +16,7 @@
 #include "meshes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::mesh_oracle_test {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -63,4 +63,4 @@ TEST(MeshOracle, distances_and_sides_are_those_of_cgal) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::mesh_oracle_test

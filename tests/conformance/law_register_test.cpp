@@ -18,7 +18,7 @@
 #include "register_types.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::law_register_test {
 namespace {
 
 namespace sample = cases::sample;
@@ -119,4 +119,4 @@ TYPED_TEST(LawsOfCases, refuses_the_numbers_that_it_does_not_read) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::law_register_test

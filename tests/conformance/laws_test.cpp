@@ -16,7 +16,7 @@
 #include "register_types.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::laws_test {
 namespace {
 
 using contact::LawNumbers;
@@ -289,4 +289,4 @@ TYPED_TEST(Laws, secant_is_the_stiffness_along_over_that_across) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::laws_test

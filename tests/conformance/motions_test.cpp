@@ -14,7 +14,7 @@
 #include "register_types.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::motions_test {
 namespace {
 
 using namespace kinematics;
@@ -225,4 +225,4 @@ TEST(Tabulated, refuses_samples_that_make_no_motion) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::motions_test

@@ -10,7 +10,7 @@
 #include <string>
 
 // Every code of a notice in the program has a heading in docs/warnings.md, and none else has.
-namespace mahlwerk {
+namespace mahlwerk::notices_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ TEST(Notices, every_code_has_a_heading_in_the_docs) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::notices_test

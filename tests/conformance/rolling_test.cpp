@@ -16,7 +16,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::rolling_test {
 namespace {
 
 constexpr int tries = 40;
@@ -112,4 +112,4 @@ TEST(RollingRules, take_energy_if_they_say_that_they_resist) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::rolling_test

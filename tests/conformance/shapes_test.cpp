@@ -14,7 +14,7 @@
 #include "register_types.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::shapes_test {
 namespace {
 
 using geometry::Box;
@@ -193,4 +193,4 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::shapes_test

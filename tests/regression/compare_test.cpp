@@ -4,7 +4,7 @@
 // One case by both engines, as a user asks for it.
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::compare_test {
 namespace {
 
 class Compare : public ProgramTest {
@@ -68,4 +68,4 @@ TEST_F(Compare, what_only_one_engine_can_run_is_refused) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::compare_test

@@ -5,7 +5,7 @@
 // results that rest on the TC rule.
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::edges_test {
 namespace {
 
 constexpr const char* vial = R"(title = "vial"
@@ -119,4 +119,4 @@ TEST_F(Edges, an_unknown_command_is_named_and_the_likely_one_too) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::edges_test

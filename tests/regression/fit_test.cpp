@@ -9,7 +9,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::fit_test {
 namespace {
 
 /// The truth that data are made with.
@@ -208,4 +208,4 @@ TEST_F(Fit, refuses_what_it_cannot_fit) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::fit_test

@@ -8,7 +8,7 @@
 
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::frames_test {
 namespace {
 
 struct Frame {
@@ -115,4 +115,4 @@ TEST_F(Frames, a_run_that_physics_stops_leaves_its_balls) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::frames_test

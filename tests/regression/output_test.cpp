@@ -11,7 +11,7 @@
 #include "mahlwerk/results/files/hdf5.hpp"
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -207,4 +207,4 @@ TEST_F(Output, collisions_are_in_the_order_in_which_they_end) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::output_test

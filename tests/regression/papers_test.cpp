@@ -4,7 +4,7 @@
 // Papers as a user regenerates them.
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::papers_test {
 namespace {
 
 class Papers : public ProgramTest {
@@ -87,4 +87,4 @@ TEST_F(Papers, what_is_wrong_is_said_before_anything_runs) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::papers_test

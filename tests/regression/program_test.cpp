@@ -4,7 +4,7 @@
 // The program as a user meets it: what it makes, and what it says when something is wrong.
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::program_test

@@ -4,7 +4,7 @@
 // A run of many balls that is ended and gone on with, as a user does it.
 #include "program.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::resume_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(Resume, other_cases_and_damaged_states_are_refused) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::resume_test

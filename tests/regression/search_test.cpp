@@ -11,7 +11,7 @@
 #include "program.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::search_test {
 namespace {
 
 class Search : public ProgramTest {
@@ -249,4 +249,4 @@ TEST_F(Search, what_a_search_found_is_its_own_in_the_case_it_leaves) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::search_test

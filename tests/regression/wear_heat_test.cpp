@@ -10,7 +10,7 @@
 #include "program.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::wear_heat_test {
 namespace {
 
 constexpr const char* mill = R"toml(
@@ -173,4 +173,4 @@ TEST_F(WearAndHeat, are_told_to_who_asks_for_them_alone) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::wear_heat_test

@@ -12,7 +12,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::bounce_test {
 namespace {
 
 /// A ball thrown onto the floor of a wide still box without gravity: state after one bounce.
@@ -103,4 +103,4 @@ TEST(Bounce, no_collision_makes_energy_whatever_the_angle) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::bounce_test

@@ -16,7 +16,7 @@
 #include "many_balls.hpp"
 #include "one_ball.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::cuts_test {
 namespace {
 
 using Make = std::function<std::unique_ptr<scene::Engine>()>;
@@ -237,4 +237,4 @@ TEST(Cuts, an_engine_is_never_told_to_be_before_the_time_it_was_asked_for) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::cuts_test

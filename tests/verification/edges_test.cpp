@@ -13,7 +13,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::edges_test {
 namespace {
 
 using namespace tests;
@@ -188,4 +188,4 @@ TEST(Edges, a_run_that_is_asked_to_end_ends_and_goes_on_with_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::edges_test

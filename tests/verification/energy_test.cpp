@@ -11,7 +11,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::energy_test {
 namespace {
 
 TEST(Energy, elastic_runs_conserve_it_over_five_thousand_collisions) {
@@ -102,4 +102,4 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::energy_test

@@ -12,7 +12,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::flight_test {
 namespace {
 
 TEST(Flight, free_fall_is_a_parabola) {
@@ -122,4 +122,4 @@ TEST(Search, ends_where_the_clock_can_tell_no_more) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::flight_test

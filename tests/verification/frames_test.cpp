@@ -13,7 +13,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::frames_test {
 namespace {
 
 const Vec3 start{0.0003, -0.0002, 0.004}, velocity{0.05, 0.03, -0.02}, spin{0.05, -0.02, 0.08};
@@ -138,4 +138,4 @@ TEST(Frames, a_turned_mill_in_turned_gravity_is_the_same_mill) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::frames_test

@@ -8,7 +8,7 @@
 #include "many_balls.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::gas_test {
 namespace {
 
 using namespace tests;
@@ -179,4 +179,4 @@ TEST(Gas, rough_cooling_follows_its_two_temperatures) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::gas_test

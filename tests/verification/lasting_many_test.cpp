@@ -12,7 +12,7 @@
 #include "settling.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::lasting_many_test {
 namespace {
 
 using namespace tests;
@@ -132,4 +132,4 @@ TEST(LastingMany, balls_settle_under_gravity_and_the_clock_goes_on) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::lasting_many_test

@@ -13,7 +13,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::lasting_test {
 namespace {
 
 using kinematics::Still;
@@ -319,4 +319,4 @@ TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight)
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::lasting_test

@@ -10,7 +10,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::many_balls_test {
 namespace {
 
 using namespace tests;
@@ -151,4 +151,4 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::many_balls_test

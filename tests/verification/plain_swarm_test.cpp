@@ -14,7 +14,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::plain_swarm_test {
 namespace {
 
 constexpr int wanted = 40;  // collisions
@@ -158,4 +158,4 @@ TEST(PlainSwarm, and_engine_see_the_same_collisions_in_periodic_boxes) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::plain_swarm_test

@@ -15,7 +15,7 @@
 #include "mahlwerk/results/summarise.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::vibration_mill_test {
 namespace {
 
 struct Curve {
@@ -123,4 +123,4 @@ TEST(VibrationMill, rate_and_contact_point_energy_fall_with_the_diameter_of_the_
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::vibration_mill_test

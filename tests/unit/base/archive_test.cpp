@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace mahlwerk {
+namespace mahlwerk::archive_test {
 namespace {
 
 /// Not inlined: GCC 12 sees bytes that were not written in the string's own buffer, a false alarm.
@@ -47,4 +47,4 @@ TEST(Archive, refuses_too_few_and_too_many_bytes) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::archive_test

@@ -6,7 +6,7 @@
 
 #include "mahlwerk/base/error.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::printable_test {
 namespace {
 
 using namespace std::string_literals;
@@ -42,4 +42,4 @@ TEST(Printable, control_characters_are_found) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::printable_test

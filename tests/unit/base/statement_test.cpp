@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::statement_test {
 namespace {
 
 TEST(Statement, the_larger_of_two_is_not_a_number_if_one_is) {
@@ -17,4 +17,4 @@ TEST(Statement, the_larger_of_two_is_not_a_number_if_one_is) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::statement_test

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/base/random.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::trig_test {
 namespace {
 
 TEST(SinCos, is_within_a_rounding_of_one_of_the_true_values) {
@@ -34,4 +34,4 @@ TEST(SinCos, keeps_the_corners_and_what_is_no_number) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::trig_test

@@ -14,7 +14,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/base/spelling.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::units_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -252,4 +252,4 @@ TEST(Spelling, finds_the_word_that_was_meant) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::units_test

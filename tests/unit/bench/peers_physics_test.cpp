@@ -11,7 +11,7 @@
 
 #include "bench/peers.hpp"
 
-namespace mahlwerk::bench {
+namespace mahlwerk::bench::peers_physics_test {
 namespace {
 
 constexpr double step = 1e-6, disc = planetary_case.mill.speed, orbit = 0.07;
@@ -95,4 +95,4 @@ TEST(PeersPhysics, moments_outside_the_window_and_lines_that_break_off_do_not_co
 }
 
 }  // namespace
-}  // namespace mahlwerk::bench
+}  // namespace mahlwerk::bench::peers_physics_test

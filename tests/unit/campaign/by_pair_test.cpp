@@ -16,7 +16,7 @@
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::by_pair_test {
 namespace {
 
 using tests::states;
@@ -137,4 +137,4 @@ TEST(ByPairOfARun, tables_name_sets_and_units) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::by_pair_test

@@ -8,7 +8,7 @@
 
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::checkpoint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,4 +48,4 @@ TEST(Checkpoint, what_a_killed_process_left_half_written_is_removed) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::checkpoint_test

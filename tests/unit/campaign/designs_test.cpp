@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::designs_test {
 namespace {
 
 using tests::states;
@@ -211,4 +211,4 @@ TEST(Designs, say_when_there_are_too_many_keys) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::designs_test

@@ -6,7 +6,7 @@
 
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::engine_choice_test {
 namespace {
 
 using namespace cases::sample;
@@ -47,4 +47,4 @@ TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::engine_choice_test

@@ -15,7 +15,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::fit_test {
 namespace {
 
 using cases::sample::catalogue;
@@ -244,4 +244,4 @@ TEST(Fit, intervals_allow_for_the_scatter_of_the_mill) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::fit_test

@@ -14,7 +14,7 @@
 #include "mahlwerk/campaign/search/surrogate.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::gaussian_process_test {
 namespace {
 
 using tests::states;
@@ -223,4 +223,4 @@ TEST(Highest, lets_exceptions_through) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::gaussian_process_test

@@ -17,7 +17,7 @@
 #include "observed.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::grinding_test {
 namespace {
 
 using results::Outcome;
@@ -180,4 +180,4 @@ TEST(GroundAnew, run_that_was_saved_and_gone_on_with_grinds_the_same) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::grinding_test

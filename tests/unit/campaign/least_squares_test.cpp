@@ -14,7 +14,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::least_squares_test {
 namespace {
 
 using tests::states;
@@ -311,4 +311,4 @@ TEST(LeastSquares, take_some_hundred_evaluations_a_parameter) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::least_squares_test

@@ -15,7 +15,7 @@
 #include "observed.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::match_test {
 namespace {
 
 using observe::LogHistogram;
@@ -164,4 +164,4 @@ TEST(MillMark, without_collisions_is_nothing) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::match_test

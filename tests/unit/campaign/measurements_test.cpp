@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::measurements_test {
 namespace {
 
 Measurements of(const std::string& text) {
@@ -200,4 +200,4 @@ TEST(Measurements, know_their_names_and_units) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::measurements_test

@@ -11,7 +11,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::memory_test {
 namespace {
 
 cases::Case drum(std::int64_t balls, std::int64_t replicates) {
@@ -93,4 +93,4 @@ TEST(Memory, is_looked_at_before_a_run_starts) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::memory_test

@@ -17,7 +17,7 @@
 #include "statement.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::observed_test {
 namespace {
 
 using tests::Recorder;
@@ -146,4 +146,4 @@ TEST(Replicates, are_merged_to_the_same_bits_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::observed_test

@@ -14,7 +14,7 @@
 #include "noisy.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::optimise_test {
 namespace {
 
 using tests::Noisy;
@@ -259,4 +259,4 @@ TEST(Optimise, intervals_hold_the_truth_as_often_as_they_claim) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::optimise_test

@@ -9,7 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::plan_test {
 namespace {
 
 using cases::Design;
@@ -150,4 +150,4 @@ TEST(Plan, designs_have_as_many_points_as_they_say) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::plan_test

@@ -12,7 +12,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::queue_test {
 namespace {
 
 using cases::sample::Folder;
@@ -120,4 +120,4 @@ TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop)
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::queue_test

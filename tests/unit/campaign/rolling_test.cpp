@@ -9,7 +9,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::rolling_test {
 namespace {
 
 using cases::sample::read_sample;
@@ -67,4 +67,4 @@ TEST(Rolling, is_part_of_the_outcome_once) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::rolling_test

@@ -10,7 +10,7 @@
 #include "statement.hpp"
 #include "unit/campaign/sensitivity.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::sensitivity_test {
 namespace {
 
 using tests::states;
@@ -187,4 +187,4 @@ TEST(StandardErrors, are_unknown_where_one_is_missing) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::sensitivity_test

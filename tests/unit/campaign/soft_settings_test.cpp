@@ -9,7 +9,7 @@
 #include "mahlwerk/soft/step_error.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::soft_settings_test {
 namespace {
 
 using namespace cases::sample;
@@ -98,4 +98,4 @@ TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::soft_settings_test

@@ -16,7 +16,7 @@
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::spectrum_test {
 namespace {
 
 using results::Table;
@@ -113,4 +113,4 @@ TEST_P(Dropped, histograms_sum_to_the_geometric_series) {
 INSTANTIATE_TEST_SUITE_P(Bounces, Dropped, testing::Values(1, 3, 12, 20));
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::spectrum_test

@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -285,4 +285,4 @@ TEST_F(StoreTest, one_process_at_a_time_holds_a_campaign) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::store_test

@@ -6,7 +6,7 @@
 
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::trial_store_test {
 namespace {
 
 TEST(TrialStore, notices_are_there_again_when_a_search_goes_on) {
@@ -26,4 +26,4 @@ TEST(TrialStore, notices_are_there_again_when_a_search_goes_on) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::trial_store_test

@@ -14,7 +14,7 @@
 #include "statement.hpp"
 #include "unit/campaign/observed.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::until_test {
 namespace {
 
 using tests::states;
@@ -122,4 +122,4 @@ TEST(Until, windows_stay_between_100_and_200_and_memory_does_not_grow) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::until_test

@@ -9,7 +9,7 @@
 #include "statement.hpp"
 #include "unit/campaign/sensitivity.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::variance_shares_test {
 namespace {
 
 using tests::states;
@@ -218,4 +218,4 @@ TEST(VarianceShares, are_not_invented_where_nothing_varies) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::variance_shares_test

@@ -12,7 +12,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::build_test {
 namespace {
 
 using namespace sample;
@@ -158,4 +158,4 @@ TEST(Build, a_charge_that_cannot_be_placed_says_so) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::build_test

@@ -15,7 +15,7 @@
 #include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
 #include "mahlwerk/cases/catalogue/catalogue_read.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::catalogue_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -329,4 +329,4 @@ TEST(Nearest, is_empty_if_nothing_is_near) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::catalogue_test

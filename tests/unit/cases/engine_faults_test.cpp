@@ -5,7 +5,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::engine_faults_test {
 namespace {
 
 using namespace sample;
@@ -52,4 +52,4 @@ TEST(EngineFaults, the_soft_engine_has_one_restitution_for_all_speeds) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::engine_faults_test

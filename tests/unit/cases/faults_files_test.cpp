@@ -5,7 +5,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::faults_files_test {
 namespace {
 
 using namespace sample;
@@ -61,4 +61,4 @@ TEST(CaseFaults, bad_rows_of_a_measured_motion) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::faults_files_test

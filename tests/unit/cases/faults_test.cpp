@@ -10,7 +10,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::faults_test {
 namespace {
 
 using namespace sample;
@@ -324,4 +324,4 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::faults_test

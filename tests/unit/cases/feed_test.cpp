@@ -11,7 +11,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::feed_test {
 namespace {
 
 using namespace sample;
@@ -99,4 +99,4 @@ TEST(PowderWarnings, loose_powder_that_has_no_room) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::feed_test

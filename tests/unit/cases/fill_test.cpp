@@ -13,7 +13,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::fill_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -238,4 +238,4 @@ TEST(Grid, finds_every_neighbour_once_and_none_is_missed) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::fill_test

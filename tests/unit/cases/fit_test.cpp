@@ -12,7 +12,7 @@
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::fit_test {
 namespace {
 
 using namespace sample;
@@ -144,4 +144,4 @@ TEST(Adjustables, are_set_in_their_units_as_if_the_case_said_so) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::fit_test

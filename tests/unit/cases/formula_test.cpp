@@ -10,7 +10,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::formula_test {
 namespace {
 
 using namespace sample;
@@ -121,4 +121,4 @@ TEST(Formula, what_sweep_varies_cannot_be_set) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::formula_test

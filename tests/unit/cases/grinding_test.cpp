@@ -13,7 +13,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::grinding_test {
 namespace {
 
 using namespace sample;
@@ -304,4 +304,4 @@ TEST(Grinding, as_a_process) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::grinding_test

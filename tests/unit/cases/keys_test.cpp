@@ -13,7 +13,7 @@
 
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::keys_test {
 namespace {
 
 using namespace sample;
@@ -78,4 +78,4 @@ TEST(Keys, each_is_in_the_docs) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::keys_test

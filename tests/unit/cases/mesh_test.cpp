@@ -14,7 +14,7 @@
 #include "sample.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::mesh_test {
 namespace {
 
 using namespace sample;
@@ -317,4 +317,4 @@ TEST(MeshFile, a_check_tells_what_the_mesh_is) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::mesh_test

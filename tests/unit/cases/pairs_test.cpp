@@ -9,7 +9,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::pairs_test {
 namespace {
 
 using namespace sample;
@@ -260,4 +260,4 @@ TEST(ReadContact, several_balls_have_the_tc_rule_unless_said_otherwise) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::pairs_test

@@ -7,7 +7,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::parts_test {
 namespace {
 
 using namespace sample;
@@ -59,4 +59,4 @@ TEST(JarWithParts, the_event_engine_does_not_take_them) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::parts_test

@@ -10,7 +10,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::positions_test {
 namespace {
 
 using namespace sample;
@@ -114,4 +114,4 @@ TEST(StartFrame, a_ball_without_speed_rides_with_the_jar_or_stands_in_the_labora
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::positions_test

@@ -11,7 +11,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::powder_test {
 namespace {
 
 using namespace sample;
@@ -163,4 +163,4 @@ TEST(PowderFaults, what_is_missing_or_means_nothing) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::powder_test

@@ -11,7 +11,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::read_test {
 namespace {
 
 using namespace sample;
@@ -312,4 +312,4 @@ TEST(ReadCase, the_examples_read_with_the_real_catalogue) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::read_test

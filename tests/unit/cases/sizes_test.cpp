@@ -13,7 +13,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::sizes_test {
 namespace {
 
 using namespace sample;
@@ -272,4 +272,4 @@ TEST(SizeFaults, too_many_sets) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::sizes_test

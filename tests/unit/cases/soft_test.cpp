@@ -10,7 +10,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::soft_test {
 namespace {
 
 using namespace sample;
@@ -192,4 +192,4 @@ TEST(ReadStep, a_time_or_a_share) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::soft_test

@@ -5,7 +5,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::sweep_faults_test {
 namespace {
 
 using namespace sample;
@@ -37,4 +37,4 @@ TEST(SweepFaults, of_a_design_that_cannot_use_a_value) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::sweep_faults_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::table_test {
 namespace {
 
 TEST(Table, keeps_the_place_of_every_value) {
@@ -83,4 +83,4 @@ TEST(Table, what_is_no_toml_names_its_line) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::table_test

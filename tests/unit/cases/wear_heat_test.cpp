@@ -14,7 +14,7 @@
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::wear_heat_test {
 namespace {
 
 using namespace sample;
@@ -211,4 +211,4 @@ TEST(WearHeat, bounces_without_a_limit_slide_like_lasting_contacts) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::wear_heat_test

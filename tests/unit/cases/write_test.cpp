@@ -14,7 +14,7 @@
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::cases::write_test {
 namespace {
 
 using namespace sample;
@@ -307,4 +307,4 @@ TEST(WriteCase, random_cases_over_the_registers_are_read_back) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::cases::write_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mahlwerk::contact {
+namespace mahlwerk::contact::bounce_table_test {
 namespace {
 
 TEST(BounceTable, every_pair_has_the_rule_of_all_until_it_gets_its_own) {
@@ -41,4 +41,4 @@ TEST(BounceTable, a_jar_without_faces_has_pairs_of_balls_alone) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::contact
+}  // namespace mahlwerk::contact::bounce_table_test

@@ -11,7 +11,7 @@
 
 #include "statement.hpp"
 
-namespace mahlwerk::contact {
+namespace mahlwerk::contact::laws_test {
 namespace {
 
 const double pi = std::numbers::pi;
@@ -127,4 +127,4 @@ TEST(WaltonBraun, loses_the_area_of_its_loop) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::contact
+}  // namespace mahlwerk::contact::laws_test

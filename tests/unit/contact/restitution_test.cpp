@@ -11,7 +11,7 @@
 #include "mahlwerk/contact/bounce.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::contact {
+namespace mahlwerk::contact::restitution_test {
 namespace {
 
 /// Restitution of viscoelastic spheres by integration: x'' = -(x^(3/2) + damping sqrt(x) x'),
@@ -129,4 +129,4 @@ TEST(Bounce, a_forced_restitution_takes_the_rule_s_place) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::contact
+}  // namespace mahlwerk::contact::restitution_test

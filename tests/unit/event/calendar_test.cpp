@@ -10,7 +10,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "sorted_list.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::calendar_test {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -119,4 +119,4 @@ TEST(Calendar, an_earlier_time_after_one_beyond_all_slices_comes_first) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::calendar_test

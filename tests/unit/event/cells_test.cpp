@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/random.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::cells_test {
 namespace {
 
 using Counts = std::array<int, 3>;
@@ -149,4 +149,4 @@ TEST(Cells, beyond_its_borders_a_ball_is_in_another_cell) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::cells_test

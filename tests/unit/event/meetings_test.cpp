@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::meetings_test {
 namespace {
 
 using event::Asking;
@@ -203,4 +203,4 @@ TEST(Meetings, none_is_found_that_is_not_before_the_best_known) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::meetings_test

@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/meetings.hpp"
 
-namespace mahlwerk::event {
+namespace mahlwerk::event::neighbours_test {
 namespace {
 
 constexpr double never = at_no_time;
@@ -76,4 +76,4 @@ TEST(Neighbours, sizes_within_a_factor_two_share_a_grid) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::event
+}  // namespace mahlwerk::event::neighbours_test

@@ -9,7 +9,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::event {
+namespace mahlwerk::event::sustained_contact_test {
 namespace {
 
 using tests::states;
@@ -139,4 +139,4 @@ TEST(SustainedContact, what_a_bounce_withholds_is_counted) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::event
+}  // namespace mahlwerk::event::sustained_contact_test

@@ -13,7 +13,7 @@
 #include "meshes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::mesh_test {
 namespace {
 
 using geometry::Gap;
@@ -345,4 +345,4 @@ TEST(Mesh, triangles_without_area_are_taken_out_in_linear_time) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::mesh_test

@@ -12,7 +12,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::parts_test {
 namespace {
 
 using geometry::Attritor;
@@ -159,4 +159,4 @@ TEST(Parts, sizes_that_do_not_go_together_are_named) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::parts_test

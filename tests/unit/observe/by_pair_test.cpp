@@ -12,7 +12,7 @@
 #include "mahlwerk/observe/tally.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::by_pair_test {
 namespace {
 
 using tests::states;
@@ -167,4 +167,4 @@ TEST(ByPair, without_kinds_all_balls_are_alike) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::by_pair_test

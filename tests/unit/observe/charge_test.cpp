@@ -17,7 +17,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::charge_test {
 namespace {
 
 using tests::states;
@@ -201,4 +201,4 @@ TEST(Charge, merged_or_carried_is_the_same) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::charge_test

@@ -11,7 +11,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::groups_test {
 namespace {
 
 /// Normal numbers of width 1, the first `shifted` of them moved up by `by`.
@@ -91,4 +91,4 @@ TEST(TwoGroups, equal_values_are_one_group) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::groups_test

@@ -8,7 +8,7 @@
 
 #include "mahlwerk/base/random.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::histogram_test {
 namespace {
 
 TEST(LogHistogram, every_edge_opens_its_own_bin) {
@@ -73,4 +73,4 @@ TEST(LogHistogram, knows_which_bins_are_filled) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::histogram_test

@@ -14,7 +14,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::statistics_test {
 namespace {
 
 using tests::states;
@@ -157,4 +157,4 @@ TEST(Unsettled, finds_nothing_in_most_series_that_keep_their_character) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::statistics_test

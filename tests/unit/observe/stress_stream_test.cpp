@@ -8,7 +8,7 @@
 
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::stress_stream_test {
 namespace {
 
 scene::Collision hit(double speed) {
@@ -76,4 +76,4 @@ TEST(StressStream, goes_on_from_its_saved_state) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::stress_stream_test

@@ -9,7 +9,7 @@
 
 #include "statement.hpp"
 
-namespace mahlwerk::observe {
+namespace mahlwerk::observe::tally_test {
 namespace {
 
 scene::Collision collision(double approach, double slip) {
@@ -87,4 +87,4 @@ TEST(Tally, chunks_do_not_matter) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::observe
+}  // namespace mahlwerk::observe::tally_test

@@ -13,7 +13,7 @@
 #include "models.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::balance_test {
 namespace {
 
 using tests::states;
@@ -247,4 +247,4 @@ TEST(Balance, mixed_bed_is_of_second_order_in_its_steps) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::balance_test

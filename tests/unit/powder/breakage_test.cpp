@@ -11,7 +11,7 @@
 #include "models.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::breakage_test {
 namespace {
 
 using tests::states;
@@ -146,4 +146,4 @@ TEST(Fragments, sizes_drawn_follow_their_curve) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::breakage_test

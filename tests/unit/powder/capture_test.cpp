@@ -9,7 +9,7 @@
 #include "mahlwerk/powder/models.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::capture_test {
 namespace {
 
 using tests::states;
@@ -122,4 +122,4 @@ TEST(Capture, mass_below_one_grain_is_a_grain_now_and_then) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::capture_test

@@ -12,7 +12,7 @@
 
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::flash_test {
 namespace {
 
 using tests::states;
@@ -159,4 +159,4 @@ TEST(Flash, follows_the_root_of_time_on_a_half_space) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::flash_test

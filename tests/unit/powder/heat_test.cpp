@@ -12,7 +12,7 @@
 
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::heat_test {
 namespace {
 
 using tests::states;
@@ -174,4 +174,4 @@ TEST(HeatHistory, holds_the_ends_of_every_phase) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::heat_test

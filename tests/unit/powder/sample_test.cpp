@@ -13,7 +13,7 @@
 #include "models.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::sample_test {
 namespace {
 
 using tests::stays_below;
@@ -191,4 +191,4 @@ TEST(Sample, sizes_never_grow_without_welding_and_mass_is_kept) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::sample_test

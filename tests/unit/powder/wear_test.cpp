@@ -11,7 +11,7 @@
 #include "mahlwerk/contact/bounce.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::powder {
+namespace mahlwerk::powder::wear_test {
 namespace {
 
 using tests::states;
@@ -101,4 +101,4 @@ TEST(Finnie, agrees_with_archard_where_a_ball_grazes) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::powder
+}  // namespace mahlwerk::powder::wear_test

@@ -10,7 +10,7 @@
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::campaign_pictures_test {
 namespace {
 
 std::set<std::string> names(const Campaign& c) {
@@ -179,4 +179,4 @@ TEST(CampaignLaws, are_not_fitted_to_three_values) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::campaign_pictures_test

@@ -10,7 +10,7 @@
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::campaign_test {
 namespace {
 
 /// The numbers of the cells of a row of the table of points, in full.
@@ -224,4 +224,4 @@ TEST(Campaign, quantities_that_came_later_are_columns_of_their_own) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::campaign_test

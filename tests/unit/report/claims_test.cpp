@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::claims_test {
 namespace {
 
 using Kind = Claim::Kind;
@@ -178,4 +178,4 @@ TEST(Claims, a_point_that_gave_nothing_is_no_evidence) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::claims_test

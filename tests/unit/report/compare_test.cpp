@@ -9,7 +9,7 @@
 
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::compare_test {
 namespace {
 
 using results::fake_outcome;
@@ -133,4 +133,4 @@ TEST(Compare, of_nothing_is_still_a_page) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::compare_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::fit_test {
 namespace {
 
 bool has(const std::string& text, std::string_view part) {
@@ -140,4 +140,4 @@ TEST(FitReport, draws_distributions_over_size) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::fit_test

@@ -12,7 +12,7 @@
 #include "mahlwerk/observe/statistics.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::laws_test {
 namespace {
 
 using tests::states;
@@ -215,4 +215,4 @@ TEST(Laws, are_fitted_where_the_points_allow_them) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::laws_test

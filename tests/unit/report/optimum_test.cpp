@@ -10,7 +10,7 @@
 
 #include "mahlwerk/report/match.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::optimum_test {
 namespace {
 
 bool holds(const std::string& text, const std::string& words) {
@@ -267,4 +267,4 @@ TEST(MatchReport, shows_both_mills) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::optimum_test

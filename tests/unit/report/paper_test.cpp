@@ -12,7 +12,7 @@
 #include "mahlwerk/report/paper/page.hpp"
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::paper_test {
 namespace {
 
 const std::string head = "title = \"T\"\nsource = \"S\"\n";
@@ -163,4 +163,4 @@ TEST(Paper, every_paper_of_the_project_asks_for_what_its_campaigns_have) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::paper_test

@@ -25,7 +25,7 @@
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::powder_test {
 namespace {
 
 using results::Outcome;
@@ -234,4 +234,4 @@ TEST_F(PowderFiles, a_result_that_ground_may_be_replaced) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::powder_test

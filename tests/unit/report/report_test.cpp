@@ -15,7 +15,7 @@
 #include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::report_test {
 namespace {
 
 using results::fake_outcome;
@@ -205,4 +205,4 @@ TEST(Campaign, page_links_its_points_and_plots_every_line) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::report_test

@@ -8,7 +8,7 @@
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::sensitivity_test {
 namespace {
 
 /// x and width of the bars, in their order.
@@ -284,4 +284,4 @@ TEST(Tornado, stands_on_the_page_and_among_the_figures) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::sensitivity_test

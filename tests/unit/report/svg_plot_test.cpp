@@ -9,7 +9,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::svg_plot_test {
 namespace {
 
 TEST(Ticks, are_round_numbers_inside) {
@@ -108,4 +108,4 @@ TEST(Svg, values_that_differ_by_rounding_alone_are_drawn_as_one) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::svg_plot_test

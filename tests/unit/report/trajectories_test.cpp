@@ -14,7 +14,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::report {
+namespace mahlwerk::report::trajectories_test {
 namespace {
 
 constexpr double speed = 40, radius = 0.05;
@@ -91,4 +91,4 @@ TEST(Trajectories, without_a_film_there_is_no_picture) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report
+}  // namespace mahlwerk::report::trajectories_test

@@ -16,7 +16,7 @@
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST_F(FilesTest, a_collision_file_that_cannot_be_made_is_an_error) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::files_test

@@ -20,7 +20,7 @@
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -344,4 +344,4 @@ TEST_F(FolderTest, a_result_file_that_does_not_fit_is_an_error) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::folder_test

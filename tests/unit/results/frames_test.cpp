@@ -14,7 +14,7 @@
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::frames_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST(Stopped, every_ball_is_a_row) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::frames_test

@@ -15,7 +15,7 @@
 #include "meshes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::jar_surface_test {
 namespace {
 
 using geometry::AnyShape;
@@ -210,4 +210,4 @@ TEST(JarSurface, the_rotor_turns_about_the_axis_of_the_vessel) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::jar_surface_test

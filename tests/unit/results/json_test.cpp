@@ -9,7 +9,7 @@
 
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::json_test {
 namespace {
 
 nlohmann::json parsed(const Outcome& o) {
@@ -108,4 +108,4 @@ TEST(SummaryJson, survives_a_title_that_is_not_utf8) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::json_test

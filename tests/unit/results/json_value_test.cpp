@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::json_value_test {
 namespace {
 
 TEST(JsonValue, a_number_that_is_not_finite_is_null) {
@@ -82,4 +82,4 @@ TEST(JsonValue, text_is_what_nlohmann_writes) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::json_value_test

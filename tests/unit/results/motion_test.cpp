@@ -15,7 +15,7 @@
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::motion_test {
 namespace {
 
 constexpr double radius = 0.1, ball = 0.005;
@@ -115,4 +115,4 @@ TEST(Motion, only_mills_with_a_regime_have_an_occupied_share) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::motion_test

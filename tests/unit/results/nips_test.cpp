@@ -10,7 +10,7 @@
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::nips_test {
 namespace {
 
 using observe::WallGrid;
@@ -64,4 +64,4 @@ TEST(Nips, capsule_counts_where_it_is_hit) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::nips_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::notice_counts_test {
 namespace {
 
 TEST(NoticeCounts, count_runs_by_code_and_keep_the_words_of_the_first) {
@@ -39,4 +39,4 @@ TEST(NoticeCounts, codes_of_warnings_are_a_cell_of_a_table) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::notice_counts_test

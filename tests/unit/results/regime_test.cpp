@@ -16,7 +16,7 @@
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::regime_test {
 namespace {
 
 using observe::Charge;
@@ -165,4 +165,4 @@ TEST(Regime, is_averaged_over_replicates) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::regime_test

@@ -18,7 +18,7 @@
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::result_file_test {
 namespace {
 
 class ResultFileTest : public ScratchTest {
@@ -106,4 +106,4 @@ TEST_F(ResultFileTest, one_that_cannot_be_made_is_an_error) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::result_file_test

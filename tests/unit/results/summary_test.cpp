@@ -10,7 +10,7 @@
 #include "mahlwerk/results/summarise.hpp"
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::summary_test {
 namespace {
 
 double value(const Outcome& o, const std::string& name) {
@@ -133,4 +133,4 @@ TEST(Summary, every_quantity_is_named_once_and_explained) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::summary_test

@@ -23,7 +23,7 @@
 #include "meshes.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::wall_test {
 namespace {
 
 using geometry::AnyShape;
@@ -326,4 +326,4 @@ INSTANTIATE_TEST_SUITE_P(Models, Wear,
                          });
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::wall_test

@@ -11,7 +11,7 @@
 #include "mahlwerk/results/summarise.hpp"
 #include "unit/results/fake.hpp"
 
-namespace mahlwerk::results {
+namespace mahlwerk::results::warnings_test {
 namespace {
 
 bool has(const Notices& notices, const std::string& code) {
@@ -134,4 +134,4 @@ TEST(TwoStates, need_four_replicates) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::results
+}  // namespace mahlwerk::results::warnings_test

@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/random.hpp"
 
-namespace mahlwerk::soft {
+namespace mahlwerk::soft::grid_test {
 namespace {
 
 /// Places in a room of `size`, some far outside of the others, in the order of a grid made for
@@ -71,4 +71,4 @@ TEST(Grid, finds_images_where_places_repeat) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::soft
+}  // namespace mahlwerk::soft::grid_test

@@ -7,7 +7,7 @@
 #include "mahlwerk/soft/kernel/contact_force.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::soft {
+namespace mahlwerk::soft::spring_test {
 namespace {
 
 using tests::states;
@@ -62,4 +62,4 @@ TEST(Spring, that_is_none_stays_none) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::soft
+}  // namespace mahlwerk::soft::spring_test

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace mahlwerk::soft {
+namespace mahlwerk::soft::thread_team_test {
 namespace {
 
 TEST(ThreadTeam, runs_on_every_thread_once_each_time) {
@@ -66,4 +66,4 @@ TEST(ThreadTeam, that_never_worked_ends) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::soft
+}  // namespace mahlwerk::soft::thread_team_test

@@ -6,7 +6,7 @@
 
 #include "mahlwerk/soft/many/chunk.hpp"
 
-namespace mahlwerk::soft {
+namespace mahlwerk::soft::verlet_list_test {
 namespace {
 
 /// `each` pairs in every bin, numbered on.
@@ -45,4 +45,4 @@ TEST(VerletList, removal_leaves_every_other_pair_in_its_bin) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::soft
+}  // namespace mahlwerk::soft::verlet_list_test

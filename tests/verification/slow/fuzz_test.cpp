@@ -18,7 +18,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::fuzz_test {
 namespace {
 
 struct Case {
@@ -260,4 +260,4 @@ TEST(Fuzz, no_case_leaks_overlaps_or_loses_energy_and_few_are_endless) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::fuzz_test

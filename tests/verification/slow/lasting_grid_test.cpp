@@ -16,7 +16,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::lasting_grid_test {
 namespace {
 
 constexpr double pi = std::numbers::pi, r = 0.005;
@@ -127,4 +127,4 @@ TEST(Grid, no_run_collapses_in_a_sphere) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::lasting_grid_test

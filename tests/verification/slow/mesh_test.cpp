@@ -9,7 +9,7 @@
 #include "mesh_jars.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::mesh_test {
 namespace {
 
 TEST(MeshJarSlow, no_grain_leaves_in_ten_million_steps) {
@@ -30,4 +30,4 @@ TEST(MeshJarSlow, no_grain_leaves_in_ten_million_steps) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::mesh_test

@@ -11,7 +11,7 @@
 #include "mahlwerk/campaign/search/optimise.hpp"
 #include "noisy.hpp"
 
-namespace mahlwerk::campaign {
+namespace mahlwerk::campaign::optimum_interval_test {
 namespace {
 
 constexpr int times = 200;
@@ -63,4 +63,4 @@ TEST(OptimumInterval, holds_the_top_over_two_keys) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::campaign
+}  // namespace mahlwerk::campaign::optimum_interval_test

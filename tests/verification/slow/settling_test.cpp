@@ -4,7 +4,7 @@
 // The bed of a thousand balls at which a peer's clock froze.
 #include "settling.hpp"
 
-namespace mahlwerk {
+namespace mahlwerk::settling_test {
 namespace {
 
 TEST(LastingMany, thousand_balls_settle_under_gravity_and_the_clock_goes_on) {
@@ -12,4 +12,4 @@ TEST(LastingMany, thousand_balls_settle_under_gravity_and_the_clock_goes_on) {
 }
 
 }  // namespace
-}  // namespace mahlwerk
+}  // namespace mahlwerk::settling_test

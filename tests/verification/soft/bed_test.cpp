@@ -11,7 +11,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::bed_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -52,4 +52,4 @@ TEST(Bed, rolling_resistance_of_many_contacts_puts_no_energy_in) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::bed_test

@@ -16,7 +16,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::chung_ooi_oblique_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -266,4 +266,4 @@ TEST(ChungOoi, test_8_a_spinning_sphere_falls_onto_a_far_heavier_one) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::chung_ooi_oblique_test

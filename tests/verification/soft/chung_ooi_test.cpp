@@ -10,7 +10,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::chung_ooi_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -77,4 +77,4 @@ TEST(ChungOoi, test_3_damped_along_the_normal) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::chung_ooi_test

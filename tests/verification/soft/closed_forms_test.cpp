@@ -15,7 +15,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::closed_forms_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -247,4 +247,4 @@ TEST(ClosedForms, balls_collide_across_the_edges_of_a_periodic_box_as_in_its_mid
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::closed_forms_test

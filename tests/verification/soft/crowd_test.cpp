@@ -20,7 +20,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::crowd_test {
 namespace {
 
 using contact::AdamsImpact;
@@ -268,4 +268,4 @@ TEST(Crowd, that_goes_wrong_or_starts_overlapping_says_which_ball) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::crowd_test

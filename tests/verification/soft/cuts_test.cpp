@@ -18,7 +18,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::cuts_test {
 namespace {
 
 using contact::AdamsImpact;
@@ -266,4 +266,4 @@ TEST(SoftRest, a_pile_of_three_balls_stays) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::cuts_test

@@ -15,7 +15,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::forces_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -142,4 +142,4 @@ TEST(Forces, of_a_colliding_pair_are_opposite) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::forces_test

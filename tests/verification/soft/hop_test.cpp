@@ -14,7 +14,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::hop_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -131,4 +131,4 @@ TEST(TowardsEvent, collisions_tend_to_the_event_engine_s_as_contacts_shorten) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::hop_test

@@ -14,7 +14,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::ledger_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -117,4 +117,4 @@ TEST(Order, of_an_elastic_collision_is_above_two) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::ledger_test

@@ -13,7 +13,7 @@
 #include "mesh_jars.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::mesh_test {
 namespace {
 
 using geometry::Mesh;
@@ -228,4 +228,4 @@ TEST(MeshJar, cuts_change_no_bit) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::mesh_test

@@ -18,7 +18,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::mill_power_test {
 namespace {
 
 /// Balls so soft that half a minute of them is computed in a second.
@@ -164,4 +164,4 @@ TEST(Regime, a_fast_drum_whose_friction_holds_the_balls_centrifuges) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::mill_power_test

@@ -14,7 +14,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::parts_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -169,4 +169,4 @@ TEST(LifterJar, few_balls_and_a_crowd_are_moved_alike) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::parts_test

@@ -15,7 +15,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::plain_soft_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -158,4 +158,4 @@ TEST(Frames, a_planetary_mill_is_the_same_as_seen_from_its_turning_jar) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::plain_soft_test

@@ -15,7 +15,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::planetary_test {
 namespace {
 
 constexpr double disc = 400 / 60.0 * 2 * std::numbers::pi;  // [rad/s]
@@ -85,4 +85,4 @@ TEST(PlanetaryMill, agrees_with_lammps_and_liggghts_over_starts) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::planetary_test

@@ -11,7 +11,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::restitution_test {
 namespace {
 
 using contact::AdamsImpact;
@@ -113,4 +113,4 @@ TEST(Jkr, spheres_rebound_as_their_adhesion_lets_them) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::restitution_test

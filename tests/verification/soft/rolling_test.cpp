@@ -13,7 +13,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::rolling_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -151,4 +151,4 @@ TEST(Rolling, a_drum_carries_a_ball_round_above_its_critical_speed) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::rolling_test

@@ -16,7 +16,7 @@
 #include "soft.hpp"
 #include "statement.hpp"
 
-namespace mahlwerk::tests {
+namespace mahlwerk::tests::step_test {
 namespace {
 
 using contact::HertzMindlin;
@@ -135,4 +135,4 @@ TEST(TimeStep, the_first_push_counts_as_the_sum_of_euler_and_maclaurin_says) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::tests
+}  // namespace mahlwerk::tests::step_test
