@@ -10,6 +10,7 @@ namespace mahlwerk {
 
 struct SinCos {
   double sin, cos;
+  bool operator==(const SinCos&) const = default;
 };
 
 /// Sine and cosine together, within 2.3e-16 of their values for |x| below 1e4 rad. The C library's

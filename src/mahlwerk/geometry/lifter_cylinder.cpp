@@ -14,10 +14,9 @@ Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   if (reach > 0 && p.x * p.x + p.y * p.y < reach * reach) return {not_near, {0, 0, 1}, 0};
   const SinCos at = sin_cos(2 * std::numbers::pi * which / lifters);
   const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
-  const double aside = std::abs(along), top = half_top();
+  const double aside = std::abs(along);
   // From the edge between top and side.
   const double up = shell - out - lifter_height, off = aside - top;
-  const SinCos side = sin_cos(lifter_face_angle);
   const double from_side = up * side.cos + off * side.sin;
   const double down_side = off * side.cos - up * side.sin;
   double distance = 0, n_up = 0, n_off = 0;
@@ -57,11 +56,11 @@ std::string LifterCylinder::flaw() const {
     return "the lifters are so wide that they cover the whole shell";
   if (half_top() <= 0)
     return "the sides of a lifter meet below its top: it is too high for its width and face angle";
-  const double top = half_top();
-  if (lifter_height <= r - std::sqrt(r * r - top * top))
+  const double flat = half_top();
+  if (lifter_height <= r - std::sqrt(r * r - flat * flat))
     return "the lifters are so low and wide that the shell bulges through their tops";
   if (lifters > 2 &&
-      std::asin(std::min(1.0, top / (r - lifter_height))) >= std::numbers::pi / lifters)
+      std::asin(std::min(1.0, flat / (r - lifter_height))) >= std::numbers::pi / lifters)
     return "the tops of neighbouring lifters run into each other";
   return "";
 }

@@ -20,6 +20,8 @@ struct LifterCylinder {
   double lifter_height = 0, lifter_width = 0;  // [m] above the shell; at the foot
   double lifter_face_angle = 0;                // [rad] between its sides and its foot
   int faces = 3;
+  double top = 0;     // [m] half the width of a bar's flat top
+  SinCos side{0, 1};  // of the angle of its sides
 
   static constexpr std::string_view name = "lifter_cylinder";
   static constexpr std::string_view about = "a cylinder with lifter bars along its shell";
@@ -50,7 +52,11 @@ struct LifterCylinder {
                  "90 deg: rectangular bars"}};
   }
   /// What follows from the fields.
-  void complete() { faces = 3 + static_cast<int>(lifters); }
+  void complete() {
+    faces = 3 + static_cast<int>(lifters);
+    top = half_top();
+    side = sin_cos(lifter_face_angle);
+  }
   /// Why there is no such jar; empty if there is.
   std::string flaw() const;
 
@@ -87,7 +93,6 @@ struct LifterCylinder {
 
  private:
   Cylinder shell() const { return {diameter, height}; }
-  /// Half the width of a bar's flat top.
   double half_top() const {
     return 0.5 * lifter_width -
            lifter_height * std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
