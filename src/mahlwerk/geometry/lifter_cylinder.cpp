@@ -12,7 +12,7 @@ namespace mahlwerk::geometry {
 Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   const double shell = 0.5 * diameter, reach = shell - lifter_height - within;
   if (reach > 0 && p.x * p.x + p.y * p.y < reach * reach) return {not_near, {0, 0, 1}, 0};
-  const SinCos at = sin_cos(2 * std::numbers::pi * which / lifters);
+  const SinCos& at = bars[static_cast<std::size_t>(which)];
   const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
   const double aside = std::abs(along);
   // From the edge between top and side.

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "mahlwerk/base/trig.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
@@ -20,8 +21,9 @@ struct LifterCylinder {
   double lifter_height = 0, lifter_width = 0;  // [m] above the shell; at the foot
   double lifter_face_angle = 0;                // [rad] between its sides and its foot
   int faces = 3;
-  double top = 0;     // [m] half the width of a bar's flat top
-  SinCos side{0, 1};  // of the angle of its sides
+  double top = 0;            // [m] half the width of a bar's flat top
+  SinCos side{0, 1};         // of the angle of its sides
+  std::vector<SinCos> bars;  // where each stands, round the axis
 
   static constexpr std::string_view name = "lifter_cylinder";
   static constexpr std::string_view about = "a cylinder with lifter bars along its shell";
@@ -56,6 +58,8 @@ struct LifterCylinder {
     faces = 3 + static_cast<int>(lifters);
     top = half_top();
     side = sin_cos(lifter_face_angle);
+    bars.clear();
+    for (int i = 0; i < faces - 3; ++i) bars.push_back(sin_cos(2 * std::numbers::pi * i / lifters));
   }
   /// Why there is no such jar; empty if there is.
   std::string flaw() const;
