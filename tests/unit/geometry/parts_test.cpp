@@ -91,6 +91,20 @@ TEST(Lifters, volume_is_that_of_the_points_inside) {
   has_volume(lifters());
   has_volume(lifters(3, 0.5 * pi));
 }
+/// By hand (geo.13): the middle of the top of bar i is at the angle 2 pi i/n, its height inside the
+/// shell. Tolerances are some five roundings of the radius, and of a unit vector.
+TEST(Lifters, stand_evenly_round_the_shell) {
+  for (const int count : {1, 3, 8}) {
+    const LifterCylinder jar = lifters(count);
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * pi * i / count, above = 0.003;
+      const Vec3 out{std::cos(angle), std::sin(angle), 0};
+      const auto gap = jar.gap(3 + i, (0.1 - 0.012 - above) * out);
+      EXPECT_NEAR(gap.distance, above, 1e-16);
+      EXPECT_NEAR(norm(gap.inward + out), 0, 1e-15);
+    }
+  }
+}
 TEST(Lifters, only_bars_that_are_near_are_looked_at_closely) {
   const LifterCylinder jar = lifters();
   Random random(3, 0);
