@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr int runs = 5;
 constexpr double long_enough = 1800;  // [s]
 
-struct Took {
+struct Timing {
   double wall = 0, cpu = 0, memory = 0;  // [s], [s], [MB]
   double busy() const { return cpu / wall / std::thread::hardware_concurrency(); }
 };
@@ -38,13 +38,13 @@ double cpu_of_children() {
 
 /// The program beside this one, to its end. Wall times here: a campaign is about keeping cores
 /// busy.
-Took run(const std::vector<std::string>& words, const fs::path& folder) {
+Timing run(const std::vector<std::string>& words, const fs::path& folder) {
   std::vector<std::string> all{
       (fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk").string()};
   all.insert(all.end(), words.begin(), words.end());
   const double before = cpu_of_children();
   const auto began = std::chrono::steady_clock::now();
-  const Ended ended =
+  const ChildResult ended =
       watch_child({.words = all, .folder = folder, .environment = {}, .limit = long_enough},
                   [](std::string_view) {});
   if (!ended.fault.empty())
@@ -105,8 +105,8 @@ void large(std::vector<Row>& rows) {
   for (const int points : {1000, 10'000, 100'000}) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "case.toml") << fmt::format(tiny, points);
-    const Took took = run({"sweep", "case.toml", "--out", "out", "--quiet", "--results", "summary"},
-                          folder.path());
+    const Timing took = run(
+        {"sweep", "case.toml", "--out", "out", "--quiet", "--results", "summary"}, folder.path());
     const std::string what = fmt::format("{} one-ball runs of 0.1 s", points);
     rows.push_back({"campaign", what, "mahlwerk", "peak MB", took.memory});
     rows.push_back({"campaign", what, "mahlwerk", "ms of a core a run", 1e3 * took.cpu / points});
@@ -122,7 +122,7 @@ void few_balls(std::vector<Row>& rows) {
   std::vector<double> busy, walls;
   for (int i = 0; i < 3; ++i) {
     const TemporaryFolder folder;
-    const Took took =
+    const Timing took =
         run({"sweep", (fs::path(MAHLWERK_HOME) / "papers/planetary-mill/speed.toml").string(),
              "--out", "out", "--quiet"},
             folder.path());
@@ -140,12 +140,12 @@ void store(std::vector<Row>& rows) {
   constexpr std::size_t points = 2000;
   const TemporaryFolder folder;
   campaign::Store store(folder.path() / "campaign.sqlite", campaign::Store::Access::write);
-  campaign::Planned planned;
+  campaign::CampaignPlan planned;
   planned.keys = {"mill.speed"};
   for (std::size_t i = 0; i < points; ++i) planned.runs.push_back(i + 1);
   planned.values = [](std::size_t i) { return std::vector<std::string>{fmt::format("{} rpm", i)}; };
   store.plan(planned);
-  campaign::Finished finished;
+  campaign::RunRecord finished;
   finished.resolved = std::string(4000, 'x');
   for (int i = 0; i < 100; ++i)
     finished.quantities.push_back({fmt::format("quantity_{}", i), 1.0 * i, 0.1, "J", "about"});

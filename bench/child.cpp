@@ -31,19 +31,19 @@ volatile std::sig_atomic_t wished_to_end = 0;
 
 /// While this lives a wish to end this program is only noted, so that the child can be ended and
 /// its folder removed first.
-class Noting {
+class SignalGuard {
  public:
-  Noting() {
+  SignalGuard() {
     wished_to_end = 0;
     struct sigaction action {};
     action.sa_handler = [](int signal) { wished_to_end = signal; };
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
   }
-  ~Noting() {
+  ~SignalGuard() {
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   }
-  Noting(const Noting&) = delete;
-  Noting& operator=(const Noting&) = delete;
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
 
  private:
   static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
@@ -53,12 +53,12 @@ class Noting {
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { shut(); }
+  ~Descriptor() { close_now(); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
   int number() const { return number_; }
-  void shut() {
+  void close_now() {
     if (number_ >= 0) close(number_);
     number_ = -1;
   }
@@ -130,7 +130,7 @@ class MemoryWatch {
  public:
   explicit MemoryWatch(pid_t id) : id_(id) {}
 
-  void look() {
+  void sample() {
     if (Clock::now() < next_) return;
     next_ = Clock::now() + between;
     peak_ = std::max(peak_, peak_memory(id_));
@@ -150,7 +150,7 @@ bool read_all(int input, Clock::time_point last, Lines lines, MemoryWatch& memor
   std::vector<char> buffer(1 << 16);
   while (Clock::now() < last) {
     if (wished_to_end != 0) throw Interrupted{wished_to_end};
-    memory.look();
+    memory.sample();
     pollfd ready{input, POLLIN, 0};
     constexpr int patience = 200;  // [ms] a wish to end may come just before poll begins to wait
     if (poll(&ready, 1, patience) <= 0) continue;
@@ -162,16 +162,16 @@ bool read_all(int input, Clock::time_point last, Lines lines, MemoryWatch& memor
 }
 
 /// The child's end is ours to bring about, whatever happens.
-class Running {
+class ChildProcess {
  public:
-  explicit Running(pid_t id) : id_(id) {}
-  ~Running() {
+  explicit ChildProcess(pid_t id) : id_(id) {}
+  ~ChildProcess() {
     if (id_ <= 0) return;
     kill(-id_, SIGKILL);
     waitpid(id_, nullptr, 0);
   }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
 
   /// Its status once it has ended by itself; -1 if it has not when the time is up.
   int ended(Clock::time_point last) {
@@ -215,22 +215,22 @@ fs::path find_program(std::string_view name) {
   return {};
 }
 
-Ended watch_child(const Child& child, const std::function<void(std::string_view)>& line) {
+ChildResult watch_child(const Child& child, const std::function<void(std::string_view)>& line) {
   const Clock::time_point last = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                     std::chrono::duration<double>(child.limit));
-  const Noting noting;
+  const SignalGuard noting;
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return {std::strerror(errno)};
   const Descriptor input(ends[0]);
   Descriptor output(ends[1]);
   const pid_t id = start(child, output.number());
   if (id < 0) return {std::strerror(errno)};
-  Running running(id);
-  output.shut();
+  ChildProcess running(id);
+  output.close_now();
   MemoryWatch memory(id);
   const bool closed = read_all(input.number(), last, Lines(line), memory);
   const int status = closed ? running.ended(last) : -1;
-  Ended ended{{}, memory.peak()};
+  ChildResult ended{{}, memory.peak()};
   if (status == -1)
     ended.fault = fmt::format("not ready after {:.0f} s, ended", child.limit);
   else if (WIFSIGNALED(status))

@@ -40,13 +40,13 @@ struct Interrupted {
   int signal;
 };
 
-struct Ended {
+struct ChildResult {
   std::string fault;       ///< what went wrong; nothing if all went well
   double peak_memory = 0;  ///< [MB] of the program and those it started, as last seen
 };
 
 /// Runs a program to its end and hands over each line that it writes, without the line's end.
-Ended watch_child(const Child& child, const std::function<void(std::string_view)>& line);
+ChildResult watch_child(const Child& child, const std::function<void(std::string_view)>& line);
 
 /// The same; tells what went wrong.
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line);

@@ -18,23 +18,23 @@
 namespace mahlwerk::bench {
 namespace {
 
-constexpr int turns = 3, jostling = 1000, lead = 50;  // [steps]
+constexpr int turns = 3, warm_up_steps = 1000, lead = 50;  // [steps]
 
 void add(std::vector<Row>& rows, int count, int steps) {
   const CrowdCase c = drum(count);
   const TemporaryFolder folder;
   fmt::print(stderr, "cost-curve: {}\n", c.what);
-  Told told =
-      by_us({.name = c.name, .threads = 2, .steps = jostling, .to = "balls.bin"}, folder.path());
+  ProgramResult result = run_mahlwerk(
+      {.name = c.name, .threads = 2, .steps = warm_up_steps, .to = "balls.bin"}, folder.path());
   std::vector<double> costs, memories;
-  for (int turn = 0; turn < turns && told.fault.empty(); ++turn) {
-    told =
-        by_us({.name = c.name, .lead = lead, .steps = steps, .from = "balls.bin"}, folder.path());
-    costs.push_back(1e9 * told.cost);
-    memories.push_back(told.memory);
+  for (int turn = 0; turn < turns && result.fault.empty(); ++turn) {
+    result = run_mahlwerk({.name = c.name, .lead = lead, .steps = steps, .from = "balls.bin"},
+                          folder.path());
+    costs.push_back(1e9 * result.cost);
+    memories.push_back(result.memory);
   }
-  if (!told.fault.empty()) {
-    fmt::print(stderr, "cost-curve: mahlwerk {}\n", told.fault);
+  if (!result.fault.empty()) {
+    fmt::print(stderr, "cost-curve: mahlwerk {}\n", result.fault);
     return;
   }
   const auto row = [&](const char* metric, const std::vector<double>& values) {

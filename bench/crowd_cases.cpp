@@ -156,7 +156,7 @@ CrowdCase crowd_case(std::string_view name) {
 
 std::unique_ptr<scene::Engine> engine(const CrowdCase& c, const std::vector<scene::Ball>& balls,
                                       int threads, double start) {
-  const contact::Elastic e{c.youngs_modulus, 0.3};
+  const contact::ElasticConstants e{c.youngs_modulus, 0.3};
   const contact::Pair pair{.modulus = contact::effective_modulus(e, e),
                            .shear_modulus = contact::effective_shear_modulus(e, e),
                            .restitution = 0.5,

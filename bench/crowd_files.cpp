@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double pi = std::numbers::pi;
 
-kinematics::Ride ride_of(const CrowdCase& c) {
-  return kinematics::ride(*c.mill.motion, 0);
+kinematics::FrameMotion frame_motion_of(const CrowdCase& c) {
+  return kinematics::frame_motion(*c.mill.motion, 0);
 }
 
 /// Null for a drum.
@@ -28,28 +28,28 @@ const kinematics::Planetary* planetary(const CrowdCase& c) {
 }
 
 void write_state(const fs::path& file, const CrowdCase& c, const std::vector<scene::Ball>& balls) {
-  const auto ride = ride_of(c);
+  const auto frame = frame_motion_of(c);
   // Space just large enough for the jar while it is watched: the others divide all of it into bins.
   const Vec3 axis = c.mill.mount * Vec3{0, 0, 1};
   const double spare = 0.006, across = c.radius + spare, along = c.height / 2 + spare;
   const auto extent = [&](double a) { return std::abs(a) > 0.5 ? along : across; };
   fmt::ostream out = fmt::output_file(file.string());
   out.print("state\n\n{} atoms\n2 atom types\n\n", balls.size());
-  for (const auto& [name, centre, a] : {std::tuple{"x", ride.centre.x, axis.x},
-                                        {"y", ride.centre.y, axis.y},
-                                        {"z", ride.centre.z, axis.z}})
+  for (const auto& [name, centre, a] : {std::tuple{"x", frame.centre.x, axis.x},
+                                        {"y", frame.centre.y, axis.y},
+                                        {"z", frame.centre.z, axis.z}})
     out.print("{1} {2} {0}lo {0}hi\n", name, centre - extent(a), centre + extent(a));
   out.print("\nAtoms\n\n");
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const scene::Ball& b = balls[i];
-    const Vec3 x = b.position + ride.centre;
+    const Vec3 x = b.position + frame.centre;
     out.print("{} {} {:.12g} {:.12g} {:.15g} {:.15g} {:.15g}\n", i + 1, b.kind + 1, 2 * b.radius,
               b.density, x.x, x.y, x.z);
   }
   out.print("\nVelocities\n\n");
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const scene::Ball& b = balls[i];
-    const Vec3 v = b.velocity + ride.velocity;
+    const Vec3 v = b.velocity + frame.velocity;
     out.print("{} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", i + 1, v.x, v.y, v.z,
               b.spin.x, b.spin.y, b.spin.z);
   }
@@ -85,7 +85,7 @@ void write_numbers(const fs::path& file, const CrowdCase& c) {
 
 void write_region(const fs::path& file, const CrowdCase& c) {
   const Speeds s = speeds_of(c);
-  const double half = c.height / 2, turn = s.spin * c.step, carry = s.disc * c.step;
+  const double half = c.height / 2, turn = s.spin * c.step, disc_turn = s.disc * c.step;
   fmt::ostream out = fmt::output_file(file.string());
   out.print("variable turned equal {}*step\n", turn);
   if (s.disc == 0) {
@@ -94,7 +94,7 @@ void write_region(const fs::path& file, const CrowdCase& c) {
     return;
   }
   out.print("variable dx equal {0}*cos({1}*step)-{0}\nvariable dy equal {0}*sin({1}*step)\n",
-            s.orbit, carry);
+            s.orbit, disc_turn);
   out.print(
       "region jar cylinder z {0} 0 {1} {2} {3} side in move v_dx v_dy NULL rotate v_turned {0} 0 0 "
       "0 0 1\n",
@@ -117,7 +117,7 @@ void write_motion(const fs::path& file, const CrowdCase& c) {
 void write_mesh(const fs::path& file, const CrowdCase& c) {
   constexpr int sides = 72;
   const double h = c.height, radius = c.radius / std::cos(pi / sides);
-  const Vec3 centre = ride_of(c).centre;
+  const Vec3 centre = frame_motion_of(c).centre;
   const auto corner = [&](int k, double z) {
     const double angle = 2 * pi * k / sides;
     return Vec3{radius * std::cos(angle), radius * std::sin(angle), z};

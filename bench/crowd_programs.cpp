@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double patience = 300;  // [s]
+constexpr double time_limit = 300;  // [s]
 
-std::vector<std::string> words_of(Peer peer, int steps, int cores) {
+std::vector<std::string> command_of(Peer peer, int steps, int cores) {
   const CrowdProgram& program = crowd_programs[peer];
   const std::string command(program.command);
   const std::string deck = fmt::format("{}/bench/peers/{}", MAHLWERK_HOME, program.deck);
@@ -33,8 +33,8 @@ std::vector<std::string> words_of(Peer peer, int steps, int cores) {
 }
 
 /// Speed and energy, from the words of LAMMPS, which the decks for others use, too.
-Told told_in(const fs::path& log, int last_step) {
-  Told told{NAN, NAN, NAN, 0, {}};
+ProgramResult read_log(const fs::path& log, int last_step) {
+  ProgramResult result{NAN, NAN, NAN, 0, {}};
   double particle_steps = NAN;
   std::ifstream file(log);
   for (std::string line; std::getline(file, line);) {
@@ -42,52 +42,53 @@ Told told_in(const fs::path& log, int last_step) {
     int step = 0, steps = 0, balls = 0;
     if (std::sscanf(line.c_str(), "%d %lf %lf", &step, &moving, &spinning) == 3 &&
         step == last_step)
-      told.kinetic = moving + spinning;
+      result.kinetic = moving + spinning;
     if (std::sscanf(line.c_str(), "Loop time of %lf on %*d procs for %d steps with %d atoms",
                     &seconds, &steps, &balls) == 3) {
       particle_steps = static_cast<double>(balls) * steps;
-      told.speed = particle_steps / seconds;
+      result.speed = particle_steps / seconds;
     }
     if (std::sscanf(line.c_str(), "CPU time of %lf", &seconds) == 1)
-      told.cost = seconds / particle_steps;
+      result.cost = seconds / particle_steps;
   }
-  return told;
+  return result;
 }
 
-Told told_by(const Child& child, int last_step) {
+ProgramResult run_program(const Child& child, int last_step) {
   for (const char* name : {"log.txt", "errors.txt"}) fs::remove(child.folder / name);
-  const Ended ended = watch_child(child, [](std::string_view) {});
-  Told told = told_in(child.folder / "log.txt", last_step);
-  told.memory = ended.peak_memory;
-  told.fault = ended.fault;
-  if (told.fault.empty() && !std::isfinite(told.speed)) told.fault = "did not come to its end";
-  if (told.fault.empty() && !std::isfinite(told.kinetic))
-    told.fault = "lost its balls: what they do is not a number";
-  const std::string said = told.fault.empty() ? "" : complaint(child.folder);
-  if (!said.empty()) told.fault += ": " + said;
-  return told;
+  const ChildResult ended = watch_child(child, [](std::string_view) {});
+  ProgramResult result = read_log(child.folder / "log.txt", last_step);
+  result.memory = ended.peak_memory;
+  result.fault = ended.fault;
+  if (result.fault.empty() && !std::isfinite(result.speed))
+    result.fault = "did not come to its end";
+  if (result.fault.empty() && !std::isfinite(result.kinetic))
+    result.fault = "lost its balls: what they do is not a number";
+  const std::string said = result.fault.empty() ? "" : complaint(child.folder);
+  if (!said.empty()) result.fault += ": " + said;
+  return result;
 }
 
 }  // namespace
 
-Told by_us(const CrowdRun& run, const fs::path& folder) {
-  std::vector<std::string> words = words_for(run);
+ProgramResult run_mahlwerk(const CrowdRun& run, const fs::path& folder) {
+  std::vector<std::string> words = arguments_for(run);
   words.insert(words.begin(), fs::read_symlink("/proc/self/exe"));
-  return told_by({words, folder, {}, patience}, run.lead + run.steps);
+  return run_program({words, folder, {}, time_limit}, run.lead + run.steps);
 }
 
-Told by_peer(Peer peer, const fs::path& folder, int steps, int cores) {
+ProgramResult run_peer(Peer peer, const fs::path& folder, int steps, int cores) {
   // Open MPI refuses to serve root, as whom containers commonly run, unless told twice.
   const Child child{
-      words_of(peer, steps, cores),
+      command_of(peer, steps, cores),
       folder,
       {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
        fmt::format("OMP_NUM_THREADS={}", peer == yade ? cores : 1), fmt::format("STEPS={}", steps)},
-      patience};
-  return told_by(child, steps);
+      time_limit};
+  return run_program(child, steps);
 }
 
-bool is_here(Peer peer, int cores) {
+bool is_installed(Peer peer, int cores) {
   if (find_program(crowd_programs[peer].command).empty()) return false;
   return cores == 1 || peer == yade || !find_program("mpirun").empty();
 }

@@ -25,7 +25,7 @@ inline constexpr std::array<CrowdProgram, peers> crowd_programs{{
     {"YADE", "yade", "yade", "crowd_yade.py"},
 }};
 
-struct Told {
+struct ProgramResult {
   double speed = 0;    ///< [particle-steps/s] of the program's own clock, in its loop of steps
   double cost = 0;     ///< [s] CPU time of a particle and step; where the program tells it
   double kinetic = 0;  ///< [J] at the end, translation and rotation
@@ -33,11 +33,11 @@ struct Told {
   std::string fault;   ///< why there is nothing of that
 };
 
-Told by_us(const CrowdRun& run, const std::filesystem::path& folder);
+ProgramResult run_mahlwerk(const CrowdRun& run, const std::filesystem::path& folder);
 
-Told by_peer(Peer peer, const std::filesystem::path& folder, int steps, int cores);
+ProgramResult run_peer(Peer peer, const std::filesystem::path& folder, int steps, int cores);
 
 /// Whether the program is here, and on more than one core what starts it there, too.
-bool is_here(Peer peer, int cores);
+bool is_installed(Peer peer, int cores);
 
 }  // namespace mahlwerk::bench

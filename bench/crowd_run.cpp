@@ -17,7 +17,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-struct Nobody final : scene::Observer {
+struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
@@ -30,7 +30,7 @@ void write_balls(const std::filesystem::path& file, const std::vector<scene::Bal
   if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
-CrowdRun run_from(const std::vector<std::string>& words) {
+CrowdRun parse_run(const std::vector<std::string>& words) {
   if (words.size() != 7) throw std::runtime_error("seven words are meant");
   return {words[0],
           std::stoi(words[1]),
@@ -50,18 +50,18 @@ void perform(const CrowdRun& run) {
     count = balls.size();
     return engine(c, balls, run.threads, run.start);
   }();
-  Nobody nobody;
-  engine_of_run->advance(run.lead * c.step, nobody);
+  NullObserver observer;
+  engine_of_run->advance(run.lead * c.step, observer);
   const Clock::time_point began = Clock::now();
   const double worked = cpu_seconds();
-  engine_of_run->advance((run.lead + run.steps) * c.step, nobody);
+  engine_of_run->advance((run.lead + run.steps) * c.step, observer);
   const double taken = std::chrono::duration<double>(Clock::now() - began).count();
   const double work = cpu_seconds() - worked;
   fmt::output_file("log.txt").print(
       "{} {:.9g} 0\nLoop time of {:.6f} on {} procs for {} steps with {} atoms\nCPU time of "
       "{:.6f}\n",
-      run.lead + run.steps, engine_of_run->account().kinetic, taken, run.threads, run.steps, count,
-      work);
+      run.lead + run.steps, engine_of_run->energy_balance().kinetic, taken, run.threads, run.steps,
+      count, work);
   if (run.to != "-") write_balls(run.to, engine_of_run->balls());
 }
 
@@ -76,8 +76,8 @@ std::vector<scene::Ball> read_balls(const std::filesystem::path& file) {
   return balls;
 }
 
-std::vector<std::string> words_for(const CrowdRun& run) {
-  return {std::string(crowd_run_word),
+std::vector<std::string> arguments_for(const CrowdRun& run) {
+  return {std::string(crowd_run_option),
           run.name,
           fmt::format("{}", run.threads),
           fmt::format("{}", run.lead),
@@ -89,7 +89,7 @@ std::vector<std::string> words_for(const CrowdRun& run) {
 
 int perform_crowd_run(const std::vector<std::string>& words) {
   try {
-    perform(run_from(words));
+    perform(parse_run(words));
     return 0;
   } catch (const std::exception& fault) {
     fmt::print(stderr, "Error: {}\n", fault.what());

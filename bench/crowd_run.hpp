@@ -23,8 +23,8 @@ struct CrowdRun {
 
 /// The first word of a command line that asks this program for such a run; the others are those of
 /// `words`.
-inline constexpr std::string_view crowd_run_word = "--crowd-run";
-std::vector<std::string> words_for(const CrowdRun& run);
+inline constexpr std::string_view crowd_run_option = "--crowd-run";
+std::vector<std::string> arguments_for(const CrowdRun& run);
 
 /// Writes log.txt in the words of LAMMPS: the kinetic energy and the times of the measured steps.
 int perform_crowd_run(const std::vector<std::string>& words);

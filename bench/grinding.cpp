@@ -40,27 +40,29 @@ cases::Case planetary() {
 }
 
 results::Replicate run_of(const cases::Case& what) {
-  campaign::Replica replica(what, 0);
-  while (!replica.done()) replica.go_on();
+  campaign::ReplicateRun replica(what, 0);
+  while (!replica.done()) replica.run_slice();
   return replica.result();
 }
 
-Row prediction(const std::string& name, const cases::Case& what, const results::Replicate& run) {
+Row time_prediction(const std::string& name, const cases::Case& what,
+                    const results::Replicate& run) {
   std::vector<double> seconds;
   for (int i = 0; i < runs; ++i) {
     const double began = cpu_seconds();
-    const powder::Milling milling = results::milled(what, results::stresses(what, {&run}));
+    const powder::SizeEvolution evolution =
+        results::milling_by_balance(what, results::stress_spectrum(what, {&run}));
     seconds.push_back(cpu_seconds() - began);
-    if (!(milling.shares.back().back() >= 0)) return {};
+    if (!(evolution.shares.back().back() >= 0)) return {};
   }
   return {"grinding", name, "mahlwerk", "seconds", median(seconds)};
 }
 
-Row sample(const std::string& name, const cases::Case& what, const powder::AnyBreakage& breakage,
-           const results::Replicate& run, double times) {
+Row time_sample(const std::string& name, const cases::Case& what,
+                const powder::AnyBreakage& breakage, const results::Replicate& run, double times) {
   powder::Process process = cases::process(what);
   process.breakage = breakage;
-  const powder::StressSpectrum all = results::stresses(what, {&run});
+  const powder::StressSpectrum all = results::stress_spectrum(what, {&run});
   std::vector<double> rates;
   for (int i = 0; i < runs; ++i) {
     double seconds = 0, hits = 0;
@@ -74,7 +76,7 @@ Row sample(const std::string& name, const cases::Case& what, const powder::AnyBr
       std::vector<Event> events;
       for (const auto& hit : run.stream.hits())
         if (hit.energy > 0)
-          if (const int kind = grains.kind(hit.pair, hit.energy); grains.matters(kind))
+          if (const int kind = grains.kind(hit.pair, hit.energy); grains.has_effect(kind))
             events.push_back({kind, hit.energy});
       const double began = cpu_seconds(), feed = median(grains.sizes());
       for (std::size_t n = 0; n % 4096 != 0 || median(grains.sizes()) > feed / 5; ++n)
@@ -95,22 +97,23 @@ std::vector<Row> grinding() {
   what.grinding->time = 1;  // what the run itself grinds is not timed
   const results::Replicate run = run_of(what);
   what.grinding->time = 20 * hour;
-  std::vector<Row> rows{prediction("20 h from 2 s, beds by size", what, run)};
+  std::vector<Row> rows{time_prediction("20 h from 2 s, beds by size", what, run)};
   what.grinding->bed = powder::Bed::mixed;
-  rows.push_back(prediction("20 h from 2 s, mixed bed", what, run));
+  rows.push_back(time_prediction("20 h from 2 s, mixed bed", what, run));
   what.grinding->bed = powder::Bed::by_size;
   const powder::AnyBreakage vogel = *what.grinding->breakage;
-  rows.push_back(sample("sample of 10 000, vogel-peukert, each collision", what, vogel, run, 1));
-  rows.push_back(sample("sample of 10 000, vogel-peukert, every tenth", what, vogel, run, 10));
+  rows.push_back(
+      time_sample("sample of 10 000, vogel-peukert, each collision", what, vogel, run, 1));
+  rows.push_back(time_sample("sample of 10 000, vogel-peukert, every tenth", what, vogel, run, 10));
   const powder::Tavares tavares{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
-  rows.push_back(sample("sample of 10 000, tavares, every tenth", what, tavares, run, 10));
+  rows.push_back(time_sample("sample of 10 000, tavares, every tenth", what, tavares, run, 10));
   what.grinding->breakage = tavares;
   what.grinding->classes_per_octave = 3;
-  rows.push_back(prediction("20 h from 2 s, tavares", what, run));
+  rows.push_back(time_prediction("20 h from 2 s, tavares", what, run));
   what.grinding->classes_per_octave = 6;
   what.grinding->breakage = powder::VogelPeukert{1, 0.1};
   what.grinding->welding = 0.01;
-  rows.push_back(prediction("20 h from 2 s, welding", what, run));
+  rows.push_back(time_prediction("20 h from 2 s, welding", what, run));
   return rows;
 }
 

@@ -89,6 +89,6 @@ int perform(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mahlwerk::bench;
-  if (argc > 1 && argv[1] == crowd_run_word) return perform_crowd_run({argv + 2, argv + argc});
+  if (argc > 1 && argv[1] == crowd_run_option) return perform_crowd_run({argv + 2, argv + argc});
   return perform(argc, argv);
 }

@@ -15,7 +15,7 @@ namespace mahlwerk::bench {
 namespace {
 
 /// Who started whom: pairs of a process and its parent.
-std::vector<std::pair<int, int>> family() {
+std::vector<std::pair<int, int>> process_parents() {
   std::vector<std::pair<int, int>> found;
   std::error_code gone;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", gone)) {
@@ -40,17 +40,17 @@ double own_peak(int process) {
   return kilobytes * 1024 / 1e6;
 }
 
-double peak_of(int process, const std::vector<std::pair<int, int>>& family) {
+double peak_of(int process, const std::vector<std::pair<int, int>>& process_parents) {
   double sum = own_peak(process);
-  for (const auto& [child, parent] : family)
-    if (parent == process) sum += peak_of(child, family);
+  for (const auto& [child, parent] : process_parents)
+    if (parent == process) sum += peak_of(child, process_parents);
   return sum;
 }
 
 }  // namespace
 
 double peak_memory(int process) {
-  return peak_of(process, family());
+  return peak_of(process, process_parents());
 }
 
 }  // namespace mahlwerk::bench

@@ -24,7 +24,7 @@ constexpr double settling = 0.4, mixing_time = 5, between = 0.1;  // [s]
 
 enum Grain { small, large };
 
-struct Nobody final : scene::Observer {
+struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
@@ -46,14 +46,15 @@ double layer(std::vector<scene::Ball>& balls, int count, double radius, double d
 }
 
 std::unique_ptr<scene::Engine> engine(const std::vector<scene::Ball>& balls, double speed) {
-  const auto pair = [](const contact::Elastic& a, const contact::Elastic& b, double e, double mu) {
+  const auto pair = [](const contact::ElasticConstants& a, const contact::ElasticConstants& b,
+                       double e, double mu) {
     return contact::Pair{.modulus = contact::effective_modulus(a, b),
                          .shear_modulus = contact::effective_shear_modulus(a, b),
                          .restitution = e,
                          .friction = mu,
                          .rolling_friction = 0};
   };
-  const contact::Elastic m1{softening * 1e9, 0.2}, m2{softening * 0.5e9, 0.2},
+  const contact::ElasticConstants m1{softening * 1e9, 0.2}, m2{softening * 0.5e9, 0.2},
       steel{softening * 210e9, 0.2};
   contact::PairTable pairs(2, geometry::Cylinder::faces, pair(m1, m1, 0.5, 0.3));
   pairs.set_balls(small, large, pair(m1, m2, 0.45, 0.2));
@@ -88,21 +89,21 @@ std::vector<Row> mixing() {
   std::vector<scene::Ball> balls;
   const double top = layer(balls, 8000, 0.002, 2000, large, -drum_radius + 0.002);
   layer(balls, 30000, 0.001, 2500, small, top + 0.001);
-  Nobody nobody;
+  NullObserver observer;
   const auto rest = engine(balls, 0);
-  rest->advance(settling, nobody);
+  rest->advance(settling, observer);
   const auto drum = engine(rest->balls(), drum_speed);
   std::vector<Row> rows;
   const double began = cpu_seconds();
   for (int k = 0; k * between < mixing_time + 0.5 * between; ++k) {
-    drum->advance(k * between, nobody);
+    drum->advance(k * between, observer);
     const double count = in_quarter(*drum);
     fmt::print(stderr, "mixing: {:.1f} s, {:.0f} small grains in the quarter\n", k * between,
                count);
     rows.push_back({"mixing", fmt::format("drum of Dosta et al. 2024, {:.1f} s", k * between),
                     "mahlwerk", "small_grains_in_quarter", count});
   }
-  const scene::Account a = drum->account();
+  const scene::EnergyBalance a = drum->energy_balance();
   const std::string what = "drum of Dosta et al. 2024, whole run";
   rows.push_back({"mixing", what, "mahlwerk", "wall_work_J", a.wall_work});
   rows.push_back({"mixing", what, "mahlwerk", "lost_J", a.lost()});

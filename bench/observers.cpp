@@ -12,7 +12,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-struct Deaf final : scene::Observer {
+struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
@@ -33,17 +33,17 @@ constexpr int runs = 7;
 double bare(const cases::Case& what) {
   const double began = cpu_seconds();
   const auto engine = campaign::engine(what, 0);
-  Deaf deaf;
-  engine->advance(what.run.time, deaf);
+  NullObserver observer;
+  engine->advance(what.run.time, observer);
   return cpu_seconds() - began;
 }
 
 double observed(const cases::Case& what, std::int64_t& collisions) {
   const double began = cpu_seconds();
-  campaign::Replica replica(what, 0);
-  while (!replica.done()) replica.go_on();
+  campaign::ReplicateRun replica(what, 0);
+  while (!replica.done()) replica.run_slice();
   const double spent = cpu_seconds() - began;
-  collisions = replica.account().collisions;
+  collisions = replica.energy_balance().collisions;
   return spent;
 }
 
@@ -59,7 +59,7 @@ std::vector<Row> observers() {
     what.run.time = e.time;
     if (what.run.engine == cases::EngineName::automatic) what.run.engine = cases::EngineName::event;
     if (e.name.find("TC") != std::string_view::npos) {
-      what.contact.lasting = cases::Lasting::tc;
+      what.contact.lasting = cases::SustainedContactModel::tc;
       what.contact.contact_time = 1e-4;
     }
     std::int64_t collisions = 0;

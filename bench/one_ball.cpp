@@ -14,7 +14,7 @@
 #include "mahlwerk/event/engine.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
-#include "mahlwerk/observe/tally.hpp"
+#include "mahlwerk/observe/collision_statistics.hpp"
 
 namespace mahlwerk::bench {
 namespace {
@@ -32,7 +32,7 @@ struct Speed {
   double collisions, simulated, share;  // per CPU second, per CPU second, of time in contact
 };
 
-Speed engine(event::Lasting lasting, std::uint32_t stream) {
+Speed engine(event::SustainedContactMode lasting, std::uint32_t stream) {
   kinematics::Vibration motion;
   motion.frequency = frequency;
   motion.amplitude = amplitude;
@@ -47,14 +47,14 @@ Speed engine(event::Lasting lasting, std::uint32_t stream) {
   rules.bounce = {0.9, 0.9, INFINITY};
   rules.rolling_friction = 0.01;
   rules.lasting = lasting;
-  observe::Tally tally(0.1);
+  observe::CollisionStatistics tally(0.1);
   const auto running = event::one_ball(mill, ball, rules);
   constexpr double time = 3000;
   const double start = cpu_seconds();
   running->advance(time, tally);
   const double spent = cpu_seconds() - start;
   return {static_cast<double>(tally.all.count) / spent, time / spent,
-          running->account().contact_time / time};
+          running->energy_balance().contact_time / time};
 }
 
 /// The textbook way: look at the gap every 0.1 ms, halve the interval when it closes; no
@@ -122,12 +122,12 @@ double peak_memory_mb() {
 
 std::vector<Row> one_ball() {
   std::vector<Speed> tc, roll, scan;
-  engine(event::Lasting::tc, 99);  // warm
+  engine(event::SustainedContactMode::tc, 99);  // warm
   const double memory = peak_memory_mb();
   for (std::uint32_t i = 0; i < runs;
        ++i) {  // in turn, so that a drifting machine touches all alike
-    tc.push_back(engine(event::Lasting::tc, i));
-    roll.push_back(engine(event::Lasting::roll, i));
+    tc.push_back(engine(event::SustainedContactMode::tc, i));
+    roll.push_back(engine(event::SustainedContactMode::roll, i));
     scan.push_back(scanning(i));
   }
   std::vector<Row> rows;

@@ -82,11 +82,11 @@ std::vector<Speeds> measure_speeds(const std::vector<Program>& peers) {
   for (const Program& peer : peers) all.push_back({std::string(peer.name), {}});
   for (int turn = 0; turn < turns; ++turn) {
     say(fmt::format("speeds, turn {} of {}", turn + 1, turns));
-    if (const auto ours = our_speed(start(0), our_steps))
+    if (const auto ours = mahlwerk_speed(start(0), our_steps))
       all[0].found.push_back(ours->particle_steps_per_second);
     for (std::size_t i = 0; i < peers.size(); ++i) {
       if (std::ssize(all[i + 1].found) < turn) continue;
-      const Found<double> speed = speed_of(peers[i], start(0));
+      const Expected<double> speed = speed_of(peers[i], start(0));
       if (speed.fault.empty())
         all[i + 1].found.push_back(speed.value);
       else
@@ -129,7 +129,7 @@ std::vector<Physics> observe(const Program& peer) {
   const int count = starts_of(peer);
   for (int i = 0; i < count; ++i) {
     say(fmt::format("{}, physics, start {} of {}", peer.name, i + 1, count));
-    const Found<Physics> found = physics_of(peer, start(i));
+    const Expected<Physics> found = physics_of(peer, start(i));
     if (found.fault.empty())
       all.push_back(found.value);
     else
@@ -141,7 +141,7 @@ std::vector<Physics> observe(const Program& peer) {
 std::vector<Physics> observe_ours() {
   std::vector<Physics> all;
   for (int i = 0; i < replicates; ++i)
-    if (const auto found = our_physics(start(i))) all.push_back(*found);
+    if (const auto found = mahlwerk_physics(start(i))) all.push_back(*found);
   return all;
 }
 

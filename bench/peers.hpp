@@ -44,12 +44,12 @@ using Start = std::array<scene::Ball, 5>;
 /// Replicate 0 is the start of the case; the others have each ball up to 0.1 mm beside it.
 Start start(int replicate);
 
-struct Ours {
+struct MahlwerkSpeed {
   double particle_steps_per_second = 0;
 };
 
 /// Mahlwerk's own soft engine, one core, for so many steps; nothing while there is none.
-std::optional<Ours> our_speed(const Start& start, int steps);
-std::optional<Physics> our_physics(const Start& start);
+std::optional<MahlwerkSpeed> mahlwerk_speed(const Start& start, int steps);
+std::optional<Physics> mahlwerk_physics(const Start& start);
 
 }  // namespace mahlwerk::bench

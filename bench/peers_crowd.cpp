@@ -35,7 +35,7 @@ struct Series {
   double kinetic = 0;
   bool failed = false;
 
-  void add(const Told& told) {
+  void add(const ProgramResult& told) {
     failed = !told.fault.empty();
     if (failed) return say(fmt::format("{} {}", code, told.fault));
     speeds.push_back(told.speed);
@@ -54,13 +54,13 @@ std::vector<Series> take_turns(const CrowdCase& c, const std::filesystem::path& 
   for (int i = 0; i < peers; ++i)
     all.push_back({.code = std::string(crowd_programs[i].name),
                    .steps = c.peer_steps[i],
-                   .failed = !is_here(static_cast<Peer>(i), cores)});
+                   .failed = !is_installed(static_cast<Peer>(i), cores)});
   for (int turn = 0; turn < turns; ++turn) {
     say(fmt::format("{}, {} core(s), turn {} of {}", c.what, cores, turn + 1, turns));
-    all[0].add(by_us(measured(c, c.steps, cores), folder));
+    all[0].add(run_mahlwerk(measured(c, c.steps, cores), folder));
     for (int i = 0; i < peers; ++i)
       if (Series& one = all[i + 1]; !one.failed)
-        one.add(by_peer(static_cast<Peer>(i), folder, one.steps, cores));
+        one.add(run_peer(static_cast<Peer>(i), folder, one.steps, cores));
   }
   return all;
 }
@@ -89,7 +89,7 @@ void add_energies(std::vector<Row>& rows, const CrowdCase& c, const std::vector<
     if (one.speeds.empty()) continue;
     rows.push_back({"crowd", c.what, one.code, "kinetic_energy_J", one.kinetic});
     if (&one == &all.front()) continue;
-    const Told ours = by_us(measured(c, one.steps, 2), folder);
+    const ProgramResult ours = run_mahlwerk(measured(c, one.steps, 2), folder);
     if (ours.fault.empty())
       rows.push_back(
           {"crowd", c.what, one.code, "kinetic_energy_over_mahlwerk", one.kinetic / ours.kinetic});
@@ -100,12 +100,12 @@ void add_energies(std::vector<Row>& rows, const CrowdCase& c, const std::vector<
 /// stands as it did at the start.
 void warm_up(const CrowdCase& c, const std::filesystem::path& folder) {
   say(c.what + ", warming up");
-  const Told told = by_us({.name = c.name,
-                           .threads = 2,
-                           .steps = c.warm_up,
-                           .start = -c.warm_up * c.step,
-                           .to = "balls.bin"},
-                          folder);
+  const ProgramResult told = run_mahlwerk({.name = c.name,
+                                           .threads = 2,
+                                           .steps = c.warm_up,
+                                           .start = -c.warm_up * c.step,
+                                           .to = "balls.bin"},
+                                          folder);
   if (!told.fault.empty()) throw std::runtime_error("mahlwerk " + told.fault);
   write_crowd(folder, c, read_balls(folder / "balls.bin"));
 }

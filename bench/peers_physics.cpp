@@ -25,8 +25,8 @@ double take(std::string_view& text) {
 
 }  // namespace
 
-void Analysis::see(const Sample& sample) {
-  seen_to_ = sample.time;
+void Analysis::add_sample(const Sample& sample) {
+  last_sample_time_ = sample.time;
   constexpr double rounding = 1e-9;  // [s] the time may come from a sum or a product
   if (sample.time < from_ - rounding || sample.time > to_ + rounding) return;
   add_means(sample);
@@ -39,7 +39,7 @@ void Analysis::see(const Sample& sample) {
 void Analysis::add_means(const Sample& sample) {
   const kinematics::Planetary& mill = planetary_case.mill;
   const double mass = planetary_case.ball({}).mass(), inertia = planetary_case.ball({}).inertia();
-  const Vec3 carried = mill.ride(sample.time).velocity, disc{0, 0, mill.speed};
+  const Vec3 carried = mill.frame_motion(sample.time).velocity, disc{0, 0, mill.speed};
   for (const Sample::Ball& ball : sample.balls) {
     const Vec3 moment = cross(ball.position, ball.force) + ball.torque;
     sum_.power += dot(carried, ball.force) + mill.jar_spin() * moment.z;
@@ -118,13 +118,13 @@ void DumpReader::ball(std::string_view text) {
 }
 
 void DumpReader::finish() {
-  const kinematics::Ride ride = planetary_case.mill.ride(sample_.time);
-  const Vec3 centre = ride.centre + Vec3{0, 0, planetary_case.vial.height / 2};
+  const kinematics::FrameMotion frame = planetary_case.mill.frame_motion(sample_.time);
+  const Vec3 centre = frame.centre + Vec3{0, 0, planetary_case.vial.height / 2};
   for (Sample::Ball& ball : sample_.balls) {
     ball.position -= centre;
-    ball.velocity -= ride.velocity;
+    ball.velocity -= frame.velocity;
   }
-  analysis_.see(sample_);
+  analysis_.add_sample(sample_);
   awaiting_ = Awaiting::header;
 }
 

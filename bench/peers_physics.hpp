@@ -49,10 +49,10 @@ class Analysis {
   /// Samples from `from` to `to` [s] count.
   Analysis(double from, double to) : from_(from), to_(to) {}
 
-  void see(const Sample& sample);
+  void add_sample(const Sample& sample);
   /// No numbers if no two samples lay in the window.
   Physics physics() const;
-  double seen_to() const { return seen_to_; }  ///< [s] time of the last sample
+  double last_sample_time() const { return last_sample_time_; }  ///< [s] time of the last sample
 
  private:
   /// Of the pairs that may touch: when two come to touch their speed is that at which the gap
@@ -68,7 +68,7 @@ class Analysis {
   void add_means(const Sample& sample);
   void add_touches(const Sample& sample);
 
-  double from_, to_, first_ = NAN, last_ = NAN, seen_to_ = NAN;
+  double from_, to_, first_ = NAN, last_ = NAN, last_sample_time_ = NAN;
   double samples_ = 0;
   Physics sum_;
   Gaps ball_ball_, ball_side_;

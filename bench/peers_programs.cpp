@@ -50,8 +50,8 @@ double loop_time(const fs::path& folder) {
 
 /// Runs the program in a folder of its own, where it writes the balls down `every` so many steps;
 /// tells its loop's time [s].
-Found<double> run(const Program& program, const Start& start, int steps, int every,
-                  const std::function<void(std::string_view)>& line) {
+Expected<double> run(const Program& program, const Start& start, int steps, int every,
+                     const std::function<void(std::string_view)>& line) {
   const TemporaryFolder folder;
   write_case(folder.path() / "case.in", start);
   write_vial(folder.path() / "vial.stl");
@@ -65,24 +65,24 @@ Found<double> run(const Program& program, const Start& start, int steps, int eve
 
 }  // namespace
 
-Found<double> speed_of(const Program& program, const Start& start) {
-  const Found<double> taken = run(program, start, program.steps, never, [](std::string_view) {});
+Expected<double> speed_of(const Program& program, const Start& start) {
+  const Expected<double> taken = run(program, start, program.steps, never, [](std::string_view) {});
   const double particle_steps = static_cast<double>(start.size()) * program.steps;
   return {particle_steps / taken.value, taken.fault};
 }
 
-Found<Physics> physics_of(const Program& program, const Start& start) {
+Expected<Physics> physics_of(const Program& program, const Start& start) {
   constexpr const PlanetaryCase& c = planetary_case;
   Analysis analysis(c.from, c.to);
   DumpReader reader(static_cast<int>(start.size()), c.step, analysis);
   const auto steps = static_cast<int>(std::lround(c.to / c.step));
   const auto every = static_cast<int>(std::lround(c.between_samples / c.step));
-  const Found<double> taken =
+  const Expected<double> taken =
       run(program, start, steps, every, [&](std::string_view line) { reader.line(line); });
   if (!taken.fault.empty()) return {{}, taken.fault};
   const Physics physics = analysis.physics();
-  if (!(analysis.seen_to() > c.to - c.between_samples / 2))
-    return {{}, fmt::format("was seen only to {} s", analysis.seen_to())};
+  if (!(analysis.last_sample_time() > c.to - c.between_samples / 2))
+    return {{}, fmt::format("was seen only to {} s", analysis.last_sample_time())};
   if (!std::isfinite(physics.power) || !std::isfinite(physics.kinetic))
     return {{}, "lost its balls: what they do is not a number"};
   return {physics, {}};

@@ -28,14 +28,14 @@ inline constexpr std::array programs{
 
 /// Either what was found, or why there is nothing.
 template <typename T>
-struct Found {
+struct Expected {
   T value{};
   std::string fault;
 };
 
 /// Particle-steps per second of the program's own clock, in its loop of steps alone.
-Found<double> speed_of(const Program& program, const Start& start);
+Expected<double> speed_of(const Program& program, const Start& start);
 
-Found<Physics> physics_of(const Program& program, const Start& start);
+Expected<Physics> physics_of(const Program& program, const Start& start);
 
 }  // namespace mahlwerk::bench

@@ -25,7 +25,7 @@ struct Count final : scene::Observer {
 };
 
 contact::Pair steel(double restitution, double friction, double rolling) {
-  const contact::Elastic e{208e9, 0.3};
+  const contact::ElasticConstants e{208e9, 0.3};
   return {.modulus = contact::effective_modulus(e, e),
           .shear_modulus = contact::effective_shear_modulus(e, e),
           .restitution = restitution,
@@ -52,25 +52,25 @@ double planetary_ns(const contact::AnyLaw& law) {
   return median(found);
 }
 
-struct Vibrated {
+struct VibrationResult {
   double steps, seconds, rate;
 };
 /// Paper A's vial at 10 Hz and 25 mm, e = 0.9, five simulated seconds.
-Vibrated vibrated(bool hop) {
+VibrationResult run_vibration(bool free_flight_skip) {
   kinematics::Vibration motion;
   motion.frequency = 10;
   motion.amplitude = 0.025;
   const scene::Chamber mill{geometry::Capsule{0.012, 0.03621}, motion, {}, {0, 0, -9.81}};
   soft::Rules rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
                     .time_step = 5e-7,
-                    .free_flight_skip = hop};
+                    .free_flight_skip = free_flight_skip};
   const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
                                    {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
   Count count;
   constexpr double time = 5;
   const double began = cpu_seconds();
   engine->advance(time, count);
-  return {static_cast<double>(engine->account().time_steps), cpu_seconds() - began,
+  return {static_cast<double>(engine->energy_balance().time_steps), cpu_seconds() - began,
           static_cast<double>(count.above) / time};
 }
 
@@ -81,7 +81,7 @@ std::vector<Row> soft() {
   for (const contact::AnyLaw& law : contact::all_laws())
     rows.push_back({"soft", "planetary mill, 5 balls of 15 mm, dt 1 us",
                     std::string(contact::name_of(law)), "ns_per_step", planetary_ns(law)});
-  const Vibrated with = vibrated(true), without = vibrated(false);
+  const VibrationResult with = run_vibration(true), without = run_vibration(false);
   const std::string vial = "vibrating vial, 1 ball, dt 0.5 us";
   rows.push_back({"soft", vial, "hops", "touches_above_0.1_m_s_per_second", with.rate});
   rows.push_back({"soft", vial, "every step", "touches_above_0.1_m_s_per_second", without.rate});

@@ -25,11 +25,11 @@ inline contact::Pair soft_pair(double e = 0.6, double mu = 0.3) {
 }
 
 /// Balls at random places, in the jar's own axes, that are free of the wall and of each other.
-inline std::vector<scene::Ball> strewn(const geometry::Mesh& mesh, int count, double radius,
-                                       Random& random, double speed = 0.3) {
+inline std::vector<scene::Ball> random_balls_in(const geometry::Mesh& mesh, int count,
+                                                double radius, Random& random, double speed = 0.3) {
   std::vector<scene::Ball> balls;
   while (std::ssize(balls) < count) {
-    const Vec3 p = anywhere_in(mesh.extent(), random);
+    const Vec3 p = random_point_in(mesh.extent(), random);
     bool free = true;
     mesh.near(p, 1.01 * radius, [&](int, const geometry::Gap&) { free = false; });
     for (const scene::Ball& b : balls) free = free && norm(b.position - p) > 2.01 * radius;
@@ -48,7 +48,7 @@ inline std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
   for (scene::Ball& b : balls) b.position = mount * b.position;
   const int faces = geometry::faces(shape);
   soft::Rules rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
-  rules.few = few;
+  rules.few_body_limit = few;
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 

@@ -25,7 +25,7 @@ using Triangles = std::vector<Corners>;
 constexpr double crease = std::numbers::pi / 6;  // the default of a case [rad]
 
 inline geometry::Mesh mesh_of(const Triangles& t, double angle = crease) {
-  return {geometry::joined(t), angle};
+  return {geometry::weld(t), angle};
 }
 
 /// A polygon, anticlockwise, in triangles: about the origin where all of it is seen from there, or
@@ -196,7 +196,7 @@ inline double winding(const Triangles& all, const Vec3& p) {
   return sum / (4 * std::numbers::pi);
 }
 
-inline Vec3 anywhere_in(const geometry::Extent& e, Random& random) {
+inline Vec3 random_point_in(const geometry::Extent& e, Random& random) {
   return {random.uniform(e.low.x, e.high.x), random.uniform(e.low.y, e.high.y),
           random.uniform(e.low.z, e.high.z)};
 }

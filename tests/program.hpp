@@ -21,9 +21,9 @@
 // The program as a user meets it, in a folder that goes away with the test.
 namespace mahlwerk::tests {
 
-struct Ended {
+struct ProgramResult {
   int code;
-  std::string said;  // on both streams
+  std::string output;  // on both streams
 };
 
 class ProgramTest : public ::testing::Test {
@@ -35,7 +35,7 @@ class ProgramTest : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(here_); }
 
-  Ended mahlwerk(const std::string& words) const {
+  ProgramResult mahlwerk(const std::string& words) const {
     const std::string command = "(cd '" + here_.string() + "' && '" +
                                 std::string(MAHLWERK_PROGRAM) + "' " + words + ") 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
@@ -46,7 +46,8 @@ class ProgramTest : public ::testing::Test {
   }
   /// Sends `signal` as soon as there is the file `once`, or a checkpoint in the folder `once`; the
   /// code of a program that a signal ended is 128 and its number, as in a shell.
-  Ended mahlwerk_until(const std::string& once, int signal, const std::string& words) const {
+  ProgramResult mahlwerk_until(const std::string& once, int signal,
+                               const std::string& words) const {
     const pid_t child = fork();
     if (child == 0) {
       const int said = ::open((here_ / "said").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
@@ -82,9 +83,9 @@ class ProgramTest : public ::testing::Test {
   bool exists(const std::string& name) const { return std::filesystem::exists(here_ / name); }
   /// Refused as bad input, for a reason that says `because`, with nothing in "out".
   void expect_refused(const std::string& words, const std::string& because) const {
-    const Ended e = mahlwerk(words);
-    EXPECT_EQ(e.code, 2) << words << "\n" << e.said;
-    EXPECT_NE(e.said.find(because), std::string::npos) << words << "\n" << e.said;
+    const ProgramResult e = mahlwerk(words);
+    EXPECT_EQ(e.code, 2) << words << "\n" << e.output;
+    EXPECT_NE(e.output.find(because), std::string::npos) << words << "\n" << e.output;
     EXPECT_FALSE(exists("out")) << words;
   }
 

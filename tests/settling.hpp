@@ -18,7 +18,7 @@ inline std::unique_ptr<scene::Engine> lasting_engine(const scene::Chamber& mill,
                                                      const contact::BounceRule& rule,
                                                      double contact_time = t_c) {
   event::Rules rules;
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   rules.contact_time = contact_time;
   return event::many_balls(mill, balls, rules, {1, 6, rule});
 }
@@ -34,14 +34,14 @@ inline void check_settling(int n, double packing) {
       geometry::Box{side, side, side}, kinematics::Still{}, {}, {0, 0, -gravity}};
   const auto run = lasting_engine(box, balls, {0.9, 0, 0.3});
   Counter counter;
-  const double fall = run->account().potential;
+  const double fall = run->energy_balance().potential;
   run->advance(0.15, counter);
   const std::int64_t falling = counter.count;
   run->advance(0.20, counter);
   const std::int64_t settled = counter.count - falling;
   run->advance(0.25, counter);
   const std::int64_t resting = counter.count - falling - settled;
-  const scene::Account a = run->account();
+  const scene::EnergyBalance a = run->energy_balance();
   const double rate = static_cast<double>(resting) / 0.05;
   stays_below("collisions of a ball in t_c", 2 * rate / n / n / n * t_c, 20,
               "man.4: bounces do not follow each other ever faster");

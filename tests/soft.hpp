@@ -17,10 +17,10 @@
 // The jars, balls and collisions that tests of the soft engine share.
 namespace mahlwerk::tests {
 
-constexpr contact::Elastic rigid{INFINITY, 0};
+constexpr contact::ElasticConstants rigid{INFINITY, 0};
 
-inline contact::Pair pair_of(const contact::Elastic& a, const contact::Elastic& b, double e,
-                             double mu = 0) {
+inline contact::Pair pair_of(const contact::ElasticConstants& a, const contact::ElasticConstants& b,
+                             double e, double mu = 0) {
   contact::Pair pair;
   pair.modulus = contact::effective_modulus(a, b);
   pair.shear_modulus = contact::effective_shear_modulus(a, b);
@@ -50,11 +50,12 @@ inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
 }
 
 /// R* and m* of a ball at a flat wall.
-inline contact::Touching touching(const contact::Pair& pair, const scene::Ball& b) {
+inline contact::EffectivePair touching(const contact::Pair& pair, const scene::Ball& b) {
   return {pair, b.radius, b.mass()};
 }
 /// Of a ball at a flat wall, or of two balls.
-inline contact::Touching touching(const contact::Pair& pair, const std::vector<scene::Ball>& both) {
+inline contact::EffectivePair touching(const contact::Pair& pair,
+                                       const std::vector<scene::Ball>& both) {
   const scene::Ball &a = both.front(), &b = both.back();
   if (both.size() == 1) return touching(pair, a);
   return {pair, a.radius * b.radius / (a.radius + b.radius),
@@ -62,7 +63,7 @@ inline contact::Touching touching(const contact::Pair& pair, const std::vector<s
 }
 
 /// How long a collision lasts, by the law's own reckoning; of the swiftest part of it [s].
-inline double contact_time(const contact::ContactModel& model, const contact::Touching& t,
+inline double contact_time(const contact::ContactModel& model, const contact::EffectivePair& t,
                            double speed) {
   return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, *model.law);
 }
@@ -71,7 +72,7 @@ inline double contact_time(const contact::ContactModel& model, const contact::To
 struct Impact {
   std::vector<scene::Ball> before, after;
   scene::Collision record;
-  scene::Account account;
+  scene::EnergyBalance energy_balance;
   double duration = 0;     ///< [s] between the touches, to a fraction of a step
   double deepest = 0;      ///< [m]
   double restitution = 0;  ///< found
@@ -109,11 +110,12 @@ inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
   }
   found.before = balls;
   found.after = engine->balls();
-  found.account = engine->account();
+  found.energy_balance = engine->energy_balance();
   if (!recorder.all.empty()) found.record = recorder.all.front();
   found.restitution = -closing(found.after) / speed;
-  found.deepest = found.account.deepest_overlap * balls[0].radius;
-  found.duration = found.account.time - apart / speed + gap(found.after) / closing(found.after);
+  found.deepest = found.energy_balance.deepest_overlap * balls[0].radius;
+  found.duration =
+      found.energy_balance.time - apart / speed + gap(found.after) / closing(found.after);
   return found;
 }
 

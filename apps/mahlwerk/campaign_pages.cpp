@@ -25,12 +25,13 @@ namespace {
 constexpr std::size_t many = 5000;
 
 /// Whether the points are those of this plan, by the first and the last: the case may have changed.
-bool made(const report::Campaign& campaign, const campaign::Plan& plan, const cases::Case& what) {
+bool made_by(const report::Campaign& campaign, const campaign::Plan& plan,
+             const cases::Case& what) {
   if (campaign.points.empty() || plan.size() != campaign.points.size()) return false;
-  const std::vector<std::string> own = campaign::own_values(plan, what);
+  const std::vector<std::string> own = campaign::base_values(plan, what);
   for (const std::size_t i : {std::size_t{0}, plan.size() - 1}) {
     const std::vector<std::string>&kept = campaign.points[i].values,
-          said = campaign::said(plan, i, own);
+          said = campaign::point_values(plan, i, own);
     const bool same = std::ranges::equal(kept, said, [](const auto& a, const auto& b) {
       const NumberText x = number_text(a), y = number_text(b);
       return a == b || (x.number == y.number && x.rest == y.rest);
@@ -40,12 +41,12 @@ bool made(const report::Campaign& campaign, const campaign::Plan& plan, const ca
   return true;
 }
 
-void tell_what_matters(report::Campaign& campaign, const campaign::Store& store) {
+void add_sensitivities_of_design(report::Campaign& campaign, const campaign::Store& store) {
   try {
     const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
     if (what.sweep.empty()) return;
     const campaign::Plan plan(what.sweep, what.seed);
-    if (made(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.places());
+    if (made_by(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.design());
   } catch (const InputError&) {
     // the case has gone or changed since: its numbers are told without
   }
@@ -79,9 +80,9 @@ report::Campaign campaign_of(const campaign::Store& store) {
     campaign.points.push_back(std::move(point));
   });
   campaign.notices = store.notices();
-  campaign.swept = report::swept(store.keys(), campaign.points);
-  for (report::Swept& swept : campaign.swept) swept.follows = store.follows(swept.key);
-  tell_what_matters(campaign, store);
+  campaign.keys = report::campaign_keys(store.keys(), campaign.points);
+  for (report::CampaignKey& key : campaign.keys) key.follows = store.follows(key.key);
+  add_sensitivities_of_design(campaign, store);
   return campaign;
 }
 

@@ -15,7 +15,7 @@ using report::Effect;
 using report::Sensitivity;
 
 /// Half the width of an interval, which need not lie evenly about its value.
-double half(const campaign::Sure& sure) {
+double half(const campaign::IntervalEstimate& sure) {
   return 0.5 * (sure.high - sure.low);
 }
 
@@ -34,22 +34,22 @@ std::size_t column_of(const report::Campaign& campaign, std::string_view name) {
 }
 
 /// What the keys do to one column of the campaign.
-class Answer {
+class SensitivityAnalysis {
  public:
-  Answer(const report::Campaign& campaign, const cases::Sweep& sweep,
-         const campaign::Places& design, std::size_t column)
+  SensitivityAnalysis(const report::Campaign& campaign, const cases::Sweep& sweep,
+                      const campaign::DesignMatrix& design, std::size_t column)
       : sweep_(sweep),
         design_(design),
         outcomes_(of_points(campaign, column, &report::Point::value)),
         widths_(of_points(campaign, column, &report::Point::ci95)),
         replicates_(of_points(campaign, column_of(campaign, "replicates"), &report::Point::value)) {
-    said_.quantity = campaign.columns[column].name;
-    said_.unit = campaign.columns[column].unit;
+    result_.quantity = campaign.columns[column].name;
+    result_.unit = campaign.columns[column].unit;
   }
 
-  Sensitivity said() {
+  Sensitivity result() {
     for (const cases::SweptKey& key : sweep_.keys)
-      said_.effects.push_back(
+      result_.effects.push_back(
           {.key = key.key, .low_end = key.values[0], .high_end = key.values[1]});
     if (sweep_.design == cases::Design::one_at_a_time)
       one_at_a_time();
@@ -57,55 +57,55 @@ class Answer {
       morris();
     else
       sobol();
-    return std::move(said_);
+    return std::move(result_);
   }
 
  private:
   void one_at_a_time() {
     const campaign::Swings found = campaign::swings(outcomes_, widths_);
-    said_.method = report::Method::one_at_a_time;
-    said_.base = found.base.value;
-    said_.base_ci95 = half(found.base);
-    for (std::size_t k = 0; k < said_.effects.size(); ++k) {
-      Effect& effect = said_.effects[k];
+    result_.method = report::Method::one_at_a_time;
+    result_.base = found.base.value;
+    result_.base_ci95 = half(found.base);
+    for (std::size_t k = 0; k < result_.effects.size(); ++k) {
+      Effect& effect = result_.effects[k];
       effect.low = found.keys[k].at_low.value;
       effect.low_ci95 = half(found.keys[k].at_low);
       effect.high = found.keys[k].at_high.value;
       effect.high_ci95 = half(found.keys[k].at_high);
-      effect.told = found.keys[k].told;
-      effect.idle = found.keys[k].idle;
+      effect.significant = found.keys[k].significant;
+      effect.inactive = found.keys[k].inactive;
     }
   }
   void morris() {
     const campaign::ElementaryEffects found =
         campaign::elementary_effects(design_, outcomes_, errors());
-    said_.method = report::Method::morris;
-    say_mean();
-    for (std::size_t k = 0; k < said_.effects.size(); ++k) {
-      Effect& effect = said_.effects[k];
-      const campaign::Effects& of = found.keys[k];
-      effect.mean_absolute = of.mean_size.value;
-      effect.mean_absolute_ci95 = half(of.mean_size);
+    result_.method = report::Method::morris;
+    set_mean();
+    for (std::size_t k = 0; k < result_.effects.size(); ++k) {
+      Effect& effect = result_.effects[k];
+      const campaign::KeyEffects& of = found.keys[k];
+      effect.mean_absolute = of.mean_absolute.value;
+      effect.mean_absolute_ci95 = half(of.mean_absolute);
       effect.mean = of.mean.value;
       effect.mean_ci95 = half(of.mean);
-      effect.deviation = of.spread.value;
-      effect.deviation_ci95 = half(of.spread);
+      effect.deviation = of.deviation.value;
+      effect.deviation_ci95 = half(of.deviation);
       effect.of_noise = of.of_noise;
       effect.count = of.count;
-      effect.told = of.told;
-      effect.idle = of.idle;
+      effect.significant = of.significant;
+      effect.inactive = of.inactive;
     }
   }
   void sobol() {
-    const campaign::VarianceShares found =
-        campaign::variance_shares(sweep_.keys.size(), outcomes_, errors());
-    said_.method = report::Method::sobol;
-    said_.variance = found.variance;
-    said_.noise = found.noise;
-    say_mean();
-    for (std::size_t k = 0; k < said_.effects.size(); ++k) {
-      Effect& effect = said_.effects[k];
-      const campaign::Shares& of = found.keys[k];
+    const campaign::VarianceDecomposition found =
+        campaign::variance_decomposition(sweep_.keys.size(), outcomes_, errors());
+    result_.method = report::Method::sobol;
+    result_.variance = found.variance;
+    result_.noise = found.noise;
+    set_mean();
+    for (std::size_t k = 0; k < result_.effects.size(); ++k) {
+      Effect& effect = result_.effects[k];
+      const campaign::SobolIndices& of = found.keys[k];
       effect.first_order = of.first.value;
       effect.first_order_ci95 = half(of.first);
       effect.total = of.total.value;
@@ -113,41 +113,41 @@ class Answer {
       effect.total_low = of.total.low;
       effect.total_high = of.total.high;
       effect.count = of.count;
-      effect.told = of.told;
-      effect.idle = of.idle;
+      effect.significant = of.significant;
+      effect.inactive = of.inactive;
     }
   }
 
-  void say_mean() {
+  void set_mean() {
     const results::Quantity mean = [&] {
       results::Quantity q;
       results::combine(q, outcomes_);
       return q;
     }();
-    said_.base = mean.value;
-    said_.base_ci95 = mean.ci95;
+    result_.base = mean.value;
+    result_.base_ci95 = mean.ci95;
   }
   std::vector<double> errors() const {
     return campaign::standard_errors(outcomes_, widths_, replicates_);
   }
 
   const cases::Sweep& sweep_;
-  const campaign::Places& design_;
+  const campaign::DesignMatrix& design_;
   std::vector<double> outcomes_, widths_, replicates_;
-  Sensitivity said_;
+  Sensitivity result_;
 };
 
 }  // namespace
 
 void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
-                       const campaign::Places& design) {
+                       const campaign::DesignMatrix& design) {
   using cases::Design;
   const bool made_for_it = sweep.design == Design::one_at_a_time ||
                            sweep.design == Design::morris || sweep.design == Design::sobol_indices;
   if (!made_for_it || design.size() != campaign.points.size()) return;
   for (const std::string& name : report::compared_quantities(campaign)) {
     const std::size_t column = column_of(campaign, name);
-    campaign.sensitivities.push_back(Answer(campaign, sweep, design, column).said());
+    campaign.sensitivities.push_back(SensitivityAnalysis(campaign, sweep, design, column).result());
   }
 }
 

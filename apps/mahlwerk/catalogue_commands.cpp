@@ -18,8 +18,8 @@ namespace {
 
 using results::Json;
 
-std::vector<std::string> rooms_wanted(const std::string& target) {
-  const auto& all = cases::Catalogue::rooms;
+std::vector<std::string> requested_categories(const std::string& target) {
+  const auto& all = cases::Catalogue::categories;
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no room '" + target + "' in the catalogue",
@@ -29,12 +29,12 @@ std::vector<std::string> rooms_wanted(const std::string& target) {
 cases::CatalogueEntry entry_named(const std::string& name) {
   const cases::Catalogue all = catalogue();
   std::vector<std::string> known;
-  for (const std::string_view room : cases::Catalogue::rooms)
-    for (const std::string& one : all.names(room)) {
-      if (one == name) return all.find(room, name);
+  for (const std::string_view category : cases::Catalogue::categories)
+    for (const std::string& one : all.names(category)) {
+      if (one == name) return all.find(category, name);
       known.push_back(one);
     }
-  const std::string near = cases::nearest(name, known);
+  const std::string near = cases::nearest_name(name, known);
   throw InputError(Fault{"describe", "the catalogue has no '" + name + "'",
                          near.empty() ? "see 'mahlwerk list'" : "did you mean '" + near + "'?",
                          "unknown-name"});
@@ -45,7 +45,8 @@ Json as_json(const cases::CatalogueEntry& entry) {
   for (const auto& [key, value] : entry.values)
     values[key] = Json::object(
         {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}});
-  Json made = Json::object({{"room", entry.room}, {"name", entry.name}, {"title", entry.title}});
+  Json made =
+      Json::object({{"room", entry.category}, {"name", entry.name}, {"title", entry.title}});
   if (!entry.kind.empty()) made["kind"] = entry.kind;
   made["about"] = entry.about;
   made["values"] = values;
@@ -56,15 +57,15 @@ Json as_json(const cases::CatalogueEntry& entry) {
 int list(const Request& request) {
   const cases::Catalogue all = catalogue();
   Json json = Json::array();
-  for (const std::string& room : rooms_wanted(request.target)) {
-    if (!request.json) fmt::print("{}\n", room);
-    for (const std::string& name : all.names(room)) {
-      const cases::CatalogueEntry entry = all.find(room, name);
+  for (const std::string& category : requested_categories(request.target)) {
+    if (!request.json) fmt::print("{}\n", category);
+    for (const std::string& name : all.names(category)) {
+      const cases::CatalogueEntry entry = all.find(category, name);
       const bool weak = std::any_of(entry.values.begin(), entry.values.end(),
                                     [](const auto& v) { return v.second.unverified; });
       if (request.json)
         json.push_back(Json::object(
-            {{"room", room}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
+            {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
       else
         to_stdout(fmt::format("  {:<26} {}{}\n", name, entry.title,
                               weak ? "  (holds unverified values)" : ""));
@@ -74,16 +75,16 @@ int list(const Request& request) {
     json_to_stdout(json);
   else
     fmt::print("\nmahlwerk describe NAME shows every value with its unit and source.\n");
-  return fine;
+  return success;
 }
 
 int describe(const Request& request) {
   const cases::CatalogueEntry entry = entry_named(request.target);
   if (request.json) {
     json_to_stdout(as_json(entry));
-    return fine;
+    return success;
   }
-  to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.room, entry.name));
+  to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.category, entry.name));
   if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
   to_stdout(fmt::format("{}\n\n", entry.about));
   for (const auto& [key, value] : entry.values)
@@ -94,7 +95,7 @@ int describe(const Request& request) {
     to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n",
                           check.quantity, cases::derived(entry, check.quantity), check.expected,
                           100 * check.tolerance, check.source));
-  return fine;
+  return success;
 }
 
 }  // namespace
@@ -105,7 +106,7 @@ Command list_command() {
           {{.name = "ROOM",
             .target = &Request::target,
             .about = "mills, jars, materials or media (default: all)",
-            .offers = "mills jars materials media"},
+            .completions = "mills jars materials media"},
            json()},
           list};
 }
@@ -117,7 +118,7 @@ Command describe_command() {
             .target = &Request::target,
             .about = "a name from 'mahlwerk list'",
             .required = true,
-            .offers = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')"},
+            .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')"},
            json()},
           describe};
 }

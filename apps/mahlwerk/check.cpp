@@ -35,16 +35,16 @@ double cost(const cases::Case& what) {
   cases::Case pilot = what;
   pilot.run.time = 1;
   pilot.run.settle = 0;
-  campaign::Replica replica(pilot, 0);
+  campaign::ReplicateRun replica(pilot, 0);
   const Clock::time_point began = Clock::now();
-  while (!replica.done() && Clock::now() - began < patience) replica.go_on();
+  while (!replica.done() && Clock::now() - began < patience) replica.run_slice();
   const double spent = std::chrono::duration<double>(Clock::now() - began).count();
-  return replica.account().time > 0 ? spent / replica.account().time : 0;
+  return replica.energy_balance().time > 0 ? spent / replica.energy_balance().time : 0;
 }
 
-struct Checked {
+struct CheckResult {
   cases::Case what;
-  std::vector<cases::Consequence> follows;
+  std::vector<cases::DerivedQuantity> follows;
   std::vector<Fault> engine;  ///< why this version cannot run it, or some points of a campaign
   std::size_t points = 1;     ///< of a campaign
   std::size_t bad_points = 0;
@@ -55,10 +55,10 @@ void add(const Notices& notices, std::vector<std::string>& lines) {
   for (const Notice& one : notices) lines.push_back((one.warns() ? "Warning: " : "") + one.text);
 }
 
-Checked look_at(const Request& request, const std::filesystem::path& file,
-                const cases::Catalogue& known) {
+CheckResult check_case(const Request& request, const std::filesystem::path& file,
+                       const cases::Catalogue& known) {
   const std::vector<cases::Override> set = overrides(request);
-  Checked c;
+  CheckResult c;
   c.what = cases::read(file, known, set);
   const campaign::CheckedPoints points(c.what, file, known, set);
   c.points = points.size();
@@ -67,7 +67,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
   const bool sweeps = !c.what.sweep.empty();
   if (points.good().empty() && sweeps) throw InputError(c.engine);
   const cases::Case& first = sweeps ? points.good().front() : c.what;
-  c.follows = cases::consequences(first);
+  c.follows = cases::derived_quantities(first);
   if (points.good().empty()) return c;
   // Before a pilot run, which would need it.
   const std::vector<Fault> memory = campaign::memory_faults(
@@ -75,7 +75,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
       campaign::memory_available());
   c.engine.insert(c.engine.end(), memory.begin(), memory.end());
   if (!memory.empty()) return c;
-  const campaign::Choice choice = campaign::choose(first);
+  const campaign::EngineChoice choice = campaign::choose_engine(first);
   cases::Case decided = first;
   decided.run.engine = choice.engine;
   c.notes = cases::size_notes(first);
@@ -94,7 +94,7 @@ Checked look_at(const Request& request, const std::filesystem::path& file,
         {"contact_time", s.steps.contact, "s", "of the shortest collision (dem.29)"});
     c.follows.push_back(
         {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
-    add(campaign::soft_notes(decided), c.notes);
+    add(campaign::soft_notices(decided), c.notes);
     add(campaign::overlap_warnings(decided), c.notes);
   }
   const double seconds = static_cast<double>(first.run.replicates) *
@@ -144,19 +144,19 @@ void print_pairs(const cases::Case& what) {
   }
 }
 
-std::string verdict(const Checked& c) {
+std::string verdict(const CheckResult& c) {
   if (c.engine.empty()) return "fine";
   if (c.bad_points == 0) return "this version cannot run it";
   return fmt::format("{} of {} points cannot be run", c.bad_points,
                      std::min(c.points, campaign::CheckedPoints::most));
 }
 
-void print(const Checked& c, const std::filesystem::path& file) {
+void print(const CheckResult& c, const std::filesystem::path& file) {
   to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
   if (!c.what.sweep.empty())
     to_stdout(fmt::format("a campaign of {} points, {} replicates each; of the first follows\n\n",
                           c.points, c.what.run.replicates));
-  for (const cases::Consequence& one : c.follows)
+  for (const cases::DerivedQuantity& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
   print_pairs(c.what);
   std::string assumed;
@@ -169,10 +169,10 @@ void print(const Checked& c, const std::filesystem::path& file) {
   if (!c.engine.empty()) to_stdout(fmt::format("\n{}\n", mahlwerk::describe(c.engine)));
 }
 
-results::Json as_json(const Checked& c, const std::filesystem::path& file) {
+results::Json as_json(const CheckResult& c, const std::filesystem::path& file) {
   using results::Json;
   Json follows = Json::object();
-  for (const cases::Consequence& one : c.follows)
+  for (const cases::DerivedQuantity& one : c.follows)
     follows[one.name] =
         Json::object({{"value", one.value}, {"unit", one.unit}, {"about", one.about}});
   return Json::object({{"file", file.string()},
@@ -189,7 +189,7 @@ int check(const Request& request) {
   std::vector<Fault> wrong;
   bool runs = true;
   for (const std::filesystem::path& file : case_files(request.target)) try {
-      const Checked c = look_at(request, file, known);
+      const CheckResult c = check_case(request, file, known);
       runs = runs && c.engine.empty();
       if (!request.json) {
         print(c, file);
@@ -201,7 +201,7 @@ int check(const Request& request) {
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   if (request.json) json_to_stdout(json);
-  return runs ? fine : bad_input;
+  return runs ? success : bad_input;
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ int affordable(const cases::Case& one, int wanted) {
 }
 
 /// What keeps the setting from being checked; empty: `check.replicates` are run.
-std::string refusal(const campaign::TrialRuns& runs, const campaign::Tried& best,
+std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best,
                     report::OptimumCheck& check) {
   try {
-    const cases::Case one = runs.at(best.place, 0, 1);
+    const cases::Case one = runs.at(best.point, 0, 1);
     if (const std::vector<Fault> wrong = campaign::run_faults(one); !wrong.empty())
       return wrong.front().what;
     check.replicates = affordable(one, static_cast<int>(best.replicates.size()));
@@ -45,11 +45,11 @@ std::string refusal(const campaign::TrialRuns& runs, const campaign::Tried& best
 }
 
 /// The mean of what is to be best, of replicates that have it.
-void take(const campaign::Told& told, report::OptimumCheck& check) {
+void take(const campaign::TrialResult& result, report::OptimumCheck& check) {
   std::vector<double> values;
-  for (const auto& replicate : told.replicates)
+  for (const auto& replicate : result.replicates)
     if (std::isfinite(replicate.front())) values.push_back(replicate.front());
-  check.failure = told.failure;
+  check.failure = result.failure;
   if (values.empty() && check.failure.empty()) check.failure = "its runs gave no value";
   if (values.empty()) return;
   const observe::Estimate e = observe::estimate(values);
@@ -61,21 +61,21 @@ void take(const campaign::Told& told, report::OptimumCheck& check) {
 std::optional<report::OptimumCheck> check_best(const Request& request,
                                                const campaign::SearchJob& job,
                                                const campaign::Optimum& found,
-                                               const KeptSearch& kept) {
-  if (!found.best || !found.tried[*found.best].invalid()) return std::nullopt;
-  const campaign::Tried& best = found.tried[*found.best];
+                                               const ResumableSearch& kept) {
+  if (!found.best || !found.trials[*found.best].invalid()) return std::nullopt;
+  const campaign::Trial& best = found.trials[*found.best];
   report::OptimumCheck made{.engine = cases::EngineName::soft};
-  const campaign::TrialRuns runs = job.runs->by_engine(made.engine);
+  const campaign::TrialRuns runs = job.runs->with_engine(made.engine);
   made.failure = refusal(runs, best, made);
   if (!made.failure.empty()) return made;
   ProgressLine line(request.quiet);
   line.show("the best setting is checked by the soft engine");
-  campaign::Options options;
+  campaign::RunOptions options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
-  TroubleTeller not_kept;
+  WriteErrorReporter not_kept;
   campaign::TrialStore store(kept.trials(), job.measure_name, std::ref(not_kept));
-  take(runs.run({{0, best.place, 0, made.replicates}}, job.measure, options, store, version())
+  take(runs.run({{0, best.point, 0, made.replicates}}, job.measure, options, store, version())
            .front(),
        made);
   return made;

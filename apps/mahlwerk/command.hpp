@@ -33,7 +33,7 @@ struct Option {
   std::vector<std::string> values = {};   ///< that are allowed; empty: all
   std::string excludes = {}, needs = {};  ///< another option, given before
   /// Of a word: what a shell may offer, words or a command that prints them; empty: files.
-  std::string offers = {};
+  std::string completions = {};
 };
 using Options = std::vector<Option>;
 
@@ -41,7 +41,7 @@ struct Command {
   std::string name, about;
   Options options;
   int (*perform)(const Request&);
-  std::vector<Command> parts = {};  ///< "status" of "sweep status"
+  std::vector<Command> subcommands = {};  ///< "status" of "sweep status"
 };
 
 /// All there are, in the order of the help. A command is a function here and a file.

@@ -34,7 +34,7 @@ struct Request {
 
 /// Exit codes (docs/cli.md).
 enum Exit : int {
-  fine = 0,
+  success = 0,
   internal_error = 1,
   bad_input = 2,
   stopped_by_physics = 3,
@@ -55,11 +55,11 @@ std::filesystem::path one_case_file(const std::string& target, std::string_view 
 
 /// results/ and the name of the folder or file the user gave, with each case's name if there are
 /// several.
-std::filesystem::path default_place(const std::string& target, const std::filesystem::path& file,
-                                    bool several);
+std::filesystem::path default_folder(const std::string& target, const std::filesystem::path& file,
+                                     bool several);
 
 /// Says on stderr if a run did not end as asked; the exit code.
-int how_it_ended(const std::vector<results::Outcome>& outcomes);
+int report_exit_status(const std::vector<results::Outcome>& outcomes);
 
 /// --set and --seed together.
 std::vector<cases::Override> overrides(const Request& request);

@@ -64,21 +64,21 @@ void write(results::Folder& folder, const std::vector<results::Outcome>& outcome
 void print_json(const report::Comparison& comparison, const fs::path& place) {
   using results::Json;
   Json quantities;
-  for (const report::Compared& q : comparison.quantities)
-    quantities[q.name] = Json::object({{"event", q.both.event.mean},
-                                       {"event_ci95", q.both.event.ci95},
-                                       {"soft", q.both.soft.mean},
-                                       {"soft_ci95", q.both.soft.ci95},
-                                       {"ratio", q.both.ratio()},
-                                       {"ratio_ci95", q.both.ratio_ci95()},
-                                       {"apart", q.both.apart()},
+  for (const report::ComparedQuantity& q : comparison.quantities)
+    quantities[q.name] = Json::object({{"event", q.estimates.event.mean},
+                                       {"event_ci95", q.estimates.event.ci95},
+                                       {"soft", q.estimates.soft.mean},
+                                       {"soft_ci95", q.estimates.soft.ci95},
+                                       {"ratio", q.estimates.ratio()},
+                                       {"ratio_ci95", q.estimates.ratio_ci95()},
+                                       {"apart", q.estimates.differs()},
                                        {"unit", q.unit}});
   json_to_stdout(Json::object({{"title", comparison.title},
                                {"results", place.string()},
                                {"quantities", std::move(quantities)}}));
 }
 
-void tell(const report::Comparison& comparison, const fs::path& place, double seconds) {
+void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds) {
   to_stdout(fmt::format("{}\n\n{}\n", comparison.title, report::compare_table(comparison)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "compare.html").string());
@@ -89,7 +89,7 @@ void tell(const report::Comparison& comparison, const fs::path& place, double se
 int compare(const Request& request) {
   const fs::path file = one_case_file(request.target, "compare");
   const std::vector<cases::Case> cases = both(request, file);
-  const fs::path usual = default_place(request.target, file, false).string() + "-compare";
+  const fs::path usual = default_folder(request.target, file, false).string() + "-compare";
   const fs::path place = request.out.value_or(usual);
   results::Folder folder(place, request.force);
   campaign::Streams streams(version());
@@ -100,10 +100,10 @@ int compare(const Request& request) {
   streams.close();
   const report::Comparison comparison = report::compare(outcomes[0], outcomes[1]);
   write(folder, outcomes, comparison);
-  if (request.json) print_json(comparison, folder.wanted());
+  if (request.json) print_json(comparison, folder.target());
   if (!request.json && !request.quiet)
-    tell(comparison, folder.wanted(), outcomes.front().wall_seconds);
-  return how_it_ended(outcomes);
+    print_summary(comparison, folder.target(), outcomes.front().wall_seconds);
+  return report_exit_status(outcomes);
 }
 
 }  // namespace

@@ -18,20 +18,20 @@ std::string branches(const std::string& path, const Command& command) {
   std::vector<std::string> words;
   std::string offers;
   bool files = false;
-  for (const Command& part : command.parts) words.push_back(part.name);
+  for (const Command& part : command.subcommands) words.push_back(part.name);
   words.push_back("--help");
   for (const Option& option : command.options)
     if (option.name.starts_with("-")) {
       words.push_back(option.name);
     } else {
-      offers = option.offers.empty() ? "" : option.offers + " ";
-      files = option.offers.empty();
+      offers = option.completions.empty() ? "" : option.completions + " ";
+      files = option.completions.empty();
     }
   for (std::string& word : words)  // "--jobs,--threads" are two
     if (const auto comma = word.find(','); comma != std::string::npos) word[comma] = ' ';
   std::string all = fmt::format("    '{}') words=\"{}{}\"{} ;;\n", path, offers,
                                 fmt::join(words, " "), files ? " files=yes" : "");
-  for (const Command& part : command.parts)
+  for (const Command& part : command.subcommands)
     all += branches(fmt::format("{} {}", path, part.name), part);
   return all;
 }
@@ -64,7 +64,7 @@ int completion(const Request& request) {
   std::string parts = " ";  // " sweep status, sweep export,"
   std::string names, below, keys;
   for (const Command& command : all) {
-    for (const Command& part : command.parts)
+    for (const Command& part : command.subcommands)
       parts += fmt::format("{} {}, ", command.name, part.name);
     names += command.name + " ";
     below += branches(command.name, command);
@@ -77,7 +77,7 @@ int completion(const Request& request) {
   script.replace(script.find("@PARTS@"), 7, parts);
   script.replace(script.find("@KEYS@"), 6, keys);
   to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script);
-  return fine;
+  return success;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ Command completion_command() {
             .about = "bash or zsh",
             .required = true,
             .values = {"bash", "zsh"},
-            .offers = "bash zsh"}},
+            .completions = "bash zsh"}},
           completion};
 }
 

@@ -11,8 +11,8 @@
 
 namespace mahlwerk::app {
 
-campaign::Options options_of(const Request& request, ProgressLine& line) {
-  campaign::Options options;
+campaign::RunOptions options_of(const Request& request, ProgressLine& line) {
+  campaign::RunOptions options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
@@ -24,18 +24,19 @@ std::vector<results::Outcome> compute(const Request& request,
                                       const campaign::Streams& streams,
                                       campaign::Checkpoint* checkpoint) {
   ProgressLine line(request.quiet);
-  campaign::Options options = options_of(request, line);
+  campaign::RunOptions options = options_of(request, line);
   options.checkpoint = checkpoint;
-  streams.join(options);
+  streams.attach(options);
   return campaign::run(points, options);
 }
 
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
-                                      const campaign::Streams& streams, campaign::KeptRuns& kept) {
+                                      const campaign::Streams& streams,
+                                      campaign::ResumableRuns& kept) {
   ProgressLine line(request.quiet);
-  TroubleTeller not_kept;
-  const auto told = [&](std::size_t begun) {
+  WriteErrorReporter not_kept;
+  const auto on_resume = [&](std::size_t begun) {
     const bool alone = points.size() == 1;
     if (!request.quiet && !request.json)
       to_stderr(fmt::format(
@@ -45,10 +46,10 @@ std::vector<results::Outcome> compute(const Request& request,
   };
   std::vector<results::Outcome> outcomes = kept.compute(points, streams, options_of(request, line),
                                                         {.version = version(),
-                                                         .every = request.checkpoint.value_or(1),
-                                                         .told = told,
-                                                         .trouble = std::ref(not_kept)});
-  not_kept.tell_again();
+                                                         .interval = request.checkpoint.value_or(1),
+                                                         .on_resume = on_resume,
+                                                         .on_write_error = std::ref(not_kept)});
+  not_kept.repeat();
   return outcomes;
 }
 

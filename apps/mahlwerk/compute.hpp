@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "mahlwerk/campaign/run/kept_runs.hpp"
+#include "mahlwerk/campaign/run/resumable_runs.hpp"
 
 namespace mahlwerk::app {
 
 class ProgressLine;
 
 /// What `request` says of threads, with `line` showing how far it is, until Ctrl-C.
-campaign::Options options_of(const Request& request, ProgressLine& line);
+campaign::RunOptions options_of(const Request& request, ProgressLine& line);
 
 /// All points computed together.
 std::vector<results::Outcome> compute(const Request& request,
@@ -22,6 +22,7 @@ std::vector<results::Outcome> compute(const Request& request,
 /// The same, gone on with where a process was ended.
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
-                                      const campaign::Streams& streams, campaign::KeptRuns& kept);
+                                      const campaign::Streams& streams,
+                                      campaign::ResumableRuns& kept);
 
 }  // namespace mahlwerk::app

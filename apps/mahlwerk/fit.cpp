@@ -34,7 +34,7 @@ std::vector<results::Outcome> run_mills(const Request& request, const campaign::
 campaign::Fit find(const Request& request, const campaign::FitJob& job,
                    const std::vector<results::Outcome>& mills) {
   ProgressLine line(request.quiet);
-  return campaign::fit(mills, job.data, job.numbers,
+  return campaign::fit(mills, job.data, job.parameters,
                        {.threads = request.threads, .stop = &stop_wanted(), .progress = [&](int n) {
                           line.show(fmt::format("fitting: the powder was milled {} times", n));
                         }});
@@ -48,7 +48,7 @@ void write(results::Folder& folder, const campaign::FitJob& job, const report::F
   folder.commit();
 }
 
-void tell(const report::FitReport& found, const fs::path& place) {
+void print_summary(const report::FitReport& found, const fs::path& place) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::fit_table(found)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "fit.html").string());
@@ -56,43 +56,43 @@ void tell(const report::FitReport& found, const fs::path& place) {
   fmt::print("case:     {}\n", (place / "fitted.toml").string());
 }
 
-int tell_interrupted() {
-  return tell_end(interrupted, "interrupted: nothing was fitted.",
-                  {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
+int report_interrupted() {
+  return report_end(interrupted, "interrupted: nothing was fitted.",
+                    {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
 }
 
 /// A fit needs all of its mills, to their ends.
 int cut_short(const std::vector<results::Outcome>& mills) {
-  if (std::ranges::all_of(mills, results::complete)) return fine;
+  if (std::ranges::all_of(mills, results::complete)) return success;
   for (const results::Outcome& mill : mills)
     for (const results::Replicate& r : mill.replicates)
-      if (!r.stopped.empty())
-        return tell_end(stopped_by_physics,
-                        fmt::format("stopped: {}\nNothing was fitted.", r.stopped),
-                        {Fault{"", r.stopped, "nothing was fitted", "stopped"}});
-  return tell_interrupted();
+      if (!r.stop_reason.empty())
+        return report_end(stopped_by_physics,
+                          fmt::format("stopped: {}\nNothing was fitted.", r.stop_reason),
+                          {Fault{"", r.stop_reason, "nothing was fitted", "stopped"}});
+  return report_interrupted();
 }
 
 int fit(const Request& request) {
   const fs::path file = one_case_file(request.target, "fit");
   const campaign::FitJob job =
       campaign::fit_job(file, request.data, catalogue(), overrides(request));
-  const fs::path usual = default_place(request.target, file, false).string() + "-fit";
+  const fs::path usual = default_folder(request.target, file, false).string() + "-fit";
   results::Folder folder(request.out.value_or(usual), request.force);
 
   catch_ctrl_c();
   const std::vector<results::Outcome> mills = run_mills(request, job, folder);
-  if (const int code = cut_short(mills); code != fine) return code;
+  if (const int code = cut_short(mills); code != success) return code;
   try {
     const campaign::Fit found = find(request, job, mills);
     const report::FitReport report = fit_report(job, mills, found);
     write(folder, job, report);
     if (request.json) json_to_stdout(fit_json(report, version()));
-    if (!request.json && !request.quiet) tell(report, folder.wanted());
+    if (!request.json && !request.quiet) print_summary(report, folder.target());
   } catch (const Interrupted&) {
-    return tell_interrupted();
+    return report_interrupted();
   }
-  return fine;
+  return success;
 }
 
 }  // namespace

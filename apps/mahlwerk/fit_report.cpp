@@ -14,8 +14,8 @@
 namespace mahlwerk::app {
 namespace {
 
-using campaign::Measured, campaign::Measurement;
-using report::FitCurve, report::FitNumber, report::FitPoint, report::FitReport;
+using campaign::MeasuredQuantity, campaign::Measurement;
+using report::FitCurve, report::FitParameter, report::FitPoint, report::FitReport;
 
 std::string label(const std::vector<cases::Override>& condition) {
   std::string text;
@@ -24,15 +24,15 @@ std::string label(const std::vector<cases::Override>& condition) {
   return text;
 }
 
-FitNumber number(const cases::Adjustable& of, const campaign::FreeParameter& range,
-                 const campaign::FittedParameter& found, double by_mills) {
+FitParameter number(const cases::FitParameter& of, const campaign::FreeParameter& range,
+                    const campaign::FittedParameter& found, double simulation_ci95) {
   return {.key = of.key,
           .unit = of.unit,
           .about = of.about,
           .value = found.value,
           .low = found.low,
           .high = found.high,
-          .by_mills = by_mills,
+          .simulation_ci95 = simulation_ci95,
           .least = range.least,
           .most = range.most,
           .open_low = found.open_low,
@@ -42,13 +42,14 @@ FitNumber number(const cases::Adjustable& of, const campaign::FreeParameter& ran
 }
 
 /// Curves that hold places for what the models will say, and what to ask them.
-struct Asked {
+struct CurveRequests {
   std::vector<FitCurve> curves;
-  std::vector<Measurement> questions;  ///< of one curve after the other
+  std::vector<Measurement> measurements;  ///< of one curve after the other
 };
 
 /// Over time, from none to the longest that this was measured after.
-void ask_over_time(const std::vector<Measurement>& data, const Measurement& m, Asked& asked) {
+void request_over_time(const std::vector<Measurement>& data, const Measurement& m,
+                       CurveRequests& requests) {
   constexpr int steps = 100;
   double longest = 0;
   for (const Measurement& other : data)
@@ -59,13 +60,14 @@ void ask_over_time(const std::vector<Measurement>& data, const Measurement& m, A
   for (int i = 0; i <= steps; ++i) {
     question.time = longest * i / steps;
     curve.x.push_back(question.time);
-    asked.questions.push_back(question);
+    requests.measurements.push_back(question);
   }
-  asked.curves.push_back(std::move(curve));
+  requests.curves.push_back(std::move(curve));
 }
 
 /// Over sizes, somewhat beyond those where this distribution was measured.
-void ask_over_size(const std::vector<Measurement>& data, const Measurement& m, Asked& asked) {
+void request_over_size(const std::vector<Measurement>& data, const Measurement& m,
+                       CurveRequests& requests) {
   constexpr int steps = 100;
   constexpr double beyond = 1.5;
   double least = m.size, most = m.size;
@@ -80,43 +82,43 @@ void ask_over_size(const std::vector<Measurement>& data, const Measurement& m, A
     const double share = static_cast<double>(i) / steps;
     question.size = least / beyond * std::pow(most / least * beyond * beyond, share);
     curve.x.push_back(question.size);
-    asked.questions.push_back(question);
+    requests.measurements.push_back(question);
   }
-  asked.curves.push_back(std::move(curve));
+  requests.curves.push_back(std::move(curve));
 }
 
-Asked ask(const std::vector<Measurement>& data) {
-  Asked asked;
+CurveRequests curve_requests(const std::vector<Measurement>& data) {
+  CurveRequests requests;
   for (const Measurement& m : data) {
-    const bool sizes = m.what == Measured::passing;
-    const bool known = std::ranges::any_of(asked.curves, [&](const FitCurve& c) {
+    const bool sizes = m.what == MeasuredQuantity::passing;
+    const bool known = std::ranges::any_of(requests.curves, [&](const FitCurve& c) {
       return c.what == name_of(m.what, m.percent) && c.condition == m.condition &&
              (!sizes || c.time == m.time);
     });
     if (known) continue;
     if (sizes)
-      ask_over_size(data, m, asked);
+      request_over_size(data, m, requests);
     else
-      ask_over_time(data, m, asked);
+      request_over_time(data, m, requests);
   }
-  return asked;
+  return requests;
 }
 
 std::vector<FitCurve> curves(const campaign::FitJob& job,
                              const std::vector<results::Outcome>& mills,
-                             const campaign::Fitted& found) {
-  Asked asked = ask(job.data.values);
+                             const campaign::LeastSquaresResult& found) {
+  CurveRequests requests = curve_requests(job.data.values);
   std::vector<double> values;
   for (const campaign::FittedParameter& p : found.parameters) values.push_back(p.value);
-  const std::vector<double> told =
-      campaign::Predictor(mills, job.numbers, std::move(asked.questions))(values);
-  auto next = told.begin();
-  for (FitCurve& curve : asked.curves) {
+  const std::vector<double> predicted =
+      campaign::Predictor(mills, job.parameters, std::move(requests.measurements))(values);
+  auto next = predicted.begin();
+  for (FitCurve& curve : requests.curves) {
     const auto end = next + static_cast<std::ptrdiff_t>(curve.x.size());
     curve.y.assign(next, end);
     next = end;
   }
-  return std::move(asked.curves);
+  return std::move(requests.curves);
 }
 
 FitPoint point(const Measurement& m, double predicted) {
@@ -139,24 +141,24 @@ FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Out
   FitReport made{.title = job.base.title,
                  .case_file = job.base.file,
                  .data_file = job.data_file,
-                 .correlation = fit.found.correlation,
-                 .curves = curves(job, mills, fit.found),
-                 .remarks = fit.found.remarks,
-                 .scatter = fit.found.scatter,
-                 .freedom = fit.found.freedom,
-                 .evaluations = fit.found.evaluations,
+                 .correlation = fit.result.correlation,
+                 .curves = curves(job, mills, fit.result),
+                 .remarks = fit.result.remarks,
+                 .scatter = fit.result.scatter,
+                 .degrees_of_freedom = fit.result.degrees_of_freedom,
+                 .evaluations = fit.result.evaluations,
                  .errors_known = job.data.errors_known()};
-  const std::vector<cases::Adjustable> known = cases::adjustables(job.base);
-  for (std::size_t i = 0; i < job.numbers.size(); ++i)
-    made.numbers.push_back(
-        number(*std::ranges::find(known, job.numbers[i].name, &cases::Adjustable::key),
-               job.numbers[i], fit.found.parameters[i], fit.by_mills[i]));
+  const std::vector<cases::FitParameter> known = cases::fit_parameters(job.base);
+  for (std::size_t i = 0; i < job.parameters.size(); ++i)
+    made.parameters.push_back(
+        number(*std::ranges::find(known, job.parameters[i].name, &cases::FitParameter::key),
+               job.parameters[i], fit.result.parameters[i], fit.simulation_ci95[i]));
   for (const auto& condition : job.data.conditions) made.conditions.push_back(label(condition));
   for (std::size_t i = 0; i < job.data.values.size(); ++i)
     made.points.push_back(point(job.data.values[i], fit.predicted[i]));
   for (const results::Outcome& mill : mills) results::count(made.notices, mill.notices);
   results::sort(made.notices);
-  if (std::ranges::any_of(fit.by_mills, [](double width) { return std::isnan(width); }))
+  if (std::ranges::any_of(fit.simulation_ci95, [](double width) { return std::isnan(width); }))
     made.remarks.push_back(
         "the mill ran one replicate: what its scatter adds to the intervals is not known");
   return made;
@@ -165,13 +167,13 @@ FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Out
 results::Json fit_json(const FitReport& fit, std::string_view version) {
   using results::Json;
   Json numbers = Json::object();
-  for (const FitNumber& n : fit.numbers)
+  for (const FitParameter& n : fit.parameters)
     numbers[n.key] = Json::object({{"value", n.value},
                                    {"low", n.open_low ? Json() : n.low},
                                    {"high", n.open_high ? Json() : n.high},
                                    {"unit", n.unit},
                                    {"determined", n.determined},
-                                   {"by_mills", n.by_mills},
+                                   {"by_mills", n.simulation_ci95},
                                    {"range", Json::array({n.least, n.most})},
                                    {"remarks", n.remarks},
                                    {"about", n.about}});
@@ -184,7 +186,7 @@ results::Json fit_json(const FitReport& fit, std::string_view version) {
                        {"correlation", fit.correlation},
                        {"conditions", fit.conditions},
                        {"values", fit.points.size()},
-                       {"freedom", fit.freedom},
+                       {"freedom", fit.degrees_of_freedom},
                        {"scatter", fit.scatter},
                        {"errors_known", fit.errors_known},
                        {"evaluations", fit.evaluations},
@@ -195,8 +197,8 @@ results::Json fit_json(const FitReport& fit, std::string_view version) {
 cases::Case fitted_case(const campaign::FitJob& job, const FitReport& fit) {
   cases::Case what = job.base;
   what.fit.clear();
-  for (const FitNumber& n : fit.numbers) {
-    cases::adjust(what, n.key, n.value);
+  for (const FitParameter& n : fit.parameters) {
+    cases::set_fit_parameter(what, n.key, n.value);
     for (cases::Origin& origin : what.origins)
       if (origin.key == n.key) {
         origin.value = n.unit.empty() ? shortest(n.value) : show(n.value, n.unit);

@@ -50,7 +50,7 @@ class CommandLine {
   /// Fills the request; nothing where the program is to end with `ended`.
   const Command* parse(int argc, char** argv) try {
     app_.parse(argc, argv);
-    if (!chosen_->parts.empty() && request_.target.empty())
+    if (!chosen_->subcommands.empty() && request_.target.empty())
       throw InputError(Fault{
           "mahlwerk " + chosen_->name, "no case is named",
           fmt::format("write mahlwerk {0} case.toml, or see mahlwerk {0} --help", chosen_->name),
@@ -59,24 +59,24 @@ class CommandLine {
     return chosen_;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0 && json_messages())
-      ended = tell_end(bad_input,
-                       {Fault{"mahlwerk", e.what(), "see mahlwerk --help", "bad-command-line"}});
+      ended = report_end(bad_input,
+                         {Fault{"mahlwerk", e.what(), "see mahlwerk --help", "bad-command-line"}});
     else
-      ended = app_.exit(e) == 0 ? fine : bad_input;
+      ended = app_.exit(e) == 0 ? success : bad_input;
     return nullptr;
   }
 
   const Request& request() const { return request_; }
-  int ended = fine;
+  int ended = success;
 
  private:
   void add(CLI::App& above, const Command& command) {
     CLI::App* sub = above.add_subcommand(command.name, command.about);
     for (const Option& option : command.options) add(*sub, option);
-    for (const Command& part : command.parts) add(*sub, part);
+    for (const Command& part : command.subcommands) add(*sub, part);
     sub->callback([this, &command] {  // after those of its parts
       const auto chosen = [this](const Command& part) { return &part == chosen_; };
-      if (std::ranges::none_of(command.parts, chosen)) chosen_ = &command;
+      if (std::ranges::none_of(command.subcommands, chosen)) chosen_ = &command;
     });
   }
 
@@ -149,14 +149,14 @@ int perform(int argc, char** argv) {
 }
 
 /// The command, and how it ended: whatever goes wrong is said.
-int perform_and_tell(int argc, char** argv) try {
+int perform_and_report(int argc, char** argv) try {
   return perform(argc, argv);
 } catch (const InputError& e) {
-  return tell_end(bad_input, e.faults());
+  return report_end(bad_input, e.faults());
 } catch (const RunError& e) {
-  return tell_end(stopped_by_physics, e.what(), {Fault{"", e.what(), "", "stopped"}});
+  return report_end(stopped_by_physics, e.what(), {Fault{"", e.what(), "", "stopped"}});
 } catch (const std::bad_alloc&) {
-  return tell_end(
+  return report_end(
       bad_input,
       "there is not enough memory for this case: give fewer balls, or fewer "
       "replicates at a time (--threads)",
@@ -165,8 +165,8 @@ int perform_and_tell(int argc, char** argv) try {
 } catch (const std::exception& e) {
   const auto* system = dynamic_cast<const std::system_error*>(&e);
   if (output_failed(system != nullptr ? system->code().value() : 0))
-    return fine;  // told at the end
-  return tell_end(
+    return success;  // told at the end
+  return report_end(
       internal_error,
       fmt::format("internal error: {}\nPlease report this, with the case file.", e.what()),
       {Fault{"", e.what(), "report this, with the case file", "internal-error"}});
@@ -181,5 +181,5 @@ int main(int argc, char** argv) {
   if (std::ranges::any_of(words, [](std::string_view word) { return word == "--json"; }))
     set_json_messages();
   guard_output();
-  return finish_output(perform_and_tell(argc, argv));
+  return finish_output(perform_and_report(argc, argv));
 }

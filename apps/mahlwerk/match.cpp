@@ -34,7 +34,7 @@ struct MatchJob {
   cases::Case like;                           ///< A
   const campaign::TrialRuns* runs = nullptr;  ///< of B
   bool by_powder = false;
-  campaign::MillMark mark;  ///< of A
+  campaign::MillSpectra spectra;  ///< of A
 };
 
 bool has_powder(const cases::Case& what) {
@@ -51,13 +51,13 @@ cases::Case without_streams(cases::Case what) {
 
 /// One case, to its end. Throws Interrupted, or RunError where it does not get there.
 results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
-                       const results::Folder& folder, campaign::KeptRuns& kept) {
+                       const results::Folder& folder, campaign::ResumableRuns& kept) {
   campaign::Streams none(version());
   none.add(what, folder, "");
   const results::Outcome outcome = compute(request, {what}, none, kept).front();
   if (stop_wanted()) throw Interrupted();
   for (const results::Replicate& r : outcome.replicates)
-    if (!r.stopped.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stopped));
+    if (!r.stop_reason.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stop_reason));
   return outcome;
 }
 
@@ -79,24 +79,25 @@ campaign::SearchJob search_job(const MatchJob& job) {
       .limits = {},
       .measure = {}};
   made.measure = [&job](const results::Outcome& outcome, const results::Replicate& replicate) {
-    const campaign::Milled one = campaign::milled(outcome.what, replicate, job.by_powder);
-    return std::vector<double>{campaign::distance(job.mark.mean, one)};
+    const campaign::DoseSpectrum one =
+        campaign::dose_spectrum(outcome.what, replicate, job.by_powder);
+    return std::vector<double>{campaign::distance(job.spectra.mean, one)};
   };
   return made;
 }
 
-report::Told dose_of(const campaign::MillMark& mark) {
+report::ValueCi95 dose_of(const campaign::MillSpectra& spectra) {
   std::vector<double> values;
-  for (const campaign::Milled& m : mark.replicates) values.push_back(m.dose);
+  for (const campaign::DoseSpectrum& m : spectra.replicates) values.push_back(m.dose);
   if (values.empty()) return {};
   const observe::Estimate e = observe::estimate(values);
   return {e.mean, e.ci95};
 }
 
-void compare_mills(const MatchJob& job, const campaign::MillMark& b, report::MatchReport& made) {
-  const campaign::Difference d = campaign::difference(job.mark, b, job.runs->base().seed);
+void compare_mills(const MatchJob& job, const campaign::MillSpectra& b, report::MatchReport& made) {
+  const campaign::Difference d = campaign::difference(job.spectra, b, job.runs->base().seed);
   made.by_powder = job.by_powder;
-  made.dose_a = dose_of(job.mark);
+  made.dose_a = dose_of(job.spectra);
   made.dose_b = dose_of(b);
   made.energy_a = {d.energy_a, d.energy_a_ci95};
   made.energy_b = {d.energy_b, d.energy_b_ci95};
@@ -105,9 +106,9 @@ void compare_mills(const MatchJob& job, const campaign::MillMark& b, report::Mat
   made.overlap = d.overlap;
   made.spectral = d.spectral;
   made.distance = d.distance;
-  made.chance = d.chance;
+  made.p_value = d.p_value;
   made.within_scatter = d.within_scatter();
-  made.shares_a = job.mark.mean.shares;
+  made.shares_a = job.spectra.mean.shares;
   made.shares_b = b.mean.shares;
   for (int bin = 0; bin <= observe::LogHistogram::bins; ++bin)
     made.edges.push_back(observe::LogHistogram::lower(bin));
@@ -115,7 +116,7 @@ void compare_mills(const MatchJob& job, const campaign::MillMark& b, report::Mat
 
 results::Json match_json(const report::MatchReport& found) {
   using results::Json;
-  const auto told = [](const report::Told& t) {
+  const auto told = [](const report::ValueCi95& t) {
     return Json::object({{"value", t.value}, {"ci95", t.ci95}});
   };
   const auto ratio = [](const report::MatchedRatio& r) {
@@ -133,14 +134,14 @@ results::Json match_json(const report::MatchReport& found) {
                        {"overlap", found.overlap},
                        {"spectral_distance", found.spectral},
                        {"distance", found.distance},
-                       {"chance", found.chance},
+                       {"chance", found.p_value},
                        {"within_scatter", found.within_scatter},
                        {"remarks", report::sentences(found)},
                        {"notices", results::notices_json(found.notices)},
                        {"search", optimum_json(found.search, version())}});
 }
 
-void tell(const report::MatchReport& found, const fs::path& place) {
+void print_summary(const report::MatchReport& found, const fs::path& place) {
   to_stdout(fmt::format("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b,
                         report::match_table(found)));
   fmt::print("results:  {}\n", place.string());
@@ -151,18 +152,18 @@ void tell(const report::MatchReport& found, const fs::path& place) {
 
 /// Looks for the settings of B, runs it there anew, and writes what came of it.
 report::MatchReport find(const Request& request, MatchJob& job, const results::Folder& folder,
-                         KeptSearch& kept) {
+                         ResumableSearch& kept) {
   constexpr int anew = 1'000'000;  // replicates that the search has not seen
   const cases::Case& base = job.runs->base();
   const results::Outcome a = whole(request, job.like, "A", folder, kept.runs());
-  job.mark = campaign::mill_mark(a, job.by_powder);
-  if (job.mark.replicates.empty())
+  job.spectra = campaign::mill_spectra(a, job.by_powder);
+  if (job.spectra.replicates.empty())
     throw RunError("mill A has no collisions: there is nothing that B could be like");
   campaign::SearchJob search = search_job(job);
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
-  const campaign::Optimum found = look(request, search, kept);
+  const campaign::Optimum found = run_search(request, search, kept);
   report::MatchReport made{.title_a = a.what.title,
                            .title_b = base.title,
                            .file_a = a.what.file,
@@ -172,15 +173,15 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
   results::count(made.notices, a.notices);
   report::write(folder, a, version(), "a/");
   if (!found.best) return made;
-  const campaign::Place& place = found.tried[*found.best].place;
+  const campaign::DesignPoint& point = found.trials[*found.best].point;
   const int count = static_cast<int>(base.match->replicates);
   const results::Outcome b =
-      whole(request, without_streams(job.runs->at(place, anew, count)), "B", folder, kept.runs());
-  compare_mills(job, campaign::mill_mark(b, job.by_powder), made);
+      whole(request, without_streams(job.runs->at(point, anew, count)), "B", folder, kept.runs());
+  compare_mills(job, campaign::mill_spectra(b, job.by_powder), made);
   results::count(made.notices, b.notices);
   results::sort(made.notices);
   report::write(folder, b, version(), "b/");
-  results::write_case(folder, job.runs->at(place, 0, static_cast<int>(base.run.replicates)),
+  results::write_case(folder, job.runs->at(point, 0, static_cast<int>(base.run.replicates)),
                       "best.toml");
   return made;
 }
@@ -197,17 +198,17 @@ int match(const Request& request) {
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
   campaign::check_keys(what, what.match->over, "[match]");
-  const campaign::TrialRuns runs(file_b, known, set, cases::Giver::match);
+  const campaign::TrialRuns runs(file_b, known, set, cases::ValueSource::match);
   MatchJob job{.like = without_streams(read_like(file_a, known)),
                .runs = &runs,
                .by_powder = false,
-               .mark = {}};
+               .spectra = {}};
   job.by_powder = has_powder(job.like) && has_powder(what);
   job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
-  const fs::path usual = default_place(request.data, file_b, false).string() + "-match";
+  const fs::path usual = default_folder(request.data, file_b, false).string() + "-match";
   results::Folder folder(request.out.value_or(usual), request.force);
   catch_ctrl_c();
-  KeptSearch kept(folder.wanted());
+  ResumableSearch kept(folder.target());
   try {
     const report::MatchReport found = find(request, job, folder, kept);
     folder.write("match.json", match_json(found).text(2) + '\n');
@@ -216,10 +217,10 @@ int match(const Request& request) {
     folder.commit();
     kept.remove();
     if (request.json) json_to_stdout(match_json(found));
-    if (!request.json && !request.quiet) tell(found, folder.wanted());
-    return found.search.best ? fine : stopped_by_physics;
+    if (!request.json && !request.quiet) print_summary(found, folder.target());
+    return found.search.best ? success : stopped_by_physics;
   } catch (const Interrupted&) {
-    return kept.tell_interrupted();
+    return kept.report_interrupted();
   }
 }
 

@@ -61,24 +61,24 @@ void to_stderr(std::string_view text) {
   std::fflush(stderr);
 }
 
-void tell_warning(const Fault& warning) {
+void print_warning(const Fault& warning) {
   to_stderr(errors_as_json ? Json::object({{"warning", object(warning)}}).text() + '\n'
                            : "warning: " + mahlwerk::describe({warning}) + '\n');
 }
 
-void TroubleTeller::operator()(const Fault& trouble) {
+void WriteErrorReporter::operator()(const Fault& trouble) {
   const std::lock_guard lock(mutex_);
   if (first_) return;
   first_ = trouble;
-  tell_warning(trouble);
+  print_warning(trouble);
 }
 
-void TroubleTeller::tell_again() const {
+void WriteErrorReporter::repeat() const {
   const std::lock_guard lock(mutex_);
-  if (first_) tell_warning(*first_);
+  if (first_) print_warning(*first_);
 }
 
-int tell_end(int code, std::string_view words, const std::vector<Fault>& faults) {
+int report_end(int code, std::string_view words, const std::vector<Fault>& faults) {
   if (!errors_as_json) {
     to_stderr(printable(words) + '\n');
     return code;
@@ -91,8 +91,8 @@ int tell_end(int code, std::string_view words, const std::vector<Fault>& faults)
   return code;
 }
 
-int tell_end(int code, const std::vector<Fault>& faults) {
-  return tell_end(code, mahlwerk::describe(faults), faults);
+int report_end(int code, const std::vector<Fault>& faults) {
+  return report_end(code, mahlwerk::describe(faults), faults);
 }
 
 std::string shell_word(std::string_view text) {

@@ -19,14 +19,14 @@ void set_json_messages();
 bool json_messages();
 
 /// Something the user must know while the run goes on.
-void tell_warning(const Fault& warning);
+void print_warning(const Fault& warning);
 
 /// Trouble that many may meet: told when it comes first, and once more at the end. Threads may call
 /// at the same time.
-class TroubleTeller {
+class WriteErrorReporter {
  public:
   void operator()(const Fault& trouble);
-  void tell_again() const;
+  void repeat() const;
 
  private:
   mutable std::mutex mutex_;
@@ -34,9 +34,9 @@ class TroubleTeller {
 };
 
 /// How the program ends, and why: `words` as text, the faults as JSON. Gives back the exit code.
-int tell_end(int code, std::string_view words, const std::vector<Fault>& faults);
+int report_end(int code, std::string_view words, const std::vector<Fault>& faults);
 /// The same with the faults in words.
-int tell_end(int code, const std::vector<Fault>& faults);
+int report_end(int code, const std::vector<Fault>& faults);
 
 /// Writes to stderr, whether or not anybody reads it.
 void to_stderr(std::string_view text);

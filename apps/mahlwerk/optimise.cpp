@@ -25,7 +25,7 @@ void write(const results::Folder& folder, const report::OptimumReport& found) {
   folder.write("optimise.html", report::optimum_page(found, version()));
 }
 
-void tell(const report::OptimumReport& found, const fs::path& place) {
+void print_summary(const report::OptimumReport& found, const fs::path& place) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::optimum_table(found)));
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "optimise.html").string());
@@ -45,28 +45,28 @@ int optimise(const Request& request) {
                            "rpm\", to = \"600 rpm\" } }",
                            "nothing-to-optimise"});
   campaign::check_keys(what, what.optimise->over, "[optimise]");
-  const campaign::TrialRuns runs(file, known, set, cases::Giver::optimise);
+  const campaign::TrialRuns runs(file, known, set, cases::ValueSource::optimise);
   const campaign::SearchJob job = campaign::optimise_job(runs);
-  const fs::path usual = default_place(request.target, file, false).string() + "-optimise";
+  const fs::path usual = default_folder(request.target, file, false).string() + "-optimise";
   results::Folder folder(request.out.value_or(usual), request.force);
   catch_ctrl_c();
-  KeptSearch kept(folder.wanted());
+  ResumableSearch kept(folder.target());
   try {
-    const campaign::Optimum found = look(request, job, kept);
+    const campaign::Optimum found = run_search(request, job, kept);
     report::OptimumReport report = report_of(job, found);
     report.check = check_best(request, job, found, kept);
     write(folder, report);
     if (found.best) {
       const int count = static_cast<int>(runs.base().run.replicates);
-      results::write_case(folder, runs.at(found.tried[*found.best].place, 0, count), "best.toml");
+      results::write_case(folder, runs.at(found.trials[*found.best].point, 0, count), "best.toml");
     }
     folder.commit();
     kept.remove();
     if (request.json) json_to_stdout(optimum_json(report, version()));
-    if (!request.json && !request.quiet) tell(report, folder.wanted());
-    return found.best ? fine : stopped_by_physics;
+    if (!request.json && !request.quiet) print_summary(report, folder.target());
+    return found.best ? success : stopped_by_physics;
   } catch (const Interrupted&) {
-    return kept.tell_interrupted();
+    return kept.report_interrupted();
   }
 }
 

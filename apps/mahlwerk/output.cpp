@@ -20,7 +20,7 @@
 namespace mahlwerk::app {
 namespace {
 
-extern "C" void go_on(int) {}
+extern "C" void ignore_signal(int) {}
 
 int first_error = 0;  // of stdout, where it was told
 
@@ -35,7 +35,7 @@ void json_to_stdout(const results::Json& json) {
 }
 
 void guard_output() {
-  std::signal(SIGPIPE, go_on);  // not ignored: that would be handed down to other programs
+  std::signal(SIGPIPE, ignore_signal);  // not ignored: that would be handed down to other programs
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     // Of the wrong kind, so that what is written is an error.
     if (::fcntl(stream, F_GETFD) == -1)
@@ -54,10 +54,10 @@ int finish_output(int code) {
   if (!output_failed(errno) && flushed) return code;
   const int error = first_error != 0 ? first_error : EIO;
   const std::string why = std::string("standard output cannot be written: ") + std::strerror(error);
-  if (stop_wanted() && code == fine) code = interrupted;
+  if (stop_wanted() && code == success) code = interrupted;
   const Fault fault{"", why, "make room, or keep its reader open; results in folders are complete",
                     "output-lost"};
-  return tell_end(code == fine ? static_cast<int>(output_lost) : code, {fault});
+  return report_end(code == success ? static_cast<int>(output_lost) : code, {fault});
 }
 
 }  // namespace mahlwerk::app

@@ -94,13 +94,13 @@ std::string below(const std::string& campaign, std::size_t point) {
 report::Campaign numbers_of(const cases::Case& what,
                             const std::vector<results::Outcome>& outcomes) {
   const campaign::Plan plan(what.sweep, what.seed);
-  const std::vector<std::string> own = campaign::own_values(plan, what);
+  const std::vector<std::string> own = campaign::base_values(plan, what);
   report::Campaign made{.title = what.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
     report::add(made,
                 {.number = i + 1,
-                 .values = campaign::said(plan, i, own),
+                 .values = campaign::point_values(plan, i, own),
                  .regime = outcome.summary.regime,
                  .warnings = results::warning_codes(outcome.notices),
                  .folder = fmt::format("point-{:03}/", i + 1)},
@@ -108,19 +108,19 @@ report::Campaign numbers_of(const cases::Case& what,
   }
   for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
   results::sort(made.notices);
-  made.swept = report::swept(plan.keys(), made.points);
+  made.keys = report::campaign_keys(plan.keys(), made.points);
   return made;
 }
 
 /// The points of all campaigns, those that campaigns share once.
-class Shared {
+class UniquePoints {
  public:
   /// Where a point stands among them.
   std::size_t add(const cases::Case& point) {
     cases::Case bare = point;
     bare.title.clear();
     const bool alone = point.observe.collisions || point.observe.frames;  // files of its own
-    const std::string what = alone ? "" : cases::write(bare) + cases::contents_of_files(bare);
+    const std::string what = alone ? "" : cases::write(bare) + cases::input_files_fingerprint(bare);
     if (!alone) {
       const auto [known, fresh] = places_.try_emplace(what, points.size());
       if (!fresh) return known->second;
@@ -136,17 +136,17 @@ class Shared {
 
 /// All points of all campaigns of the paper together, so that no core waits for another.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const PaperJob& job,
-                                                   campaign::KeptRuns& kept) {
-  Shared shared;
+                                                   campaign::ResumableRuns& kept) {
+  UniquePoints unique;
   campaign::Streams streams(version());
   std::map<std::string, std::vector<std::size_t>> at;
   for (const auto& [name, points] : job.points)
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t before = shared.points.size();
-      at[name].push_back(shared.add(points[i]));
-      if (shared.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
+      const std::size_t before = unique.points.size();
+      at[name].push_back(unique.add(points[i]));
+      if (unique.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  const std::vector<results::Outcome> outcomes = compute(request, shared.points, streams, kept);
+  const std::vector<results::Outcome> outcomes = compute(request, unique.points, streams, kept);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -180,8 +180,8 @@ void write(const PaperJob& job, const std::map<std::string, report::RunCampaign>
   job.folder->commit();
 }
 
-void tell(const PaperJob& job, const report::PaperResult& result, double seconds) {
-  const fs::path place = job.folder->wanted();
+void print_summary(const PaperJob& job, const report::PaperResult& result, double seconds) {
+  const fs::path place = job.folder->target();
   to_stdout(fmt::format("{}\n{}\n\n{}\n", job.paper.title, job.paper.source,
                         report::claims_text(result)));
   fmt::print("page:     {}\n", (place / "paper.html").string());
@@ -193,13 +193,13 @@ void tell(const PaperJob& job, const report::PaperResult& result, double seconds
 results::Json as_json(const PaperJob& job, const report::PaperResult& result) {
   using results::Json;
   Json claims = Json::array();
-  for (std::size_t i = 0; i < result.judged.size(); ++i)
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i)
     claims.push_back(Json::object({{"figure", job.paper.claims[i].figure},
                                    {"says", job.paper.claims[i].says},
-                                   {"found", result.judged[i].found},
-                                   {"holds", report::word(result.judged[i].holds)}}));
+                                   {"found", result.verdicts[i].finding},
+                                   {"holds", report::word(result.verdicts[i].holds)}}));
   return Json::object({{"title", job.paper.title},
-                       {"results", job.folder->wanted().string()},
+                       {"results", job.folder->target().string()},
                        {"claims", std::move(claims)},
                        {"notices", results::notices_json(result.notices)}});
 }
@@ -211,18 +211,18 @@ int papers(const Request& request) {
   for (const fs::path& place : places)
     jobs.push_back(prepare_paper(request, place, places.size() > 1, known));
   catch_ctrl_c();
-  int ended = fine;
+  int ended = success;
   results::Json list = results::Json::array();
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
-    campaign::KeptRuns kept(job.folder->wanted());
+    campaign::ResumableRuns kept(job.folder->target());
     const std::map<std::string, report::RunCampaign> run = run_all(request, job, kept);
     if (stop_wanted()) {
       ended = interrupted;
       if (!request.quiet || request.json)
-        tell_end(interrupted, "interrupted: what was run is kept; the same command goes on",
-                 {Fault{"", "interrupted", "what was run is kept; the same command goes on",
-                        "interrupted"}});
+        report_end(interrupted, "interrupted: what was run is kept; the same command goes on",
+                   {Fault{"", "interrupted", "what was run is kept; the same command goes on",
+                          "interrupted"}});
       break;
     }
     report::PaperResult result = report::paper_result(job.paper, run);
@@ -233,9 +233,9 @@ int papers(const Request& request) {
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (request.json) list.push_back(as_json(job, result));
-    if (!request.json && !request.quiet) tell(job, result, seconds);
+    if (!request.json && !request.quiet) print_summary(job, result, seconds);
     for (const auto& [name, one] : run)
-      if (const int how = how_it_ended(one.outcomes); how != fine) ended = how;
+      if (const int how = report_exit_status(one.outcomes); how != success) ended = how;
   }
   if (request.json) json_to_stdout(list);
   return ended;

@@ -54,7 +54,7 @@ fs::path one_case_file(const std::string& target, std::string_view command) {
             "name one of its files", "one-case"});
 }
 
-fs::path default_place(const std::string& target, const fs::path& file, bool several) {
+fs::path default_folder(const std::string& target, const fs::path& file, bool several) {
   const fs::path whole = fs::weakly_canonical(fs::path(target));
   const bool by_file = !fs::is_directory(whole) && file.stem() != "case";
   const fs::path name =

@@ -71,12 +71,12 @@ void ProgressLine::show(const campaign::Progress& p) {
   if (!on_) return;
   using Seconds = std::chrono::duration<double>;
   const double gone = Seconds(std::chrono::steady_clock::now() - started_).count();
-  const double share = p.wanted > 0 ? p.simulated / p.wanted : 0;
+  const double share = p.total > 0 ? p.simulated / p.total : 0;
   const double left = share > 0 ? gone * (1 - share) / share : 0;
   show(fmt::format(
       "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
       "residual {:.0e}",
-      100 * share, p.simulated, p.wanted, left, p.collisions / gone, p.residual));
+      100 * share, p.simulated, p.total, left, p.collisions / gone, p.residual));
 }
 
 void ProgressLine::show(std::string line) {

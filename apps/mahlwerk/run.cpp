@@ -46,7 +46,7 @@ RunJob prepare_run(const Request& request, const fs::path& file, bool several,
   RunJob job;
   job.file = file;
   job.what = cases::read(file, catalogue, overrides(request));
-  job.place = !request.out ? default_place(request.target, file, several)
+  job.place = !request.out ? default_folder(request.target, file, several)
               : several    ? *request.out / file.stem()
                            : *request.out;
   if (job.sweeps()) return job;
@@ -65,7 +65,7 @@ std::string uncalibrated(const cases::Case& what) {
   return line.empty() ? "" : "assumed, not calibrated: " + line + "\n\n";
 }
 
-void tell(const RunJob& job, const results::Outcome& outcome) {
+void print_summary(const RunJob& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
                         report::table(outcome.summary.quantities, job.what.observe.threshold)));
   to_stdout(report::states_table(outcome));
@@ -119,7 +119,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
                                          job.what.observe.frames ? "leave out [observe] frames"
                                                                  : "write collisions = false"),
                              "bad-checkpoint"});
-    what += cases::write(job.what) + cases::contents_of_files(job.what);
+    what += cases::write(job.what) + cases::input_files_fingerprint(job.what);
     replicates += static_cast<std::size_t>(job.what.run.replicates);
   }
   fs::path place = jobs.front().place;
@@ -127,7 +127,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   constexpr double usual = 60;  // [s]
   auto made =
       std::make_unique<campaign::Checkpoint>(place.string() + ".checkpoint", what, replicates,
-                                             request.checkpoint.value_or(usual), tell_warning);
+                                             request.checkpoint.value_or(usual), print_warning);
   if (request.resume) made->load();
   return made;
 }
@@ -150,11 +150,11 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
     jobs[i].folder->commit();
   }
   if (kept && std::ranges::all_of(outcomes, results::complete)) kept->remove();
-  for (std::size_t i = 0; talks && i < jobs.size(); ++i) tell(jobs[i], outcomes[i]);
+  for (std::size_t i = 0; talks && i < jobs.size(); ++i) print_summary(jobs[i], outcomes[i]);
   if (request.json) print_json(jobs);
   if (talks) fmt::print("computed in {} s\n", two_digits(outcomes.front().wall_seconds));
-  const int ended = how_it_ended(outcomes);
-  if (kept && kept->trouble()) tell_warning(*kept->trouble());
+  const int ended = report_exit_status(outcomes);
+  if (kept && kept->write_error()) print_warning(*kept->write_error());
   if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");
   return ended;
 }
@@ -163,7 +163,7 @@ int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));
-  int worst = plain.empty() ? fine : run_cases(request, plain);
+  int worst = plain.empty() ? success : run_cases(request, plain);
   for (const RunJob& job : campaigns) {
     if (worst == interrupted) break;
     worst = std::max<int>(worst, sweep_case(request, job.file, overrides(request), job.place));

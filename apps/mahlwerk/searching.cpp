@@ -19,10 +19,10 @@
 namespace mahlwerk::app {
 namespace {
 
-using campaign::Place;
+using campaign::DesignPoint;
 using results::Json;
 
-report::Told told(const campaign::Guess& guess) {
+report::ValueCi95 value_ci95(const campaign::MeanCi95& guess) {
   return {guess.mean, guess.ci95};
 }
 
@@ -38,68 +38,70 @@ double number_of(const std::string& text, const std::string& unit) {
 
 report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimum& found,
                           std::size_t key) {
-  const cases::SweptKey& range = job.runs->over()[key];
+  const cases::SweptKey& range = job.runs->ranges()[key];
   const campaign::KeyOptimum& k = found.keys[key];
   constexpr int digits = 4;
-  const auto text = [&](double place) { return campaign::value_in_range(range, place, digits); };
+  const auto text = [&](double position) {
+    return campaign::value_in_range(range, position, digits);
+  };
   report::OptimumKey made{.key = range.key,
                           .unit = unit_of(range),
                           .logarithmic = range.logarithmic,
                           .from = range.values[0],
                           .to = range.values[1]};
-  if (!found.model_place.empty()) {
-    made.model = job.runs->values(found.model_place)[key];
+  if (!found.model_point.empty()) {
+    made.model = job.runs->values(found.model_point)[key];
     made.low = text(k.low);
     made.high = text(k.high);
     made.good_low = text(k.good_low);
     made.good_high = text(k.good_high);
   }
-  if (found.best) made.best = job.runs->values(found.tried[*found.best].place)[key];
+  if (found.best) made.best = job.runs->values(found.trials[*found.best].point)[key];
   made.flat = k.flat;
   made.at_low_end = k.at_low_end;
   made.at_high_end = k.at_high_end;
   for (std::size_t i = 0; i < k.slice.size(); ++i) {
-    const double place = static_cast<double>(i) / static_cast<double>(k.slice.size() - 1);
+    const double position = static_cast<double>(i) / static_cast<double>(k.slice.size() - 1);
     const double from = number_of(range.values[0], made.unit);
     const double to = number_of(range.values[1], made.unit);
-    made.x.push_back(range.logarithmic ? from * std::pow(to / from, place)
-                                       : std::lerp(from, to, place));
-    made.model_at.push_back(told(k.slice[i]));
+    made.x.push_back(range.logarithmic ? from * std::pow(to / from, position)
+                                       : std::lerp(from, to, position));
+    made.model_at.push_back(value_ci95(k.slice[i]));
   }
   return made;
 }
 
-report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign::Tried& tried) {
-  report::OptimumSetting made{.values = job.runs->values(tried.place),
+report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign::Trial& tried) {
+  report::OptimumSetting made{.values = job.runs->values(tried.point),
                               .round = tried.round,
                               .replicates = static_cast<int>(tried.replicates.size()),
-                              .model = told(tried.model),
-                              .allowed = tried.allowed,
-                              .chance = tried.chance,
+                              .model = value_ci95(tried.model),
+                              .probability_feasible = tried.probability_feasible,
+                              .probability_best = tried.probability_best,
                               .failure = tried.failure};
   for (std::size_t i = 0; i < made.values.size(); ++i)
-    made.x.push_back(number_of(made.values[i], unit_of(job.runs->over()[i])));
+    made.x.push_back(number_of(made.values[i], unit_of(job.runs->ranges()[i])));
   made.warnings = results::warning_codes(tried.notices);
   made.invalid = tried.invalid();
-  for (std::size_t i = 0; i < tried.seen.size(); ++i)
+  for (std::size_t i = 0; i < tried.observed.size(); ++i)
     if (i == 0)
-      made.seen = told(tried.seen[i]);
+      made.observed = value_ci95(tried.observed[i]);
     else
-      made.limited.push_back(told(tried.seen[i]));
+      made.limit_values.push_back(value_ci95(tried.observed[i]));
   return made;
 }
 
-std::string ended(const campaign::SearchJob& job, const campaign::Optimum& found) {
-  switch (found.ended) {
-    case campaign::Ended::settings:
+std::string stop_reason_text(const campaign::SearchJob& job, const campaign::Optimum& found) {
+  switch (found.stop_reason) {
+    case campaign::StopReason::settings:
       return fmt::format("The search ended because {} settings were tried, as many as allowed",
-                         found.tried.size());
-    case campaign::Ended::nothing:
+                         found.trials.size());
+    case campaign::StopReason::converged:
       return fmt::format(
           "The search ended because what one more setting is expected to gain, {}, is lost in the "
           "noise",
           report::readable(found.expected_gain, NAN, job.outcomes.front().unit).text());
-    case campaign::Ended::failed:
+    case campaign::StopReason::failed:
       break;
   }
   return "";
@@ -120,26 +122,26 @@ Json check_json(const report::OptimumReport& found) {
 
 }  // namespace
 
-KeptSearch::KeptSearch(const std::filesystem::path& results)
-    : runs_(results), trials_(runs_.place() / "trials.sqlite") {}
+ResumableSearch::ResumableSearch(const std::filesystem::path& results)
+    : runs_(results), trials_(runs_.folder() / "trials.sqlite") {}
 
-KeptSearch::~KeptSearch() {
+ResumableSearch::~ResumableSearch() {
   if (!removed_ && !has_trials() && !has_states()) remove();
 }
 
-bool KeptSearch::has_trials() const {
+bool ResumableSearch::has_trials() const {
   std::error_code none;
   return std::filesystem::exists(trials_, none);
 }
 
-bool KeptSearch::has_states() const {
+bool ResumableSearch::has_states() const {
   std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(runs_.place(), none))
+  for (const auto& entry : std::filesystem::directory_iterator(runs_.folder(), none))
     if (entry.path().extension() == ".checkpoint") return true;
   return false;
 }
 
-int KeptSearch::tell_interrupted() const {
+int ResumableSearch::report_interrupted() const {
   const bool trials = has_trials(), states = has_states();
   std::string what = trials ? "the runs of the search that had ended" : "";
   if (trials && states) what += " and ";
@@ -147,42 +149,42 @@ int KeptSearch::tell_interrupted() const {
   const std::string remedy = what.empty()
                                  ? "the same command begins anew"
                                  : fmt::format("{} are kept in {}; the same command goes on", what,
-                                               runs_.place().string());
+                                               runs_.folder().string());
   const std::string words =
       what.empty() ? "interrupted before any run had ended: " + remedy : "interrupted: " + remedy;
-  return tell_end(interrupted, words, {Fault{"", "interrupted", remedy, "interrupted"}});
+  return report_end(interrupted, words, {Fault{"", "interrupted", remedy, "interrupted"}});
 }
 
-void KeptSearch::remove() {
+void ResumableSearch::remove() {
   removed_ = true;  // from here on the place may be another process's
   std::error_code none;
   std::filesystem::remove(trials_, none);
   runs_.remove();
 }
 
-campaign::Optimum look(const Request& request, const campaign::SearchJob& job,
-                       const KeptSearch& kept) {
+campaign::Optimum run_search(const Request& request, const campaign::SearchJob& job,
+                             const ResumableSearch& kept) {
   ProgressLine line(request.quiet);
-  campaign::Options options;
+  campaign::RunOptions options;
   options.threads = request.threads;
   options.stop = &stop_wanted();
   int settings = 0, runs = 0;
-  TroubleTeller not_kept;
+  WriteErrorReporter not_kept;
   campaign::TrialStore store(kept.trials(), job.measure_name, std::ref(not_kept));
   campaign::Optimum found = campaign::optimise(job.goal, [&](const auto& asked) {
     line.show(fmt::format("{} settings tried, {} runs", settings, runs));
-    for (const campaign::Asked& one : asked) {
+    for (const campaign::TrialRequest& one : asked) {
       settings += one.first == 0 ? 1 : 0;
       runs += one.count;
     }
     return job.runs->run(asked, job.measure, options, store, version());
   });
-  not_kept.tell_again();
+  not_kept.repeat();
   return found;
 }
 
 report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found) {
-  const campaign::Judged& best = job.outcomes.front();
+  const campaign::SearchOutcome& best = job.outcomes.front();
   report::OptimumReport made{.title = job.runs->base().title,
                              .case_file = job.runs->base().file,
                              .quantity = best.name,
@@ -190,11 +192,11 @@ report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::
                              .about = best.about,
                              .maximise = job.goal.maximise,
                              .best = found.best,
-                             .model_value = told(found.model_value),
+                             .model_value = value_ci95(found.model_value),
                              .expected_gain = found.expected_gain,
                              .expected_loss = found.expected_loss,
                              .failed = found.failed,
-                             .ended = ended(job, found)};
+                             .stop_reason = stop_reason_text(job, found)};
   for (std::size_t key = 0; key < job.goal.keys; ++key)
     made.keys.push_back(key_of(job, found, key));
   for (std::size_t i = 0; i < job.limits.size(); ++i)
@@ -203,7 +205,7 @@ report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::
          .unit = job.outcomes[i + 1].unit,
          .text = (job.limits[i].below ? "below " : "above ") + job.limits[i].bound,
          .binds = found.binds[i]});
-  for (const campaign::Tried& tried : found.tried) {
+  for (const campaign::Trial& tried : found.trials) {
     made.settings.push_back(setting_of(job, tried));
     results::count(made.notices, tried.notices);
   }
@@ -212,7 +214,7 @@ report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::
 }
 
 results::Json optimum_json(const report::OptimumReport& found, std::string_view version) {
-  const auto pair = [](const report::Told& t) {
+  const auto pair = [](const report::ValueCi95& t) {
     return Json::object({{"value", t.value}, {"ci95", t.ci95}});
   };
   Json keys = Json::object(), limits = Json::array();
@@ -234,9 +236,9 @@ results::Json optimum_json(const report::OptimumReport& found, std::string_view 
     const report::OptimumSetting& s = found.settings[*found.best];
     best = Json::object({{"setting", *found.best + 1},
                          {"replicates", s.replicates},
-                         {"mean", pair(s.seen)},
+                         {"mean", pair(s.observed)},
                          {"by_model", pair(s.model)},
-                         {"chance", s.chance},
+                         {"chance", s.probability_best},
                          {"certain", found.certain()},
                          {"valid", !s.invalid},
                          {"check", check_json(found)}});

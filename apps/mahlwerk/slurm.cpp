@@ -65,7 +65,7 @@ std::string more_options(const Request& request) {
 }
 
 /// What a command printed, without the end of its line; throws InputError if it failed.
-std::string said_by(const std::string& command, const fs::path& script) {
+std::string output_of(const std::string& command, const fs::path& script) {
   struct Close {
     void operator()(std::FILE* pipe) const { pclose(pipe); }
   };
@@ -118,28 +118,28 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
 int submit_to_slurm(const Request& request, const fs::path& case_file, const fs::path& place) {
   const fs::path script = place / "campaign.slurm";
   const std::string text = slurm_script(request, case_file, place);
-  campaign::prepare_place(place);
+  campaign::prepare_folder(place);
   results::list_campaign_files(place);
   results::list_files(place, {script.filename().string()});
   results::write_text(script, text);
-  const std::string array = said_by("sbatch --parsable " + shell_path(script), script);
+  const std::string array = output_of("sbatch --parsable " + shell_path(script), script);
   const std::string job = array.substr(0, array.find(';'));
   const std::string merge =
-      said_by(fmt::format("sbatch --parsable --dependency=afterany:{} --job-name=mahlwerk-merge "
-                          "--output={} --wrap {}",
-                          job, shell_word(slurm_path(place) + "/slurm-%j.out"),
-                          shell_word(fmt::format("{} sweep merge {}", shell_path(this_program()),
-                                                 shell_path(place)))),
-              script);
+      output_of(fmt::format("sbatch --parsable --dependency=afterany:{} --job-name=mahlwerk-merge "
+                            "--output={} --wrap {}",
+                            job, shell_word(slurm_path(place) + "/slurm-%j.out"),
+                            shell_word(fmt::format("{} sweep merge {}", shell_path(this_program()),
+                                                   shell_path(place)))),
+                script);
   const std::string last = merge.substr(0, merge.find(';'));
   std::vector<std::string> said{fmt::format("slurm-{}.out", last)};
   for (int task = 1; task <= request.slurm; ++task)
     said.push_back(fmt::format("slurm-{}_{}.out", job, task));
   results::list_files(place, said);  // what Slurm will write for us
-  if (request.quiet) return fine;
+  if (request.quiet) return success;
   fmt::print("submitted {} shards as job {}; job {} joins them at the end\nscript:   {}\n",
              request.slurm, job, last, script.string());
-  return fine;
+  return success;
 }
 
 }  // namespace mahlwerk::app

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 int sweep(const Request& request) {
   const fs::path file = one_case_file(request.target, "sweep");
-  const fs::path place = request.out ? *request.out : default_place(request.target, file, false);
+  const fs::path place = request.out ? *request.out : default_folder(request.target, file, false);
   if (request.slurm > 0) {
     swept_case(file, overrides(request));  // its faults are told here, not in the queue
     return submit_to_slurm(request, file, place);
@@ -32,11 +32,11 @@ int sweep(const Request& request) {
 
 int sweep_status(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = campaign::look_into(place);
-  const campaign::Counts counts = store.counts();
+  const campaign::Store store = campaign::open_store(place);
+  const campaign::RunCounts counts = store.counts();
   if (request.json) {
     print_campaign(store, place, nullptr);
-    return fine;
+    return success;
   }
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
   to_stdout(fmt::format(
@@ -62,12 +62,12 @@ int sweep_status(const Request& request) {
   });
   if (told_of > most)
     fmt::print("\nand {} more: the column `message` of the store\n", told_of - most);
-  return fine;
+  return success;
 }
 
 int sweep_export(const Request& request) {
   const fs::path place = request.target;
-  const campaign::Store store = campaign::look_into(place);
+  const campaign::Store store = campaign::open_store(place);
   if (request.out) {
     if (fs::exists(*request.out) && !request.force)
       throw InputError(Fault{request.out->string(), "there is such a file already",
@@ -79,11 +79,11 @@ int sweep_export(const Request& request) {
       throw InputError(Fault{request.out->string(), "cannot be written",
                              "check the folder, your rights and the space on the disk",
                              "cannot-write"});
-    return fine;
+    return success;
   }
   store.write_csv(std::cout);
   std::cout.flush();
-  return fine;
+  return success;
 }
 
 int sweep_retry(const Request& request) {
@@ -91,7 +91,7 @@ int sweep_retry(const Request& request) {
   fs::path file;
   std::vector<cases::Override> set;
   {
-    const campaign::Store store = campaign::look_into(place);
+    const campaign::Store store = campaign::open_store(place);
     file = store.case_file();
     set = store.overrides();
     swept_case(file, set);  // that it can be run, before anything is forgotten
@@ -119,12 +119,11 @@ int sweep_merge(const Request& request) {
                            "name the folder that was given to `mahlwerk sweep --shard` as --out",
                            "no-campaign"});
   std::ranges::sort(shards);
-  const campaign::CampaignLock lock(place / "campaign.lock",
-                                    campaign::CampaignLock::Holds::with_others);
+  const campaign::CampaignLock lock(place / "campaign.lock", campaign::CampaignLock::Mode::shared);
   campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
   std::size_t taken = 0;
   for (const fs::path& shard : shards) taken += store.merge(shard);
-  const campaign::Counts counts = store.counts();
+  const campaign::RunCounts counts = store.counts();
   const report::Campaign campaign = campaign_of(store);
   write_pages(store, campaign, place);
   if (request.json) {
@@ -136,7 +135,7 @@ int sweep_merge(const Request& request) {
         counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
         counts.failed, counts.waiting, (place / "campaign.html").string()));
   }
-  return counts.failed > 0 ? stopped_by_physics : fine;
+  return counts.failed > 0 ? stopped_by_physics : success;
 }
 
 Options sharing() {
@@ -158,7 +157,7 @@ Options sharing() {
            .needs = "--slurm"}};
 }
 
-std::vector<Command> parts() {
+std::vector<Command> subcommands() {
   const Option folder{.name = "FOLDER",
                       .target = &Request::target,
                       .about = "the campaign's folder",
@@ -180,7 +179,7 @@ Command sweep_command() {
   Option target = one_case();
   target.required = false;  // a part may be meant
   return {"sweep", "run the campaign of a case with [sweep], or go on with it",
-          joined({{target}, changes(), running(), sharing(), {json()}}), sweep, parts()};
+          joined({{target}, changes(), running(), sharing(), {json()}}), sweep, subcommands()};
 }
 
 }  // namespace mahlwerk::app

@@ -39,32 +39,33 @@ campaign::Shard shard_of(const std::string& text) {
 }
 
 /// What there is to say once the work has ended.
-void tell(const campaign::CampaignFolder& folder, const campaign::Counts& counts,
-          const report::Campaign& campaign, const campaign::Worked& worked) {
+void print_summary(const campaign::CampaignFolder& folder, const campaign::RunCounts& counts,
+                   const report::Campaign& campaign, const campaign::WorkSummary& worked) {
   to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
-  const fs::path& place = folder.place();
+  const fs::path& place = folder.path();
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
              (place / "campaign.html").string(), (place / "campaign.csv").string(),
              (place / "campaign.sqlite").string());
-  if (worked.there > 0) fmt::print("{} had been run before\n", counted(worked.there, "run"));
+  if (worked.already_done > 0)
+    fmt::print("{} had been run before\n", counted(worked.already_done, "run"));
   fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
   if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
   fmt::print("\n");
 }
 
-int ending(const Request& request, const campaign::Worked& worked, const campaign::Counts& counts,
-           const fs::path& place) {
+int ending(const Request& request, const campaign::WorkSummary& worked,
+           const campaign::RunCounts& counts, const fs::path& place) {
   const bool talks = !request.quiet || request.json;
   if (worked.interrupted) {
     const std::string kept =
         fmt::format("{} of {} runs are done and kept; the same command goes on", counts.done,
                     counts.done + counts.failed + counts.waiting);
     if (talks)
-      tell_end(interrupted, "interrupted: " + kept,
-               {Fault{"", "interrupted", kept, "interrupted"}});
+      report_end(interrupted, "interrupted: " + kept,
+                 {Fault{"", "interrupted", kept, "interrupted"}});
     return interrupted;
   }
-  if (counts.failed == 0) return fine;
+  if (counts.failed == 0) return success;
   const std::string failed = counted(counts.failed, "run") + " failed",
                     word = shell_word(place.string()),
                     remedy = fmt::format(
@@ -72,27 +73,27 @@ int ending(const Request& request, const campaign::Worked& worked, const campaig
                         "again",
                         word, word);
   if (talks)
-    tell_end(stopped_by_physics, failed + ": " + remedy,
-             {Fault{place.string(), failed, remedy, "runs-failed"}});
+    report_end(stopped_by_physics, failed + ": " + remedy,
+               {Fault{place.string(), failed, remedy, "runs-failed"}});
   return stopped_by_physics;
 }
 
 /// A shard does its part and says so; its numbers are told once all are joined.
 int end_shard(const Request& request, campaign::CampaignFolder& folder,
-              const campaign::Shard& shard, const campaign::Worked& worked) {
-  const campaign::Counts counts = folder.store().counts();
+              const campaign::Shard& shard, const campaign::WorkSummary& worked) {
+  const campaign::RunCounts counts = folder.store().counts();
   if (!request.quiet && !request.json)
     to_stdout(
         fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
                     "mahlwerk sweep merge {}\n",
-                    shard.number, shard.of, worked.done, worked.failed, worked.there,
-                    worked.seconds, shell_word(folder.place().string())));
-  if (request.json) print_campaign(folder.store(), folder.place(), &worked);
-  return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : fine;
+                    shard.number, shard.of, worked.done, worked.failed, worked.already_done,
+                    worked.seconds, shell_word(folder.path().string())));
+  if (request.json) print_campaign(folder.store(), folder.path(), &worked);
+  return worked.interrupted ? interrupted : counts.failed > 0 ? stopped_by_physics : success;
 }
 
 campaign::CampaignSettings settings_of(const Request& request, std::optional<ProgressLine>& line,
-                                       TroubleTeller& not_kept) {
+                                       WriteErrorReporter& not_kept) {
   const auto write = [](const results::Folder& folder, const results::Outcome& outcome) {
     report::write(folder, outcome, version(), "", false);
   };
@@ -112,7 +113,7 @@ campaign::CampaignSettings settings_of(const Request& request, std::optional<Pro
           .stop = &stop_wanted(),
           .write = write,
           .progress = show,
-          .trouble = std::ref(not_kept)};
+          .on_write_error = std::ref(not_kept)};
 }
 
 }  // namespace
@@ -132,8 +133,8 @@ std::string counted(std::size_t n, std::string_view what) {
 }
 
 void print_campaign(const campaign::Store& store, const fs::path& place,
-                    const campaign::Worked* worked) {
-  const campaign::Counts counts = store.counts();
+                    const campaign::WorkSummary* worked) {
+  const campaign::RunCounts counts = store.counts();
   results::Json said = results::Json::object({{"results", place.string()},
                                               {"points", counts.points},
                                               {"done", counts.done},
@@ -159,28 +160,28 @@ int sweep_case(const Request& request, const fs::path& file,
   const cases::Case what = swept_case(file, set);
   catch_ctrl_c();
   std::optional<ProgressLine> line;
-  TroubleTeller not_kept;
+  WriteErrorReporter not_kept;
   campaign::CampaignFolder folder(settings_of(request, line, not_kept), file, set, place, shard);
   folder.plan(campaign::Plan(what.sweep, what.seed));
   if (stop_wanted()) {
     if (!request.quiet || request.json)
-      tell_end(interrupted, "interrupted: nothing was run yet",
-               {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
+      report_end(interrupted, "interrupted: nothing was run yet",
+                 {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
     return interrupted;
   }
   line.emplace(request.quiet);
-  const campaign::Worked worked = folder.work();
-  not_kept.tell_again();
+  const campaign::WorkSummary worked = folder.work();
+  not_kept.repeat();
   line.reset();  // from the terminal
   if (!shard.whole()) return end_shard(request, folder, shard, worked);
-  const campaign::Counts counts = folder.store().counts();
+  const campaign::RunCounts counts = folder.store().counts();
   if (!fs::exists(place / "campaign.sqlite"))
     throw InputError(Fault{place.string(), "the folder was taken away while the campaign ran",
                            "start it again", "cannot-write"});
   const report::Campaign campaign = campaign_of(folder.store());
   write_pages(folder.store(), campaign, place);
   if (request.json) print_campaign(folder.store(), place, &worked);
-  if (!request.quiet && !request.json) tell(folder, counts, campaign, worked);
+  if (!request.quiet && !request.json) print_summary(folder, counts, campaign, worked);
   return ending(request, worked, counts, place);
 }
 

@@ -26,7 +26,7 @@ std::string counted(std::size_t n, std::string_view what);
 
 /// As JSON: how far it is, and how the work just `worked` went, which may be null.
 void print_campaign(const campaign::Store& store, const std::filesystem::path& place,
-                    const campaign::Worked* worked);
+                    const campaign::WorkSummary* worked);
 
 std::string table_with_warnings(const report::Campaign& campaign);
 

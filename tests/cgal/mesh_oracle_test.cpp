@@ -39,14 +39,14 @@ TEST(MeshOracle, distances_and_sides_are_those_of_cgal) {
   int wrong = 0, points = 0;
   for (const Triangles& t : {box(0.03, 0.042, 0.0325), cylinder(300, 0.042, 0.0325),
                              drum_with_lifters(0.2, 0.06, 8, 0.012, 0.008), lumpy(0.02, 5)}) {
-    const geometry::MeshWall wall(geometry::joined(t), crease);
+    const geometry::MeshWall wall(geometry::weld(t), crease);
     const Surface theirs = cgal_of(wall.surface());
     Tree tree(faces(theirs).first, faces(theirs).second, theirs);
     tree.accelerate_distance_queries();
     const CGAL::Side_of_triangle_mesh<Surface, Kernel> side(theirs);
     Random random(11, 1);
     for (int i = 0; i < 20000; ++i, ++points) {
-      const Vec3 p = 1.2 * anywhere_in(wall.extent(), random);
+      const Vec3 p = 1.2 * random_point_in(wall.extent(), random);
       const Kernel::Point_3 q(p.x, p.y, p.z);
       const auto found = wall.nearest(p);
       const double distance = std::sqrt(tree.squared_distance(q));

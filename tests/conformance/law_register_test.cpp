@@ -50,7 +50,7 @@ TYPED_TEST(LawsOfCases, fields_have_a_key_a_unit_a_range_and_a_sentence) {
     EXPECT_NO_THROW(parse_in(show(1, f.unit), f.unit)) << f.key;
     EXPECT_LT(f.range.least, f.range.most) << f.key;
     EXPECT_TRUE(f.instead_of.empty() || keys.contains(f.instead_of)) << f.key;
-    if (f.may_be_left_out()) {
+    if (f.is_optional()) {
       EXPECT_FALSE(f.standard.has_value()) << f.key;
       EXPECT_EQ(fresh.*f.value, 0) << f.key;
     } else if (f.standard) {
@@ -65,7 +65,7 @@ template <class L>
 std::vector<cases::Override> choosing(const std::string& key = "", const std::string& text = "") {
   std::vector<cases::Override> given{{"contact.law", std::string(L::name)}};
   for (const auto& f : L::fields())
-    if (!f.standard && !f.may_be_left_out() && f.key != key)
+    if (!f.standard && !f.is_optional() && f.key != key)
       given.push_back({"contact." + std::string(f.key), show(1, f.unit)});
   for (const auto& parameter : contact::adhesion_of<L>())
     for (const auto& f : cases::touch_fields<cases::Contact>())

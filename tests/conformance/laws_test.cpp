@@ -19,8 +19,8 @@
 namespace mahlwerk::tests::laws_test {
 namespace {
 
-using contact::LawNumbers;
-using contact::Touching;
+using contact::EffectivePair;
+using contact::LawCoefficients;
 
 /// Steps of one shortest_time. Over a step without memory RK4 is Simpson's rule, which over the
 /// first one misses 0.073 c h^(5/4) of the impulse of a damper c x^(1/4), the least smooth force
@@ -34,7 +34,7 @@ constexpr double solving = 6e-5;
 
 enum class Adhesion { none, some };
 
-Touching bodies(double restitution, Adhesion adhesion) {
+EffectivePair bodies(double restitution, Adhesion adhesion) {
   contact::Pair pair;
   pair.modulus = 1e8;
   pair.shear_modulus = 3e7;
@@ -53,25 +53,25 @@ class HeadOn {
   struct State {
     double overlap, rate;
   };
-  struct Ended {
+  struct ProgramResult {
     double rebound = 0;  ///< [m/s]
     double duration = 0, deepest = 0;
     double unloading = 0;  ///< [s] from the deepest overlap until the spring pushes no more
     bool parted = false;   ///< else they stick
   };
 
-  HeadOn(const L& law, const Touching& t, double speed)
+  HeadOn(const L& law, const EffectivePair& t, double speed)
       : t_(t),
         speed_(speed),
-        reach_(law.reach(t)),
+        reach_(law.pull_off_distance(t)),
         step_(law.shortest_time(t, speed) / steps_per_collision),
-        k_(law.numbers(t, law.damping(t.pair.restitution))) {
+        k_(law.coefficients(t, law.damping(t.pair.restitution))) {
     law.begin(k_, memory_, speed);
   }
 
   /// Up to `most` times shortest_time: bodies that touch for longer stick.
-  Ended run(int most) {
-    Ended e;
+  ProgramResult run(int most) {
+    ProgramResult e;
     State now{0, speed_};
     for (int i = 0; i < most * steps_per_collision; ++i) {
       const State next = after(now, step_);
@@ -87,17 +87,18 @@ class HeadOn {
 
  private:
   double push(double* memory, const State& s) const {
-    return L::template push<double>(k_.data(), memory, std::max(s.overlap, -reach_), s.rate).force;
+    return L::template evaluate<double>(k_.data(), memory, std::max(s.overlap, -reach_), s.rate)
+        .force;
   }
   double spring(const State& s) const {
-    double memory[contact::law_memories];
+    double memory[contact::law_history_size];
     std::ranges::copy(memory_, memory);
     return push(memory, {s.overlap, 0});
   }
   /// By Runge and Kutta; the memory moves on with whole steps only.
   State after(const State& s, double h) const {
     const auto slope = [&](const State& at) {
-      double memory[contact::law_memories];
+      double memory[contact::law_history_size];
       std::ranges::copy(memory_, memory);
       return State{at.rate, -push(memory, at) / t_.mass};
     };
@@ -110,7 +111,7 @@ class HeadOn {
             s.rate + h / 6 * (a.rate + 2 * b.rate + 2 * c.rate + d.rate)};
   }
   /// The part of the last step after which the contact ends, by bisection.
-  Ended parted(const State& now, Ended e) const {
+  ProgramResult parted(const State& now, ProgramResult e) const {
     double low = 0, high = step_;
     for (int i = 0; i < 50; ++i) {
       const double middle = 0.5 * (low + high);
@@ -122,10 +123,10 @@ class HeadOn {
     return e;
   }
 
-  Touching t_;
+  EffectivePair t_;
   double speed_, reach_, step_;
-  LawNumbers k_;
-  double memory_[contact::law_memories] = {};
+  LawCoefficients k_;
+  double memory_[contact::law_history_size] = {};
 };
 
 constexpr std::array restitutions{0.05, 0.3, 0.5, 0.9, 1.0};
@@ -144,7 +145,7 @@ class Laws : public ::testing::Test {
     const int most = adhesion == Adhesion::some ? 20 : 200;
     for (const double e : restitutions)
       for (const double speed : speeds) {
-        const Touching t = bodies(e, adhesion);
+        const EffectivePair t = bodies(e, adhesion);
         look(t, speed, HeadOn<L>(law, t, speed).run(most));
       }
   }
@@ -154,7 +155,7 @@ TYPED_TEST_SUITE(Laws, TypesOf<contact::AnyLaw::Models>::type, NameOfModel);
 
 TYPED_TEST(Laws, restitution_is_the_one_asked_for_at_every_speed) {
   double worst = 0;
-  this->collide(Adhesion::none, [&](const Touching& t, double speed, const auto& end) {
+  this->collide(Adhesion::none, [&](const EffectivePair& t, double speed, const auto& end) {
     EXPECT_TRUE(end.parted);
     worst = max_or_nan(worst, std::abs(end.rebound / speed - t.pair.restitution));
   });
@@ -164,7 +165,7 @@ TYPED_TEST(Laws, restitution_is_the_one_asked_for_at_every_speed) {
 TYPED_TEST(Laws, collisions_make_no_energy) {
   double most = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
-    this->collide(adhesion, [&](const Touching&, double speed, const auto& end) {
+    this->collide(adhesion, [&](const EffectivePair&, double speed, const auto& end) {
       most = max_or_nan(most, end.rebound / speed);
     });
   stays_below(this->named("speed after over speed before"), most, 1 + integration,
@@ -174,7 +175,7 @@ TYPED_TEST(Laws, collisions_make_no_energy) {
 TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {
   double longest = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
-    this->collide(adhesion, [&](const Touching& t, double speed, const auto& end) {
+    this->collide(adhesion, [&](const EffectivePair& t, double speed, const auto& end) {
       longest = max_or_nan(longest, this->law.shortest_time(t, speed) / end.duration);
     });
   stays_below(this->named("shortest_time over duration"), longest, 1 + integration, "law.hpp");
@@ -183,7 +184,7 @@ TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {
 /// The swiftest part, where loading and unloading differ.
 TYPED_TEST(Laws, shortest_time_is_no_longer_than_twice_the_unloading) {
   double longest = 0;
-  this->collide(Adhesion::none, [&](const Touching& t, double speed, const auto& end) {
+  this->collide(Adhesion::none, [&](const EffectivePair& t, double speed, const auto& end) {
     longest = max_or_nan(longest, this->law.shortest_time(t, speed) / (2 * end.unloading));
   });
   // Both ends of the unloading are known to a step of the integration, 1/4000 of it twice.
@@ -194,7 +195,7 @@ TYPED_TEST(Laws, shortest_time_is_no_longer_than_twice_the_unloading) {
 TYPED_TEST(Laws, largest_overlap_is_no_less_than_that_of_any_collision) {
   double deepest = 0;
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
-    this->collide(adhesion, [&](const Touching& t, double speed, const auto& end) {
+    this->collide(adhesion, [&](const EffectivePair& t, double speed, const auto& end) {
       deepest = max_or_nan(deepest, end.deepest / this->law.largest_overlap(t, speed));
     });
   stays_below(this->named("overlap over largest_overlap"), deepest, 1 + integration, "law.hpp");
@@ -204,18 +205,20 @@ TYPED_TEST(Laws, largest_overlap_is_no_less_than_that_of_any_collision) {
 template <class L>
 class Loaded {
  public:
-  Loaded(const L& law, const Touching& t, double speed)
-      : k_(law.numbers(t, law.damping(t.pair.restitution))) {
+  Loaded(const L& law, const EffectivePair& t, double speed)
+      : k_(law.coefficients(t, law.damping(t.pair.restitution))) {
     law.begin(k_, memory_, speed);
   }
-  contact::Push<double> at(double overlap, double rate = 0) {
-    return L::template push<double>(k_.data(), memory_, overlap, rate);
+  contact::LawForce<double> at(double overlap, double rate = 0) {
+    return L::template evaluate<double>(k_.data(), memory_, overlap, rate);
   }
-  double stored(const L& law, double overlap) const { return law.stored(k_, memory_, overlap); }
+  double stored(const L& law, double overlap) const {
+    return law.elastic_energy(k_, memory_, overlap);
+  }
 
  private:
-  LawNumbers k_;
-  double memory_[contact::law_memories] = {};
+  LawCoefficients k_;
+  double memory_[contact::law_history_size] = {};
 };
 
 /// [N s/m] of the dampers along and across, and [N/m] of the spring.
@@ -237,7 +240,7 @@ TYPED_TEST(Laws, damper_time_is_no_longer_than_the_damper_takes_alone) {
   double quickest = 0, damped = 0;
   for (const double e : {0.01, 0.05, 0.3, 0.5, 0.9, 1.0})
     for (const double speed : speeds) {
-      const Touching t = bodies(e, Adhesion::none);
+      const EffectivePair t = bodies(e, Adhesion::none);
       const double told = this->law.damper_time(t, this->law.damping(e), speed);
       const double deepest = this->law.largest_overlap(t, speed);
       Loaded<TypeParam> contact(this->law, t, speed);
@@ -260,7 +263,7 @@ TYPED_TEST(Laws, stored_energy_is_the_work_the_force_gives_back) {
   for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
     for (const double e : {0.3, 1.0}) {
       if (adhesion == Adhesion::some && contact::adhesion_of<TypeParam>().empty()) continue;
-      const Touching t = bodies(e, adhesion);
+      const EffectivePair t = bodies(e, adhesion);
       const double deepest = this->law.largest_overlap(t, 1);
       Loaded<TypeParam> contact(this->law, t, 1);
       contact.at(deepest);
@@ -277,14 +280,14 @@ TYPED_TEST(Laws, stored_energy_is_the_work_the_force_gives_back) {
 }
 
 TYPED_TEST(Laws, secant_is_the_stiffness_along_over_that_across) {
-  const Touching t = bodies(1, Adhesion::none);
+  const EffectivePair t = bodies(1, Adhesion::none);
   Loaded<TypeParam> contact(this->law, t, 1);
   for (const double share : {0.1, 0.5, 1.0}) {
     const double overlap = share * this->law.largest_overlap(t, 1);
     const auto push = contact.at(overlap);
     // In JKR's law the radius of contact is found to 1e-9 or so.
     states(this->named("secant of the spring"), push.force / overlap / push.stiffness,
-           this->law.secant(t), 1e-8 * this->law.secant(t), "law.hpp");
+           this->law.stiffness_ratio(t), 1e-8 * this->law.stiffness_ratio(t), "law.hpp");
   }
 }
 

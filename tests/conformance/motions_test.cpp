@@ -99,12 +99,13 @@ bool same(const Vec3& a, const Vec3& b) {
 TYPED_TEST(Motions, chosen_at_run_time_or_remembered_say_the_same_to_the_bit) {
   const auto& m = this->motion;
   const ChosenMotion chosen{AnyMotion(m)};
-  const RememberedMotion remembered{AnyMotion(m)};
+  const CachedMotion remembered{AnyMotion(m)};
   const auto agrees = [&](const auto& other, double t) {
-    const Ride r = m.ride(t), o = other.ride(t);
+    const FrameMotion r = m.frame_motion(t), o = other.frame_motion(t);
     return same(r.centre, o.centre) && same(r.velocity, o.velocity) &&
-           same(r.acceleration, o.acceleration) && other.turn(t) == m.turn(t) &&
-           same(other.spin(t), m.spin(t)) && same(other.spin_rate(t), m.spin_rate(t));
+           same(r.acceleration, o.acceleration) && other.rotation(t) == m.rotation(t) &&
+           same(other.spin(t), m.spin(t)) &&
+           same(other.angular_acceleration(t), m.angular_acceleration(t));
   };
   double before = 0;
   int differ = 0;
@@ -127,10 +128,10 @@ TYPED_TEST(Motions, velocity_and_acceleration_are_the_derivatives_of_the_centre)
   const double h = 1e-6;
   for (int i = 0; i < 2000; ++i) {
     const double t = this->some_time();
-    const auto centre = [&](double s) { return m.ride(s).centre; };
-    const auto velocity = [&](double s) { return m.ride(s).velocity; };
-    worst_v = max_or_nan(worst_v, norm(slope(centre, t, h) - m.ride(t).velocity));
-    worst_a = max_or_nan(worst_a, norm(slope(velocity, t, h) - m.ride(t).acceleration));
+    const auto centre = [&](double s) { return m.frame_motion(s).centre; };
+    const auto velocity = [&](double s) { return m.frame_motion(s).velocity; };
+    worst_v = max_or_nan(worst_v, norm(slope(centre, t, h) - m.frame_motion(t).velocity));
+    worst_a = max_or_nan(worst_a, norm(slope(velocity, t, h) - m.frame_motion(t).acceleration));
   }
   stays_below("velocity [m/s]", worst_v, h * h * b.jerk + 1e-9, "kin.1, central differences");
   stays_below("acceleration [m/s2]", worst_a, h * b.jerk + 1e-16 * b.speed / h + 1e-8,
@@ -144,15 +145,17 @@ TYPED_TEST(Motions, spin_is_the_rate_of_turn) {
   for (int i = 0; i < 2000; ++i) {
     const double t = this->some_time();
     for (const Vec3 e : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-      const auto turned = [&](double s) { return m.turn(s) * e; };
-      worst = max_or_nan(worst, norm(slope(turned, t, h) - cross(m.spin(t), m.turn(t) * e)));
+      const auto turned = [&](double s) { return m.rotation(s) * e; };
+      worst = max_or_nan(worst, norm(slope(turned, t, h) - cross(m.spin(t), m.rotation(t) * e)));
     }
     const auto spin = [&](double s) { return m.spin(s); };
-    worst_rate = max_or_nan(worst_rate, norm(slope(spin, t, h) - m.spin_rate(t)));
+    worst_rate = max_or_nan(worst_rate, norm(slope(spin, t, h) - m.angular_acceleration(t)));
   }
   const Bounds b = m.bounds();
-  stays_below("spin [rad/s]", worst, 1e-9 * (1 + b.spin + b.spin_rate + b.spin * b.spin), "kin.1");
-  stays_below("spin rate [rad/s2]", worst_rate, 1e-5 * (1 + b.spin_rate * (1 + b.spin)), "kin.1");
+  stays_below("spin [rad/s]", worst, 1e-9 * (1 + b.spin + b.angular_acceleration + b.spin * b.spin),
+              "kin.1");
+  stays_below("spin rate [rad/s2]", worst_rate, 1e-5 * (1 + b.angular_acceleration * (1 + b.spin)),
+              "kin.1");
   const Vec3 axis = m.fixed_axis();
   for (int i = 0; i < 100 && norm(axis) > 0; ++i)
     EXPECT_NEAR(norm(cross(axis, m.spin(this->some_time()))), 0, 1e-12 * (1 + b.spin));
@@ -163,15 +166,16 @@ TYPED_TEST(Motions, bounds_are_never_exceeded) {
   const Bounds b = m.bounds();
   for (int i = 0; i < 20000; ++i) {
     const double t = this->some_time(), h = 1e-5;
-    const Ride r = m.ride(t);
+    const FrameMotion r = m.frame_motion(t);
     const double a_little = 1 + 1e-12;
     EXPECT_LE(norm(r.velocity), b.speed * a_little);
     EXPECT_LE(std::abs(r.acceleration.x), b.acceleration.x * a_little);
     EXPECT_LE(std::abs(r.acceleration.y), b.acceleration.y * a_little);
     EXPECT_LE(std::abs(r.acceleration.z), b.acceleration.z * a_little);
-    EXPECT_LE(norm(m.ride(t + h).acceleration - r.acceleration), h * b.jerk * (1 + 1e-6) + 1e-12);
+    EXPECT_LE(norm(m.frame_motion(t + h).acceleration - r.acceleration),
+              h * b.jerk * (1 + 1e-6) + 1e-12);
     EXPECT_LE(norm(m.spin(t)), b.spin * a_little);
-    EXPECT_LE(norm(m.spin_rate(t)), b.spin_rate * a_little);
+    EXPECT_LE(norm(m.angular_acceleration(t)), b.angular_acceleration * a_little);
   }
 }
 
@@ -182,18 +186,19 @@ TYPED_TEST(Motions, the_period_closes) {
   double worst = 0;
   for (int i = 0; i < 1000; ++i) {
     const double t = this->some_time();
-    const Ride now = m.ride(t), later = m.ride(t + m.period());
+    const FrameMotion now = m.frame_motion(t), later = m.frame_motion(t + m.period());
     worst =
         std::max({worst, norm(now.centre - later.centre) * b.spin,
                   norm(now.velocity - later.velocity), norm(m.spin(t) - m.spin(t + m.period()))});
   }
   stays_below("change over a period [m/s, rad/s]", worst,
-              1e-14 * (norm(b.acceleration) + b.spin_rate + 1), "a few roundings of the time");
+              1e-14 * (norm(b.acceleration) + b.angular_acceleration + 1),
+              "a few roundings of the time");
 }
 
 TYPED_TEST(Motions, turning_begins_at_nothing) {
   if constexpr (std::is_same_v<TypeParam, FigureEight>) this->motion.phase_rock = 0;
-  const Rotation r = this->motion.turn(0);
+  const Rotation r = this->motion.rotation(0);
   EXPECT_NEAR(norm(r.ex - Vec3{1, 0, 0}) + norm(r.ey - Vec3{0, 1, 0}), 0, 1e-15);
 }
 
@@ -207,7 +212,8 @@ TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {
   double worst = 0;
   for (int i = 0; i < 1000; ++i) {
     const double t = 0.3 * i / 1000;
-    worst = max_or_nan(worst, std::abs(table.ride(t).centre.z - a * std::sin(2 * pi * f * t)));
+    worst =
+        max_or_nan(worst, std::abs(table.frame_motion(t).centre.z - a * std::sin(2 * pi * f * t)));
   }
   // de Boor: 5/384 of the fourth derivative times the spacing to the fourth, doubled for safety.
   const double w = 2 * pi * f, h = 0.1 / n;

@@ -38,7 +38,7 @@ Impact collision(contact::Rolling rule, Random& random, bool conservative = fals
                                conservative ? 0 : 0.4);
   pair.rolling_friction = random.uniform(0.01, 0.2);
   const Impact found = impact(both, pair, of_law(contact::HertzMindlin{}, rule), 0.01);
-  EXPECT_EQ(found.account.collisions, 1);
+  EXPECT_EQ(found.energy_balance.collisions, 1);
   return found;
 }
 
@@ -102,7 +102,7 @@ TEST(RollingRules, take_energy_if_they_say_that_they_resist) {
     Random random(7, 1);
     double least = INFINITY, most = -INFINITY;
     for (int i = 0; i < tries; ++i) {
-      const double lost = collision(rule.rule, random).account.lost_rolling;
+      const double lost = collision(rule.rule, random).energy_balance.lost_rolling;
       ASSERT_FALSE(std::isnan(lost)) << rule.name;
       least = std::min(least, lost), most = std::max(most, lost);
     }

@@ -62,13 +62,13 @@ class Shapes : public ::testing::Test {
   double nearest(const Vec3& p, double radius = 0) const {
     double least = std::numeric_limits<double>::infinity();
     for (int face = 0; face < S::faces; ++face)
-      if (radius == 0 || shape.meets(face, radius))
+      if (radius == 0 || shape.can_touch(face, radius))
         least = std::min(least, shape.gap(face, p).distance);
     return std::min(least - radius, to_image(p));
   }
   /// From where a shape that repeats itself begins anew.
   double to_image(const Vec3& p) const {
-    const Vec3 half = 0.5 * geometry::periods_of(shape), at = magnitude(p);
+    const Vec3 half = 0.5 * geometry::periods_of(shape), at = componentwise_abs(p);
     return std::min({half.x - at.x, half.y - at.y, half.z - at.z});
   }
   Vec3 anywhere() {
@@ -152,21 +152,22 @@ TYPED_TEST(Shapes, reach_holds_the_jar_and_inradius_the_largest_ball) {
 }
 
 /// The promise the search stands on: no path with bounded acceleration reaches the wall sooner.
-TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
+TYPED_TEST(Shapes, no_touch_within_the_time_that_safe_time_promises) {
   double deepest = 0, longest = 0;
   for (int i = 0; i < 20000; ++i) {
     const double radius = this->random.uniform(0.05, 0.9) * this->shape.inradius();
     const Vec3 start = this->inside(radius);
     const double speed = std::pow(10, this->random.uniform(-2, 1));
     const Vec3 velocity = speed * this->random.direction();
-    const geometry::Pull pull(
+    const geometry::AccelerationBound max_acceleration(
         {this->random.uniform(0, 100), this->random.uniform(0, 100), this->random.uniform(0, 700)});
     double clear = std::numeric_limits<double>::infinity();
     for (int face = 0; face < TypeParam::faces; ++face) {
-      if (!this->shape.meets(face, radius)) continue;
-      const geometry::Outlook look = this->shape.outlook(face, {start, velocity, pull}, radius);
-      EXPECT_LE(look.gap, this->shape.gap(face, start).distance - radius + 1e-15);
-      clear = std::min(clear, look.time);
+      if (!this->shape.can_touch(face, radius)) continue;
+      const geometry::SafeTime safe =
+          this->shape.safe_time(face, {start, velocity, max_acceleration}, radius);
+      EXPECT_LE(safe.gap, this->shape.gap(face, start).distance - radius + 1e-15);
+      clear = std::min(clear, safe.time);
     }
     longest = max_or_nan(longest, clear);
     if (TypeParam::faces == 0) continue;  // without walls the promise must be for ever: below
@@ -177,9 +178,9 @@ TYPED_TEST(Shapes, no_touch_within_the_time_an_outlook_promises) {
     Vec3 a{};
     for (int k = 0; k < steps; ++k) {
       if (k == 0 || !steady)
-        a = {std::copysign(pull.most.x, this->random.uniform(-1, 1)),
-             std::copysign(pull.most.y, this->random.uniform(-1, 1)),
-             std::copysign(pull.most.z, this->random.uniform(-1, 1))};
+        a = {std::copysign(max_acceleration.components.x, this->random.uniform(-1, 1)),
+             std::copysign(max_acceleration.components.y, this->random.uniform(-1, 1)),
+             std::copysign(max_acceleration.components.z, this->random.uniform(-1, 1))};
       p += h * (v + 0.5 * h * a);
       v += h * a;
       deepest = max_or_nan(deepest, -this->nearest(p, radius));

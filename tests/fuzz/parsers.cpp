@@ -82,9 +82,9 @@ void read_checkpoint(const std::string& bytes) {
 
 void read_state(const std::string& bytes) {
   static const cases::Case what = cases::read_text(small_case, "case.toml", catalogue());
-  campaign::Replica replica(what, 0);
+  campaign::ReplicateRun replica(what, 0);
   Archive archive(bytes);
-  replica.carry(archive);
+  replica.serialize(archive);
   archive.finish();
 }
 
@@ -94,10 +94,10 @@ namespace mahlwerk::fuzz {
 
 std::string state_of_a_run() {
   const cases::Case what = cases::read_text(small_case, "case.toml", catalogue());
-  campaign::Replica replica(what, 0);
-  replica.go_on();
+  campaign::ReplicateRun replica(what, 0);
+  replica.run_slice();
   Archive archive;
-  replica.carry(archive);
+  replica.serialize(archive);
   return archive.bytes();
 }
 

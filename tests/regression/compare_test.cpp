@@ -14,10 +14,10 @@ class Compare : public ProgramTest {
 };
 
 TEST_F(Compare, leaves_both_results_a_table_and_a_page) {
-  const Ended e = mahlwerk("compare " + short_ + "--set observe.frames=\"10 ms\"");
-  EXPECT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("compare " + short_ + "--set observe.frames=\"10 ms\"");
+  EXPECT_EQ(e.code, 0) << e.output;
   for (const char* words : {"soft/event", "dissipated power", "1 to 2 m/s", "How to read it"})
-    EXPECT_NE(e.said.find(words), std::string::npos) << words << "\n" << e.said;
+    EXPECT_NE(e.output.find(words), std::string::npos) << words << "\n" << e.output;
   for (const char* file : {"compare.csv", "compare.html", "event/summary.json", "soft/summary.json",
                            "event/report.html", "soft/report.html", "soft/frames-5.xyz"})
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
@@ -27,7 +27,7 @@ TEST_F(Compare, leaves_both_results_a_table_and_a_page) {
   EXPECT_NE(table.find("\ncollision_rate_by_energy_normal,1/s,"), std::string::npos) << table;
   EXPECT_NE(text("out/soft/summary.json").find("\"engine\": \"soft\""), std::string::npos);
   EXPECT_EQ(mahlwerk("compare " + short_ + "--quiet").code, 2) << "the result is there already";
-  EXPECT_EQ(mahlwerk("compare " + short_ + "--force --quiet --seed 3").said, "");
+  EXPECT_EQ(mahlwerk("compare " + short_ + "--force --quiet --seed 3").output, "");
   EXPECT_FALSE(exists("out/soft/frames-5.xyz")) << "replaced";
 }
 
@@ -41,10 +41,10 @@ TEST_F(Compare, each_result_is_that_of_a_run) {
 }
 
 TEST_F(Compare, json_has_both_columns) {
-  const Ended e = mahlwerk("compare " + short_ + "--json");
-  EXPECT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("compare " + short_ + "--json");
+  EXPECT_EQ(e.code, 0) << e.output;
   for (const char* word : {"\"event_ci95\"", "\"soft_ci95\"", "\"apart\""})
-    EXPECT_NE(e.said.find(word), std::string::npos) << e.said;
+    EXPECT_NE(e.output.find(word), std::string::npos) << e.output;
 }
 
 TEST_F(Compare, one_ball_may_roll_where_several_may_not) {

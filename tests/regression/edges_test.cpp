@@ -37,22 +37,22 @@ class Edges : public ProgramTest {
     std::ofstream(here_ / "case.toml") << vial;
   }
   /// What running the case with these settings says.
-  Ended with(const std::string& settings) {
+  ProgramResult with(const std::string& settings) {
     std::string words = "run case.toml --force --out out";
     std::stringstream all(settings);
     for (std::string one; std::getline(all, one, ';');) words += " --set '" + one + "'";
     return mahlwerk(words);
   }
   void refuses(const std::string& settings, const std::string& code, const std::string& words) {
-    const Ended e = with(settings);
-    EXPECT_EQ(e.code, 2) << e.said;
-    EXPECT_NE(e.said.find("#" + code), std::string::npos) << e.said;
-    EXPECT_NE(e.said.find(words), std::string::npos) << e.said;
+    const ProgramResult e = with(settings);
+    EXPECT_EQ(e.code, 2) << e.output;
+    EXPECT_NE(e.output.find("#" + code), std::string::npos) << e.output;
+    EXPECT_NE(e.output.find(words), std::string::npos) << e.output;
   }
   void tells(const std::string& settings, const std::string& code) {
-    const Ended e = with(settings);
-    EXPECT_EQ(e.code, 0) << e.said;
-    EXPECT_NE(text("out/summary.json").find("\"" + code + "\""), std::string::npos) << e.said;
+    const ProgramResult e = with(settings);
+    EXPECT_EQ(e.code, 0) << e.output;
+    EXPECT_NE(text("out/summary.json").find("\"" + code + "\""), std::string::npos) << e.output;
   }
 };
 
@@ -88,12 +88,12 @@ TEST_F(Edges, keys_that_the_engine_ignores_are_told) {
 
 TEST_F(Edges, two_balls_that_just_fit_are_refused_by_the_event_engine_and_taken_by_the_soft_one) {
   refuses("balls.diameter=12 mm", "exact-fit", "fit exactly across the jar");
-  const Ended e = with(
+  const ProgramResult e = with(
       "balls.diameter=12 mm;run.engine=auto;contact.softening=0.01;"
       "run.time=0.01 s");
-  EXPECT_EQ(e.code, 0) << e.said;
-  EXPECT_NE(e.said.find("Engine: soft, chosen by auto. Two balls fit exactly"), std::string::npos)
-      << e.said;
+  EXPECT_EQ(e.code, 0) << e.output;
+  EXPECT_NE(e.output.find("Engine: soft, chosen by auto. Two balls fit exactly"), std::string::npos)
+      << e.output;
 }
 
 TEST_F(Edges, a_result_that_depends_on_the_contact_time_says_by_how_much) {
@@ -111,11 +111,12 @@ TEST_F(Edges, a_result_that_depends_on_the_contact_time_says_by_how_much) {
 }
 
 TEST_F(Edges, an_unknown_command_is_named_and_the_likely_one_too) {
-  const Ended simulate = mahlwerk("simulate case.toml");
+  const ProgramResult simulate = mahlwerk("simulate case.toml");
   EXPECT_EQ(simulate.code, 2);
-  EXPECT_NE(simulate.said.find("unknown command 'simulate'"), std::string::npos) << simulate.said;
-  EXPECT_NE(simulate.said.find("did you mean 'mahlwerk run'?"), std::string::npos);
-  EXPECT_NE(mahlwerk("optimize case.toml").said.find("mahlwerk optimise"), std::string::npos);
+  EXPECT_NE(simulate.output.find("unknown command 'simulate'"), std::string::npos)
+      << simulate.output;
+  EXPECT_NE(simulate.output.find("did you mean 'mahlwerk run'?"), std::string::npos);
+  EXPECT_NE(mahlwerk("optimize case.toml").output.find("mahlwerk optimise"), std::string::npos);
 }
 
 }  // namespace

@@ -56,9 +56,9 @@ class Fit : public ProgramTest {
     table += with_errors ? ",D50_error (um),D90_error (um)\n" : "\n";
     for (const std::string hertz : {"16", "22"}) {
       const std::string set = "--set mill.frequency='" + hertz + " Hz' --out true" + hertz;
-      const Ended e = mahlwerk("run case.toml --quiet --set breakage.f_mat='" +
-                               std::to_string(true_f_mat) + " kg/J/m' " + set);
-      ASSERT_EQ(e.code, 0) << e.said;
+      const ProgramResult e = mahlwerk("run case.toml --quiet --set breakage.f_mat='" +
+                                       std::to_string(true_f_mat) + " kg/J/m' " + set);
+      ASSERT_EQ(e.code, 0) << e.output;
       for (const double time : {7.5, 15.0, 30.0, 60.0}) {
         const auto [d50, d90] = sizes("true" + hertz, time);
         char row[200];
@@ -123,16 +123,17 @@ time = "60 s"
 TEST_F(Fit, finds_what_data_were_made_with_within_its_interval) {
   for (const bool with_errors : {false, true}) {
     make_data(with_errors);
-    const Ended e = mahlwerk("fit case.toml data.csv --out out --force");
-    ASSERT_EQ(e.code, 0) << e.said;
+    const ProgramResult e = mahlwerk("fit case.toml data.csv --out out --force");
+    ASSERT_EQ(e.code, 0) << e.output;
     const double low = number("breakage.f_mat", "low"), high = number("breakage.f_mat", "high");
     std::printf("    f_mat: made with %g, found %g, interval %g to %g\n", true_f_mat,
                 number("breakage.f_mat", "value"), low, high);
     EXPECT_LT(low, true_f_mat);
     EXPECT_GT(high, true_f_mat);
     EXPECT_LT(high, 2 * low) << "and the interval says something";
-    EXPECT_NE(e.said.find("16 values under 2 conditions, 15 degrees of freedom"), std::string::npos)
-        << e.said;
+    EXPECT_NE(e.output.find("16 values under 2 conditions, 15 degrees of freedom"),
+              std::string::npos)
+        << e.output;
     std::filesystem::remove_all(here_ / "true16");
     std::filesystem::remove_all(here_ / "true22");
   }
@@ -141,7 +142,7 @@ TEST_F(Fit, finds_what_data_were_made_with_within_its_interval) {
 
 TEST_F(Fit, leaves_a_case_that_runs_a_table_and_a_page) {
   make_data(false);
-  ASSERT_EQ(mahlwerk("fit case.toml data.csv --out out --quiet").said, "");
+  ASSERT_EQ(mahlwerk("fit case.toml data.csv --out out --quiet").output, "");
   for (const char* file : {"fit.json", "fit.csv", "fit.html", "fitted.toml"})
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
   EXPECT_TRUE(text("out/fit.csv").starts_with("line,condition,what,unit,time_s,"));
@@ -150,7 +151,7 @@ TEST_F(Fit, leaves_a_case_that_runs_a_table_and_a_page) {
   EXPECT_EQ(mahlwerk("run out/fitted.toml --out again --quiet").code, 0);
   EXPECT_EQ(mahlwerk("fit case.toml data.csv --out out --quiet").code, 2) << "it is there already";
   const std::string before = text("out/fit.json");
-  EXPECT_EQ(mahlwerk("fit case.toml data.csv --out out --force --json --threads 2").said, before)
+  EXPECT_EQ(mahlwerk("fit case.toml data.csv --out out --force --json --threads 2").output, before)
       << "the same, whatever the number of threads";
   EXPECT_EQ(text("out/fit.json"), before);
 }
@@ -161,11 +162,11 @@ TEST_F(Fit, says_which_number_the_data_do_not_determine) {
   write("both.toml", mill + rest +
                          "\"breakage.f_mat\" = [\"0.001 kg/J/m\", \"10 kg/J/m\"]\n"
                          "\"breakage.x_w_min\" = [\"0 J m/kg\", \"0.002 J m/kg\"]\n");
-  const Ended e = mahlwerk("fit both.toml data.csv --out out");
-  ASSERT_EQ(e.code, 0) << e.said;
-  EXPECT_NE(e.said.find("NOT DETERMINED"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("breakage.x_w_min: any value of its range fits"), std::string::npos)
-      << e.said;
+  const ProgramResult e = mahlwerk("fit both.toml data.csv --out out");
+  ASSERT_EQ(e.code, 0) << e.output;
+  EXPECT_NE(e.output.find("NOT DETERMINED"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("breakage.x_w_min: any value of its range fits"), std::string::npos)
+      << e.output;
   EXPECT_NE(text("out/fit.html").find("do not determine <code>breakage.x_w_min</code>"),
             std::string::npos);
   EXPECT_TRUE(std::isnan(number("breakage.x_w_min", "low")));

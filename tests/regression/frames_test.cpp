@@ -48,7 +48,7 @@ TEST_F(Frames, are_as_many_as_asked_for_and_change_nothing) {
   for (const std::string engine : {"event", "soft"}) {
     const std::string words = "run " + short_ + "--set run.engine=" + engine + " --out " + engine;
     ASSERT_EQ(mahlwerk(words).code, 0);
-    ASSERT_EQ(mahlwerk(words + "-frames --set observe.frames=\"0.7 ms\"").said, "");
+    ASSERT_EQ(mahlwerk(words + "-frames --set observe.frames=\"0.7 ms\"").output, "");
     for (const char* file : {"/replicates.csv", "/timeseries.csv", "/spectrum.csv"}) {
       EXPECT_GT(text(engine + file).size(), 100U);
       EXPECT_EQ(text(engine + file), text(engine + "-frames" + file)) << file;
@@ -104,10 +104,10 @@ TEST_F(Frames, too_many_are_refused_and_so_are_checkpoints) {
 TEST_F(Frames, a_run_that_physics_stops_leaves_its_balls) {
   const std::string wrong =
       "run " + short_ + "--out out --set contact.law=sjkr --set contact.cohesion=\"3e9 J/m3\" ";
-  const Ended e = mahlwerk(wrong + "--set observe.frames=\"0.1 ms\"");
-  EXPECT_EQ(e.code, 3) << e.said;
-  EXPECT_NE(e.said.find("went wrong"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("stopped-1.csv"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk(wrong + "--set observe.frames=\"0.1 ms\"");
+  EXPECT_EQ(e.code, 3) << e.output;
+  EXPECT_NE(e.output.find("went wrong"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("stopped-1.csv"), std::string::npos) << e.output;
   const std::string table = text("out/stopped-1.csv");
   EXPECT_TRUE(table.starts_with("ball,kind,radius_m,x_m,y_m,z_m,velocity_x_m_per_s,")) << table;
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 6);

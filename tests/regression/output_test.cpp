@@ -24,7 +24,7 @@ class Output : public ProgramTest {
   std::string long_ = "run " + ball_ + "--set run.time=\"1000000 s\" --out out ";
 
   /// A script of the shell, with the program as $M and both streams as one.
-  Ended script(const std::string& text) const {
+  ProgramResult script(const std::string& text) const {
     const std::string command = "cd '" + here_.string() + "' && M='" +
                                 std::string(MAHLWERK_PROGRAM) + "' && { " + text + "; } 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
@@ -39,11 +39,11 @@ class Output : public ProgramTest {
     if (begin == std::string::npos) return said;
     return json::parse(said.substr(begin, said.find('\n', begin) - begin));
   }
-  static void expect_lost(const Ended& e, const std::string& why) {
-    EXPECT_EQ(e.code, 4) << e.said;
-    EXPECT_NE(e.said.find("standard output cannot be written: " + why), std::string::npos)
-        << e.said;
-    EXPECT_EQ(e.said.find("internal"), std::string::npos) << e.said;
+  static void expect_lost(const ProgramResult& e, const std::string& why) {
+    EXPECT_EQ(e.code, 4) << e.output;
+    EXPECT_NE(e.output.find("standard output cannot be written: " + why), std::string::npos)
+        << e.output;
+    EXPECT_EQ(e.output.find("internal"), std::string::npos) << e.output;
   }
 };
 
@@ -69,9 +69,9 @@ TEST_F(Output, that_is_lost_leaves_whole_results) {
 }
 
 TEST_F(Output, errors_under_json_are_json) {
-  const Ended ball = mahlwerk("check " + ball_ + " --json --set balls.diameter=\"20 mm\"");
+  const ProgramResult ball = mahlwerk("check " + ball_ + " --json --set balls.diameter=\"20 mm\"");
   EXPECT_EQ(ball.code, 2);
-  const json said = last_line(ball.said);
+  const json said = last_line(ball.output);
   EXPECT_EQ(said.at("ended"), "bad-input");
   EXPECT_EQ(said.at("exit"), 2);
   const json& fault = said.at("faults").at(0);
@@ -79,30 +79,31 @@ TEST_F(Output, errors_under_json_are_json) {
   EXPECT_EQ(fault.at("where"), "--set balls.diameter");
   for (const char* name : {"what", "remedy"})
     EXPECT_GT(fault.at(name).get<std::string>().size(), 10U) << name;
-  EXPECT_EQ(last_line(mahlwerk("check --bogus --json").said).at("faults").at(0).at("code"),
+  EXPECT_EQ(last_line(mahlwerk("check --bogus --json").output).at("faults").at(0).at("code"),
             "bad-command-line");
-  EXPECT_EQ(last_line(mahlwerk("list --json 2>&1 > /dev/full").said).at("ended"), "output-lost");
-  const Ended stopped = mahlwerk(short_ +
-                                 "--json --set contact.lasting=none --set "
-                                 "contact.restitution=0.5 --set run.time=\"5 s\" "
-                                 "2>&1 > /dev/null");
+  EXPECT_EQ(last_line(mahlwerk("list --json 2>&1 > /dev/full").output).at("ended"), "output-lost");
+  const ProgramResult stopped = mahlwerk(short_ +
+                                         "--json --set contact.lasting=none --set "
+                                         "contact.restitution=0.5 --set run.time=\"5 s\" "
+                                         "2>&1 > /dev/null");
   EXPECT_EQ(stopped.code, 3);
-  EXPECT_EQ(last_line(stopped.said).at("ended"), "stopped");
+  EXPECT_EQ(last_line(stopped.output).at("ended"), "stopped");
 }
 
 TEST_F(Output, names_that_are_no_utf8_are_shown_with_marks_in_json) {
-  const Ended e = script("\"$M\" run " + ball_ +
-                         " --json --set run.time=\"1 ms\" --out \"$(printf "
-                         "'x\\377')\" 2> /dev/null");
-  EXPECT_EQ(e.code, 0) << e.said;
-  EXPECT_EQ(json::parse(e.said).at(0).at("results"), "x\uFFFD");
+  const ProgramResult e = script("\"$M\" run " + ball_ +
+                                 " --json --set run.time=\"1 ms\" --out \"$(printf "
+                                 "'x\\377')\" 2> /dev/null");
+  EXPECT_EQ(e.code, 0) << e.output;
+  EXPECT_EQ(json::parse(e.output).at(0).at("results"), "x\uFFFD");
 }
 
 TEST_F(Output, a_signal_of_any_kind_keeps_what_was_computed) {
   for (const int signal : {SIGHUP, SIGTERM, SIGINT}) {
-    const Ended e = mahlwerk_until("out.checkpoint", signal, long_ + "--json --checkpoint 0.01");
-    EXPECT_EQ(e.code, 130) << e.said;
-    EXPECT_EQ(last_line(e.said).at("ended"), "interrupted");
+    const ProgramResult e =
+        mahlwerk_until("out.checkpoint", signal, long_ + "--json --checkpoint 0.01");
+    EXPECT_EQ(e.code, 130) << e.output;
+    EXPECT_EQ(last_line(e.output).at("ended"), "interrupted");
     EXPECT_NE(text("out/summary.json").find("\"complete\": false"), std::string::npos);
     EXPECT_FALSE(exists(".out.lock"));
     fs::remove_all(here_ / "out");
@@ -115,7 +116,7 @@ TEST_F(Output, long_work_tells_where_it_is_without_a_terminal) {
     return mahlwerk("run " + ball_ + more +
                     "--set run.time=\"600 s\" --force --out out 2>&1 > "
                     "/dev/null")
-        .said;
+        .output;
   };
   EXPECT_EQ(told(""), "") << "not before half a minute has gone";
   ::setenv("MAHLWERK_PROGRESS_EVERY", "0", 1);
@@ -129,26 +130,27 @@ TEST_F(Output, long_work_tells_where_it_is_without_a_terminal) {
 
 TEST_F(Output, a_checkpoint_that_cannot_be_written_is_told_at_once_and_again) {
   fs::create_directories(here_ / "out.checkpoint" / "in the way");
-  const Ended e = script("\"$M\" " + long_ +
-                         "--checkpoint 0.05 --quiet > told 2>&1 & while ! grep -q "
-                         "cannot told; do sleep 0.02; done; kill -INT $!; wait $!; code=$?; cat "
-                         "told; exit $code");
-  EXPECT_EQ(e.code, 130) << e.said;
+  const ProgramResult e =
+      script("\"$M\" " + long_ +
+             "--checkpoint 0.05 --quiet > told 2>&1 & while ! grep -q "
+             "cannot told; do sleep 0.02; done; kill -INT $!; wait $!; code=$?; cat "
+             "told; exit $code");
+  EXPECT_EQ(e.code, 130) << e.output;
   const std::string words = "the checkpoint cannot be written";
-  const std::size_t first = e.said.find(words), end = e.said.find("interrupted");
-  EXPECT_LT(first, end) << e.said;
-  EXPECT_NE(e.said.find(words, end), std::string::npos) << e.said;
+  const std::size_t first = e.output.find(words), end = e.output.find("interrupted");
+  EXPECT_LT(first, end) << e.output;
+  EXPECT_NE(e.output.find(words, end), std::string::npos) << e.output;
   EXPECT_TRUE(exists("out/summary.json"));
 }
 
 TEST_F(Output, two_runs_into_one_place_are_refused_before_they_compute) {
-  const Ended e = script("\"$M\" " + long_ +
-                         "--quiet --checkpoint 0.01 & while [ ! -e "
-                         "out.checkpoint ]; do sleep 0.02; done; \"$M\" " +
-                         long_ + "; echo code $?; kill -INT $!; wait $!");
-  EXPECT_NE(e.said.find("another process is at work"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("code 2"), std::string::npos) << e.said;
-  EXPECT_EQ(e.code, 130) << e.said;
+  const ProgramResult e = script("\"$M\" " + long_ +
+                                 "--quiet --checkpoint 0.01 & while [ ! -e "
+                                 "out.checkpoint ]; do sleep 0.02; done; \"$M\" " +
+                                 long_ + "; echo code $?; kill -INT $!; wait $!");
+  EXPECT_NE(e.output.find("another process is at work"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("code 2"), std::string::npos) << e.output;
+  EXPECT_EQ(e.code, 130) << e.output;
   EXPECT_TRUE(exists("out/summary.json"));
 }
 
@@ -165,12 +167,12 @@ TEST_F(Output, what_a_killed_run_left_is_cleaned_by_the_next) {
 }
 
 TEST_F(Output, what_a_case_says_moves_no_cursor) {
-  const Ended e = mahlwerk("run " + ball_ +
-                           "--set run.time=\"0.1 s\" --set "
-                           "\"title=$(printf 'a\\033[31mb')\" --out out");
-  EXPECT_EQ(e.code, 0) << e.said;
-  EXPECT_EQ(e.said.find('\x1b'), std::string::npos);
-  EXPECT_NE(e.said.find("a\\u001b[31mb"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk("run " + ball_ +
+                                   "--set run.time=\"0.1 s\" --set "
+                                   "\"title=$(printf 'a\\033[31mb')\" --out out");
+  EXPECT_EQ(e.code, 0) << e.output;
+  EXPECT_EQ(e.output.find('\x1b'), std::string::npos);
+  EXPECT_NE(e.output.find("a\\u001b[31mb"), std::string::npos) << e.output;
   EXPECT_EQ(text("out/report.html").find('\x1b'), std::string::npos);
 }
 

@@ -32,18 +32,18 @@ class Papers : public ProgramTest {
 };
 
 TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
-  const Ended e = mahlwerk("papers vertical-vibration-mill --out out");
-  ASSERT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("papers vertical-vibration-mill --out out");
+  ASSERT_EQ(e.code, 0) << e.output;
   for (const char* file :
        {"out/paper.html", "out/claims.csv", "out/claims.md", "out/diameter/campaign.csv",
         "out/size/point-005/summary.json", "out/figures/figure-7-d90.svg",
         "out/figures/figure-6b-energy_contact_point_mean_above_threshold.svg"})
     EXPECT_TRUE(exists(file)) << file;
   // What the verification tests prove of this mill with tolerances of their own.
-  EXPECT_NE(e.said.find("6a     yes"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("6b     yes"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("7      yes"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("intro  no"), std::string::npos) << e.said;
+  EXPECT_NE(e.output.find("6a     yes"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("6b     yes"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("7      yes"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("intro  no"), std::string::npos) << e.output;
   // Again into the same folder: by --force alone, and then the same numbers.
   const std::string claims = text("out/claims.csv");
   EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out").code, 2);
@@ -54,15 +54,15 @@ TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
 
 TEST_F(Papers, a_killed_paper_goes_on_and_gives_the_same) {
   long_paper();
-  const Ended whole = mahlwerk(longer + "--out whole");
-  ASSERT_EQ(whole.code, 0) << whole.said;
+  const ProgramResult whole = mahlwerk(longer + "--out whole");
+  ASSERT_EQ(whole.code, 0) << whole.output;
   EXPECT_FALSE(exists("whole.checkpoints")) << "all is written";
   EXPECT_EQ(mahlwerk_until("out.checkpoints", SIGKILL, longer + "--out out").code, 128 + SIGKILL);
   EXPECT_FALSE(exists("out"));
-  const Ended again = mahlwerk(longer + "--out out --threads 1");
-  ASSERT_EQ(again.code, 0) << again.said;
-  EXPECT_NE(again.said.find("of 6 settings go on where they were ended"), std::string::npos)
-      << again.said;
+  const ProgramResult again = mahlwerk(longer + "--out out --threads 1");
+  ASSERT_EQ(again.code, 0) << again.output;
+  EXPECT_NE(again.output.find("of 6 settings go on where they were ended"), std::string::npos)
+      << again.output;
   EXPECT_EQ(text("out/claims.csv"), text("whole/claims.csv"));
   EXPECT_EQ(text("out/c/campaign.csv"), text("whole/c/campaign.csv"));
   EXPECT_FALSE(exists("out.checkpoints"));
@@ -70,9 +70,9 @@ TEST_F(Papers, a_killed_paper_goes_on_and_gives_the_same) {
 
 TEST_F(Papers, an_interrupted_paper_writes_nothing_and_goes_on) {
   long_paper();
-  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
-  EXPECT_EQ(ended.code, 130) << ended.said;
-  EXPECT_NE(ended.said.find("the same command goes on"), std::string::npos) << ended.said;
+  const ProgramResult ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
+  EXPECT_EQ(ended.code, 130) << ended.output;
+  EXPECT_NE(ended.output.find("the same command goes on"), std::string::npos) << ended.output;
   EXPECT_FALSE(exists("out")) << "half a paper is no paper";
   EXPECT_EQ(mahlwerk(longer + "--out out").code, 0);
 }

@@ -16,9 +16,9 @@ class Program : public ProgramTest {
 };
 
 TEST_F(Program, run_leaves_every_file_and_a_table) {
-  const Ended e = mahlwerk("run " + short_ + "--set observe.collisions=true");
-  EXPECT_EQ(e.code, 0) << e.said;
-  EXPECT_NE(e.said.find("collision rate"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk("run " + short_ + "--set observe.collisions=true");
+  EXPECT_EQ(e.code, 0) << e.output;
+  EXPECT_NE(e.output.find("collision rate"), std::string::npos) << e.output;
   for (const char* file :
        {"summary.json", "case.resolved.toml", "collisions.h5", "spectrum.csv", "speeds.csv",
         "angles.csv", "timeseries.csv", "replicates.csv", "report.html"})
@@ -48,18 +48,18 @@ TEST_F(Program, check_shows_the_rule_of_each_pair) {
   fs::copy_file(example, here_ / "case.toml");
   std::ofstream(here_ / "case.toml", std::ios::app)
       << "\n[[contact.pairs]]\nbetween = [\"balls\", \"jar\"]\nrestitution = 0.123\n";
-  const Ended e = mahlwerk("check case.toml");
-  EXPECT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("check case.toml");
+  EXPECT_EQ(e.code, 0) << e.output;
   for (const char* line : {"balls.1 on jar.wall", "restitution 0.123, tangential 0.9"})
-    EXPECT_NE(e.said.find(line), std::string::npos) << e.said;
+    EXPECT_NE(e.output.find(line), std::string::npos) << e.output;
 }
 
 TEST_F(Program, an_existing_result_is_refused_unless_forced) {
   EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
   const std::string before = text("out/summary.json");
-  const Ended e = mahlwerk("run " + short_ + "--seed 7");
+  const ProgramResult e = mahlwerk("run " + short_ + "--seed 7");
   EXPECT_EQ(e.code, 2);
-  EXPECT_NE(e.said.find("--force"), std::string::npos) << e.said;
+  EXPECT_NE(e.output.find("--force"), std::string::npos) << e.output;
   EXPECT_EQ(text("out/summary.json"), before);
   EXPECT_EQ(mahlwerk("run " + short_ + "--seed 7 --force --quiet").code, 0);
   EXPECT_NE(text("out/summary.json"), before);
@@ -98,29 +98,29 @@ TEST_F(Program, places_that_cannot_be_written_are_refused_before_anything_runs) 
 }
 
 TEST_F(Program, ctrl_c_keeps_what_was_computed_and_says_so) {
-  const Ended e = mahlwerk("run " + example_ +
-                           " --set run.time=\"1000000 s\" --out out & "
-                           "sleep 1; kill -INT $!; wait $!");
-  EXPECT_EQ(e.code, 130) << e.said;
-  EXPECT_NE(e.said.find("interrupted"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk("run " + example_ +
+                                   " --set run.time=\"1000000 s\" --out out & "
+                                   "sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(e.code, 130) << e.output;
+  EXPECT_NE(e.output.find("interrupted"), std::string::npos) << e.output;
   EXPECT_NE(text("out/summary.json").find("\"complete\": false"), std::string::npos);
 }
 
 TEST_F(Program, inelastic_collapse_without_a_remedy_ends_with_an_explanation) {
-  const Ended e = mahlwerk("run " + example_ +
-                           " --set contact.lasting=none --set contact.restitution=0.5 "
-                           "--out out");
-  EXPECT_EQ(e.code, 3) << e.said;
-  EXPECT_NE(e.said.find("lasting = \"none\". Leave it out"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk("run " + example_ +
+                                   " --set contact.lasting=none --set contact.restitution=0.5 "
+                                   "--out out");
+  EXPECT_EQ(e.code, 3) << e.output;
+  EXPECT_NE(e.output.find("lasting = \"none\". Leave it out"), std::string::npos) << e.output;
   EXPECT_TRUE(fs::exists(here_ / "out" / "summary.json")) << "what was computed is kept";
 }
 
 TEST_F(Program, check_says_what_follows) {
-  const Ended e = mahlwerk("check " + example_);
+  const ProgramResult e = mahlwerk("check " + example_);
   EXPECT_EQ(e.code, 0);
   for (const char* name :
        {"peak_wall_speed", "acceleration_number", "expected_impact_energy", "run_time"})
-    EXPECT_NE(e.said.find(name), std::string::npos) << e.said;
+    EXPECT_NE(e.output.find(name), std::string::npos) << e.output;
 }
 
 TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
@@ -129,13 +129,13 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
                                  << "COMP_WORDS=(mahlwerk " << command << ")\n"
                                  << "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
                                  << "_mahlwerk\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort\n";
-    return mahlwerk("--version >/dev/null; bash ask").said;
+    return mahlwerk("--version >/dev/null; bash ask").output;
   };
   const auto helped = [&](const std::string& command) {  // options that its --help lists
     return mahlwerk(command +
                     " --help | grep -oE '(^ *|,)(-[a-z],)?--[a-z-]+' | grep -oE "
                     "'\\-\\-[a-z-]+' | sort -u")
-        .said;
+        .output;
   };
   for (const char* command :
        {"run", "sweep", "sweep status", "sweep export", "sweep retry", "sweep merge", "compare",

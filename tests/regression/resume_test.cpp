@@ -43,16 +43,18 @@ class Resume : public ProgramTest {
     std::ofstream(here_ / "drum.toml") << drum;
   }
 
-  Ended run(const std::string& words) const { return mahlwerk("run drum.toml --out " + words); }
+  ProgramResult run(const std::string& words) const {
+    return mahlwerk("run drum.toml --out " + words);
+  }
   /// Ended once there is a state to go on from.
-  Ended ended_run(int signal) const {
+  ProgramResult ended_run(int signal) const {
     return mahlwerk_until("parts.checkpoint", signal,
                           "run drum.toml --out parts --checkpoint 0.05");
   }
   void expect_no_resume(const std::string& because, const std::string& set = "") const {
-    const Ended e = run("parts --resume" + set);
+    const ProgramResult e = run("parts --resume" + set);
     EXPECT_EQ(e.code, 2);
-    EXPECT_NE(e.said.find(because), std::string::npos) << e.said;
+    EXPECT_NE(e.output.find(because), std::string::npos) << e.output;
   }
 
   void turn_a_bit(std::uintmax_t at) const {
@@ -65,14 +67,14 @@ class Resume : public ProgramTest {
 };
 
 TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
-  const Ended whole = run("whole --threads 1");
-  ASSERT_EQ(whole.code, 0) << whole.said;
-  const Ended ended = ended_run(SIGINT);
-  ASSERT_EQ(ended.code, 130) << ended.said;
-  EXPECT_NE(ended.said.find("--resume"), std::string::npos) << ended.said;
+  const ProgramResult whole = run("whole --threads 1");
+  ASSERT_EQ(whole.code, 0) << whole.output;
+  const ProgramResult ended = ended_run(SIGINT);
+  ASSERT_EQ(ended.code, 130) << ended.output;
+  EXPECT_NE(ended.output.find("--resume"), std::string::npos) << ended.output;
   EXPECT_TRUE(exists("parts.checkpoint"));
-  const Ended resumed = run("parts --resume --threads 2");
-  ASSERT_EQ(resumed.code, 0) << resumed.said;
+  const ProgramResult resumed = run("parts --resume --threads 2");
+  ASSERT_EQ(resumed.code, 0) << resumed.output;
   EXPECT_FALSE(exists("parts.checkpoint")) << "the run is complete";
   for (const char* file : {"timeseries.csv", "replicates.csv", "spectrum.csv", "speeds.csv"}) {
     EXPECT_GT(text(std::string("whole/") + file).size(), 100U);
@@ -83,8 +85,8 @@ TEST_F(Resume, run_ended_and_gone_on_with_gives_the_same_bits) {
 TEST_F(Resume, run_that_was_killed_goes_on_from_its_last_state) {
   ASSERT_EQ(ended_run(SIGKILL).code, 128 + SIGKILL);
   ASSERT_TRUE(exists("parts.checkpoint"));
-  const Ended resumed = run("parts --resume");
-  EXPECT_EQ(resumed.code, 0) << resumed.said;
+  const ProgramResult resumed = run("parts --resume");
+  EXPECT_EQ(resumed.code, 0) << resumed.output;
   EXPECT_TRUE(exists("parts/summary.json"));
 }
 

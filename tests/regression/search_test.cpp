@@ -75,14 +75,15 @@ replicates = 3
 };
 
 TEST_F(Search, the_fastest_mill_has_the_most_power_and_the_edge_is_told) {
-  const Ended e = mahlwerk("optimise fast.toml --out out");
-  ASSERT_EQ(e.code, 0) << e.said;
-  EXPECT_NE(e.said.find("lies at the upper end of its range, 16 Hz"), std::string::npos) << e.said;
+  const ProgramResult e = mahlwerk("optimise fast.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.output;
+  EXPECT_NE(e.output.find("lies at the upper end of its range, 16 Hz"), std::string::npos)
+      << e.output;
   EXPECT_GT(number("out/optimise.json", "keys", "best"), 15.9);
   for (const char* file : {"optimise.html", "settings.csv", "best.toml"})
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
-  const Ended best = mahlwerk("check out/best.toml");
-  EXPECT_EQ(best.code, 0) << best.said;
+  const ProgramResult best = mahlwerk("check out/best.toml");
+  EXPECT_EQ(best.code, 0) << best.output;
   EXPECT_EQ(text("out/best.toml").find("[optimise]"), std::string::npos);
 }
 
@@ -95,15 +96,15 @@ TEST_F(Search, a_best_outside_its_engines_validity_is_checked_by_the_other_engin
                  "law = \"jkr\"\nsurface_energy = \"0.5 J/m2\"");
   sticky.replace(sticky.find("10 s"), 4, "0.3 s");
   write("sticky.toml", sticky);
-  const Ended e = mahlwerk("optimise sticky.toml --out out");
-  ASSERT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("optimise sticky.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.output;
   const std::string json = text("out/optimise.json");
   EXPECT_NE(json.find("\"certain\": false"), std::string::npos) << json;
   EXPECT_NE(json.find("\"valid\": false"), std::string::npos) << json;
   EXPECT_NE(json.find("\"code\": \"sticking-law-ignored\""), std::string::npos) << json;
-  EXPECT_NE(e.said.find("The optimum is not certain"), std::string::npos) << e.said;
-  EXPECT_NE(e.said.find("the soft engine gives a dissipated power of"), std::string::npos)
-      << e.said;
+  EXPECT_NE(e.output.find("The optimum is not certain"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("the soft engine gives a dissipated power of"), std::string::npos)
+      << e.output;
   EXPECT_NE(text("out/settings.csv").find("sticking-law-ignored"), std::string::npos);
   // The check is a run of the best case by the soft engine with the search's replicates.
   ASSERT_EQ(mahlwerk("run out/best.toml --out soft --quiet --set run.engine=soft --set "
@@ -115,8 +116,8 @@ TEST_F(Search, a_best_outside_its_engines_validity_is_checked_by_the_other_engin
 }
 
 TEST_F(Search, a_limit_holds_the_mill_back) {
-  const Ended e = mahlwerk("optimise limited.toml --out out --quiet");
-  ASSERT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("optimise limited.toml --out out --quiet");
+  ASSERT_EQ(e.code, 0) << e.output;
   EXPECT_NE(text("out/optimise.json").find("\"binds\": true"), std::string::npos);
   const double best = number("out/optimise.json", "keys", "best");
   EXPECT_LT(best, 15.9);
@@ -135,8 +136,8 @@ TEST_F(Search, the_answer_does_not_hang_on_the_number_of_jobs) {
 }
 
 TEST_F(Search, a_mill_matches_itself_at_its_own_speed) {
-  const Ended e = mahlwerk("match like.toml --in in.toml --out out");
-  ASSERT_EQ(e.code, 0) << e.said;
+  const ProgramResult e = mahlwerk("match like.toml --in in.toml --out out");
+  ASSERT_EQ(e.code, 0) << e.output;
   const double low = number("out/match.json", "keys", "low");
   const double high = number("out/match.json", "keys", "high");
   std::printf("    frequency of the mill itself 12 Hz, found %g to %g Hz\n", low, high);
@@ -151,14 +152,15 @@ TEST_F(Search, a_mill_matches_itself_at_its_own_speed) {
 TEST_F(Search, a_match_interrupted_in_mill_a_goes_on_and_gives_the_same) {
   const std::string longer = "match like.toml --in in.toml --jobs 2 --checkpoint 0.1 --out ";
   write("like.toml", std::string(mill).replace(mill.find("10 s"), 4, "1000 s"));
-  const Ended ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "out");
-  EXPECT_EQ(ended.code, 130) << ended.said;
-  EXPECT_NE(ended.said.find("kept in"), std::string::npos) << ended.said;
-  EXPECT_TRUE(exists("out.checkpoints")) << ended.said;
+  const ProgramResult ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "out");
+  EXPECT_EQ(ended.code, 130) << ended.output;
+  EXPECT_NE(ended.output.find("kept in"), std::string::npos) << ended.output;
+  EXPECT_TRUE(exists("out.checkpoints")) << ended.output;
   EXPECT_FALSE(exists("out"));
-  const Ended again = mahlwerk(longer + "out");
-  ASSERT_EQ(again.code, 0) << again.said;
-  EXPECT_NE(again.said.find("a run goes on where it was ended"), std::string::npos) << again.said;
+  const ProgramResult again = mahlwerk(longer + "out");
+  ASSERT_EQ(again.code, 0) << again.output;
+  EXPECT_NE(again.output.find("a run goes on where it was ended"), std::string::npos)
+      << again.output;
   EXPECT_FALSE(exists("out.checkpoints")) << "all is written";
   ASSERT_EQ(mahlwerk(longer + "whole").code, 0);
   EXPECT_EQ(text("out/match.json"), text("whole/match.json"));
@@ -166,13 +168,13 @@ TEST_F(Search, a_match_interrupted_in_mill_a_goes_on_and_gives_the_same) {
 }
 
 TEST_F(Search, what_an_interrupted_search_says_of_what_is_kept_is_true) {
-  const Ended ended = mahlwerk_until("out.checkpoints/lock", SIGINT,
-                                     "optimise fast.toml --set run.time='1000 s' --out out");
-  EXPECT_EQ(ended.code, 130) << ended.said;
-  const bool kept = ended.said.find("kept in") != std::string::npos;
-  EXPECT_EQ(exists("out.checkpoints/trials.sqlite"), kept) << ended.said;
-  EXPECT_EQ(exists("out.checkpoints"), kept) << ended.said;
-  EXPECT_EQ(ended.said.find("begins anew") != std::string::npos, !kept) << ended.said;
+  const ProgramResult ended = mahlwerk_until(
+      "out.checkpoints/lock", SIGINT, "optimise fast.toml --set run.time='1000 s' --out out");
+  EXPECT_EQ(ended.code, 130) << ended.output;
+  const bool kept = ended.output.find("kept in") != std::string::npos;
+  EXPECT_EQ(exists("out.checkpoints/trials.sqlite"), kept) << ended.output;
+  EXPECT_EQ(exists("out.checkpoints"), kept) << ended.output;
+  EXPECT_EQ(ended.output.find("begins anew") != std::string::npos, !kept) << ended.output;
   ASSERT_EQ(mahlwerk("optimise fast.toml --out out").code, 0);
   EXPECT_FALSE(exists("out.checkpoints"));
 }

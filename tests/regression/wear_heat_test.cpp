@@ -61,8 +61,8 @@ class WearAndHeat : public ProgramTest {
  protected:
   void run(const std::string& more) const {
     std::ofstream(here_ / "case.toml") << mill << more;
-    const Ended e = mahlwerk("run case.toml --out out --quiet --force");
-    ASSERT_EQ(e.code, 0) << e.said;
+    const ProgramResult e = mahlwerk("run case.toml --out out --quiet --force");
+    ASSERT_EQ(e.code, 0) << e.output;
   }
   bool has(const std::string& quantity) const {
     return text("out/summary.json").find("\"" + quantity + "\": {") != std::string::npos;
@@ -100,8 +100,8 @@ TEST_F(WearAndHeat, temperatures_are_those_of_the_power_in_the_summary) {
   const powder::Heating on{0.4 * power, 0.6 * power};
   powder::Temperatures t{air, air}, last = t;
   for (int cycle = 0; cycle < 3; ++cycle) {
-    last = powder::after(nodes, on, air, t, 600);
-    t = powder::after(nodes, {}, air, last, 300);
+    last = powder::temperatures_after(nodes, on, air, t, 600);
+    t = powder::temperatures_after(nodes, {}, air, last, 300);
   }
   EXPECT_GT(last.jar - air, 0.1) << "it warms";
   const std::string why = "hea.1 to hea.4, by hand from the case; rounding of 300 K over 6 phases";

@@ -49,7 +49,7 @@ TEST(Bounce, slip_is_reduced_to_e_t_of_itself) {
     const scene::Ball b = after_one_bounce({0.9, e_t, INFINITY}, velocity, spin);
     const Vec3 n{0, 0, -1};
     const auto slip = [&](const Vec3& v, const Vec3& w) {
-      return across(v + 0.004 * cross(w, n), n);
+      return tangential_part(v + 0.004 * cross(w, n), n);
     };
     states("slip after, e_t = " + std::to_string(e_t) + " [m/s]",
            norm(slip(b.velocity, b.spin) - e_t * slip(velocity, spin)), 0, 1e-15, "physics 2.1");

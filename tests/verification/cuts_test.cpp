@@ -32,7 +32,7 @@ bool same_bits(const scene::Ball& a, const scene::Ball& b) {
 }
 
 void expect_same(const scene::Engine& a, const scene::Engine& b) {
-  scene::Account mine = a.account(), other = b.account();
+  scene::EnergyBalance mine = a.energy_balance(), other = b.energy_balance();
   mine.search_steps = other.search_steps = 0;  // effort, not state
   EXPECT_TRUE(same_bits(mine, other));
   const auto balls = a.balls(), others = b.balls();
@@ -72,9 +72,9 @@ void stop_and_go_on(const Make& make, double when, double time) {
   whole->advance(time, in_one);
   first->advance(when, in_two);
   Archive out;
-  first->carry(out);
+  first->serialize(out);
   Archive in(out.bytes());
-  second->carry(in);
+  second->serialize(in);
   in.finish();
   expect_same(*first, *second);
   second->advance(time, in_two);
@@ -99,7 +99,7 @@ std::vector<scene::Ball> charge(int n, double radius) {
 Make many(const scene::Chamber& chamber, int n, double radius) {
   return [=] {
     event::Rules rules;
-    rules.lasting = event::Lasting::tc;
+    rules.lasting = event::SustainedContactMode::tc;
     const int faces = geometry::faces(*chamber.shape);
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});
@@ -167,9 +167,9 @@ TEST(Archives, of_a_ball_in_lasting_contact_go_on_to_the_bit) {
   Recorder none;
   int rolling = 0;
   for (int i = 1; i <= 30; ++i) {
-    const double before = probe->account().contact_time;
+    const double before = probe->energy_balance().contact_time;
     probe->advance(0.1 * i, none);
-    rolling += probe->account().contact_time > before;
+    rolling += probe->energy_balance().contact_time > before;
     stop_and_go_on(roller, 0.1 * i, 0.1 * i + 0.5);
   }
   EXPECT_GT(rolling, 5) << "it was in contact";
@@ -181,13 +181,13 @@ TEST(Archives, cut_short_or_too_long_are_refused) {
     Recorder none;
     engine->advance(0.05, none);
     Archive out;
-    engine->carry(out);
+    engine->serialize(out);
     for (std::size_t size = 0; size < out.bytes().size(); size += 1 + size / 50) {
       Archive in(out.bytes().substr(0, size));
-      EXPECT_THROW(make()->carry(in), RunError) << size;
+      EXPECT_THROW(make()->serialize(in), RunError) << size;
     }
     Archive in(out.bytes() + "x");
-    make()->carry(in);
+    make()->serialize(in);
     EXPECT_THROW(in.finish(), RunError);
   }
 }
@@ -200,7 +200,7 @@ TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
   Recorder none;
   engine->advance(0.05, none);
   Archive out;
-  engine->carry(out);
+  engine->serialize(out);
   Random random(5, 0);
   int refused = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -212,7 +212,7 @@ TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
     Archive in(bytes);
     const auto other = make();
     try {
-      other->carry(in);
+      other->serialize(in);
       in.finish();
     } catch (const RunError&) {
       ++refused;
@@ -231,7 +231,7 @@ TEST(Cuts, an_engine_is_never_told_to_be_before_the_time_it_was_asked_for) {
     for (int i = 0; i < 20000; ++i) {
       time += random.uniform(0, 1e-3);
       engine->advance(time, all);
-      ASSERT_GE(engine->account().time, time) << f << " Hz, " << i;
+      ASSERT_GE(engine->energy_balance().time, time) << f << " Hz, " << i;
     }
   }
 }

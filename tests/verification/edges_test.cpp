@@ -36,7 +36,7 @@ geometry::Box box_of(int n, double diameter) {
   return {side, side, side};
 }
 
-event::Rules rules_of(event::Lasting lasting, double contact_time = 1e-4) {
+event::Rules rules_of(event::SustainedContactMode lasting, double contact_time = 1e-4) {
   event::Rules rules;
   rules.lasting = lasting;
   rules.contact_time = contact_time;
@@ -47,15 +47,15 @@ TEST(Edges, elastic_balls_in_a_jar_at_rest_keep_their_energy_at_100_m_s) {
   const scene::Chamber jar{box_of(3, 0.005), kinematics::Still{}, {}, {}};
   for (const double friction : {0.0, 1e300}) {
     const contact::BounceRule rule{1, 1, friction};
-    const auto run = event::many_balls(jar, charge(3, 0.005, 100, 1), rules_of(event::Lasting::tc),
-                                       {1, 6, rule});
+    const auto run = event::many_balls(jar, charge(3, 0.005, 100, 1),
+                                       rules_of(event::SustainedContactMode::tc), {1, 6, rule});
     Counter counter;
-    const double before = run->account().kinetic;
+    const double before = run->energy_balance().kinetic;
     run->advance(0.02, counter);
     EXPECT_GT(counter.count, 1000);
-    states("kinetic energy over that at the start", run->account().kinetic / before, 1,
+    states("kinetic energy over that at the start", run->energy_balance().kinetic / before, 1,
            1e-15 * std::sqrt(static_cast<double>(counter.count)) * 10, "no force does work");
-    states("dissipated over that at the start", run->account().lost() / before, 0,
+    states("dissipated over that at the start", run->energy_balance().lost() / before, 0,
            1e-15 * std::sqrt(static_cast<double>(counter.count)), "e = 1, no friction");
   }
 }
@@ -63,18 +63,19 @@ TEST(Edges, elastic_balls_in_a_jar_at_rest_keep_their_energy_at_100_m_s) {
 TEST(Edges, inelastic_balls_in_a_jar_at_rest_only_lose_energy) {
   const scene::Chamber jar{box_of(3, 0.005), kinematics::Still{}, {}, {}};
   for (const double e : {0.0, 0.5, 0.9}) {
-    const auto run = event::many_balls(jar, charge(3, 0.005, 100, 2), rules_of(event::Lasting::tc),
-                                       {1, 6, contact::BounceRule{e, 0, 0.3}});
+    const auto run =
+        event::many_balls(jar, charge(3, 0.005, 100, 2), rules_of(event::SustainedContactMode::tc),
+                          {1, 6, contact::BounceRule{e, 0, 0.3}});
     Counter counter;
-    double before = run->account().kinetic;
+    double before = run->energy_balance().kinetic;
     for (int i = 1; i <= 20; ++i) {
       run->advance(0.001 * i, counter);
-      const double now = run->account().kinetic;
+      const double now = run->energy_balance().kinetic;
       EXPECT_LE(now, before) << "e = " << e << ", " << i << " ms";
       before = now;
     }
     stays_below("energy left over that lost, e = " + std::to_string(e),
-                before / run->account().lost(), 1, "collisions dissipate");
+                before / run->energy_balance().lost(), 1, "collisions dissipate");
   }
 }
 
@@ -88,14 +89,14 @@ FastMill fast_mill(double contact_time) {
   motion.frequency = 100;
   motion.amplitude = 0.02;
   const scene::Chamber mill{box_of(4, 0.003), motion, {}, {0, 0, -gravity}};
-  const auto run =
-      event::many_balls(mill, charge(4, 0.003, 0.1, 3), rules_of(event::Lasting::tc, contact_time),
-                        {1, 6, contact::BounceRule{0.8, 0, 0.1}});
+  const auto run = event::many_balls(mill, charge(4, 0.003, 0.1, 3),
+                                     rules_of(event::SustainedContactMode::tc, contact_time),
+                                     {1, 6, contact::BounceRule{0.8, 0, 0.1}});
   Counter counter;
   run->advance(0.05, counter);
-  const scene::Account settled = run->account();
+  const scene::EnergyBalance settled = run->energy_balance();
   run->advance(0.35, counter);
-  const scene::Account end = run->account();
+  const scene::EnergyBalance end = run->energy_balance();
   const double lost = end.lost() - settled.lost();
   return {lost / 0.3, (end.withheld - settled.withheld) / lost};
 }
@@ -127,7 +128,7 @@ TEST(Edges, dead_balls_among_many_go_on) {
           contact::BounceRule{0, -1, INFINITY}}) {
       const scene::Chamber mill{box_of(3, 0.008), motion, {}, {0, 0, -gravity}};
       const auto run = event::many_balls(mill, charge(3, 0.008, 0.1, 4),
-                                         rules_of(event::Lasting::tc), {1, 6, rule});
+                                         rules_of(event::SustainedContactMode::tc), {1, 6, rule});
       Counter counter;
       ASSERT_NO_THROW(run->advance(0.2, counter))
           << "e_t = " << rule.tangential_restitution << ", mu = " << rule.friction;
@@ -142,7 +143,7 @@ TEST(Edges, collapse_without_a_remedy_is_found_and_the_message_names_another) {
   const scene::Chamber mill{geometry::Cylinder{0.04, 0.04}, motion, {}, {0, 0, -gravity}};
   std::vector<scene::Ball> balls = charge(2, 0.008, 0.1, 5);
   balls.resize(5);
-  const auto run = event::many_balls(mill, balls, rules_of(event::Lasting::none),
+  const auto run = event::many_balls(mill, balls, rules_of(event::SustainedContactMode::none),
                                      {1, 3, contact::BounceRule{0, 0, 0.3}});
   Counter counter;
   try {
@@ -167,15 +168,16 @@ TEST(Edges, a_run_that_is_asked_to_end_ends_and_goes_on_with_the_same_bits) {
   motion.amplitude = 0.01;
   const scene::Chamber mill{box_of(3, 0.008), motion, {}, {0, 0, -gravity}};
   const auto make = [&] {
-    return event::many_balls(mill, charge(3, 0.008, 0.1, 6), rules_of(event::Lasting::tc),
+    return event::many_balls(mill, charge(3, 0.008, 0.1, 6),
+                             rules_of(event::SustainedContactMode::tc),
                              {1, 6, contact::BounceRule{0.5, 0, 0.3}});
   };
   const auto whole = make(), ended = make();
   Impatient impatient;
   ended->stop_on(&impatient.stop);
   ended->advance(0.5, impatient);
-  EXPECT_LT(ended->account().time, 0.5);
-  EXPECT_GT(ended->account().time, 0);
+  EXPECT_LT(ended->energy_balance().time, 0.5);
+  EXPECT_GT(ended->energy_balance().time, 0);
   ended->stop_on(nullptr);
   ended->advance(0.5, impatient);
   Counter counter;
@@ -184,7 +186,7 @@ TEST(Edges, a_run_that_is_asked_to_end_ends_and_goes_on_with_the_same_bits) {
     EXPECT_EQ(whole->balls()[i].position, ended->balls()[i].position);
     EXPECT_EQ(whole->balls()[i].spin, ended->balls()[i].spin);
   }
-  EXPECT_EQ(whole->account().lost(), ended->account().lost());
+  EXPECT_EQ(whole->energy_balance().lost(), ended->energy_balance().lost());
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ TEST(Energy, elastic_runs_conserve_it_over_five_thousand_collisions) {
         event::one_ball(still, ball_a({0.001, 0, 0.002}, {0.5, -0.3, 0.8}, {10, 20, -30}), rules);
     Recorder recorder;
     for (double t = 1; recorder.all.size() < 5000; ++t) engine->advance(t, recorder);
-    const scene::Account a = engine->account();
+    const scene::EnergyBalance a = engine->energy_balance();
     const double energy = 0.5 * ball_a().mass() * (0.25 + 0.09 + 0.64);
     stays_below("drift over " + std::to_string(a.collisions) + " collisions, relative",
-                std::abs(a.kinetic + a.potential - a.started_with) / energy, 1e-12,
+                std::abs(a.kinetic + a.potential - a.initial_energy) / energy, 1e-12,
                 e_t == 1 ? "smooth, e_n = 1" : "perfectly rough, e_n = 1");
   }
 }
@@ -81,11 +81,11 @@ TEST(Energy, account_closes_for_every_shape_on_every_motion) {
             mill, ball_a({}, 0.5 * random.direction(), 5.0 * random.direction()), rules);
         Recorder recorder;
         engine->advance(2, recorder);
-        const scene::Account a = engine->account();
+        const scene::EnergyBalance a = engine->energy_balance();
         collisions += a.collisions;
         lasting += a.lasting_contacts;
         worst_collision = max_or_nan(worst_collision, a.worst_collision);
-        const double turnover = a.started_with + std::abs(a.wall_work) + a.lost();
+        const double turnover = a.initial_energy + std::abs(a.wall_work) + a.lost();
         const double relative = std::abs(a.residual()) / turnover;
         EXPECT_LT(relative, 1e-5) << shape.index() << " on " << motion.index() << ", e " << e;
         worst_run = max_or_nan(worst_run, relative);

@@ -48,13 +48,13 @@ TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_t
     states("height after bounce " + std::to_string(n) + " [m]", rise, expected, 1e-11 * h,
            "h e^(2n), physics 7.2");
   }
-  const scene::Account account = engine->account();
+  const scene::EnergyBalance energy_balance = engine->energy_balance();
   const double fall = std::sqrt(2 * h / gravity), all_over = fall * (1 + e) / (1 - e);
   // Contact is declared at a rebound below 0.1 mm/s; what is left is at most 2 w / (g (1 - e)).
-  states("time to rest [s]", account.time - account.contact_time, all_over,
+  states("time to rest [s]", energy_balance.time - energy_balance.contact_time, all_over,
          2 * 1e-4 / (gravity * (1 - e)), "t_f (1+e)/(1-e)");
-  EXPECT_EQ(account.lasting_contacts, 1);
-  states("energy lost [J]", account.lost(), ball_a().mass() * gravity * h, 1e-15,
+  EXPECT_EQ(energy_balance.lasting_contacts, 1);
+  states("energy lost [J]", energy_balance.lost(), ball_a().mass() * gravity * h, 1e-15,
          "it came to rest");
 }
 
@@ -68,8 +68,8 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   for (int i = 0; i < flights; ++i) {
     const geometry::Capsule vial_i = vial(random.uniform(0.010, 0.014));
     const scene::Chamber mill{vial_i, shaken(random.uniform(10, 25), 0.025), {}, {0, 0, -gravity}};
-    const event::Jar jar(vial_i, std::get<kinematics::Vibration>(*mill.motion), mill);
-    const event::Feeler feeler{0.004, 4e-15};
+    const event::TypedChamber jar(vial_i, std::get<kinematics::Vibration>(*mill.motion), mill);
+    const event::TouchTolerance tolerance{0.004, 4e-15};
     Vec3 place;  // anywhere the ball fits, one start in three right at the wall
     do {
       const double r = 0.5 * vial_i.diameter;
@@ -84,13 +84,13 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
     const Vec3 inward = vial_i.gap(0, place).inward;
     if (i % 3 == 0 && dot(velocity, inward) < 0) velocity -= 2 * dot(velocity, inward) * inward;
     event::Instant start{random.uniform(0, 0.1), {}, {place, velocity}};
-    start.ride = jar.motion().ride(start.time);
-    const event::Flight flight{start.time, place + start.ride.centre,
-                               velocity + start.ride.velocity};
-    const event::Touch touch = event::next_touch(jar, flight, start, start.time + 10, feeler);
+    start.frame = jar.motion().frame_motion(start.time);
+    const event::Flight flight{start.time, place + start.frame.centre,
+                               velocity + start.frame.velocity};
+    const event::Touch touch = event::next_touch(jar, flight, start, start.time + 10, tolerance);
     touched += touch.face == 0;
     const auto gap_at = [&](double t) {
-      const event::Passing p = flight.passing(t, jar.gravity(), jar.motion().ride(t));
+      const event::BallState p = flight.ball_state(t, jar.gravity(), jar.motion().frame_motion(t));
       return vial_i.gap(0, p.position).distance - 0.004;
     };
     for (int k = 1; k < looks; ++k)
@@ -117,7 +117,7 @@ TEST(Search, ends_where_the_clock_can_tell_no_more) {
   Recorder recorder;
   engine->advance(0.3, recorder);
   EXPECT_GT(recorder.all.size(), 1000U);
-  stays_below("worst collision's balance, relative", engine->account().worst_collision, 1e-9,
+  stays_below("worst collision's balance, relative", engine->energy_balance().worst_collision, 1e-9,
               "evt.8");
 }
 

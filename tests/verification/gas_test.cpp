@@ -51,7 +51,7 @@ void check_equation_of_state(double packing) {
   engine->advance(settle, seen);
   seen = {};
   engine->advance(settle + time, seen);
-  const double found = 1 + seen.sum / (2 * time * engine->account().kinetic);
+  const double found = 1 + seen.sum / (2 * time * engine->energy_balance().kinetic);
   const double expected =
       (1 + packing + packing * packing - std::pow(packing, 3)) / std::pow(1 - packing, 3);
   states("compressibility Z = P V/(N k T)", found, expected, 0.01 * expected,
@@ -104,7 +104,7 @@ TEST(Gas, perfectly_rough_spheres_share_energy_equally) {
   const auto engine =
       gas(lattice(n, 0.2, false), side_of(n, 0.2), {1, -1, INFINITY});  // no spin yet
   Counter counter;
-  const double energy = engine->account().kinetic;
+  const double energy = engine->energy_balance().kinetic;
   engine->advance(20, counter);
   double ratio = 0;
   constexpr int looks = 200;
@@ -116,7 +116,8 @@ TEST(Gas, perfectly_rough_spheres_share_energy_equally) {
   // A look's ratio scatters by sqrt(2 x 2/(3 x 1000)) = 3.7 %; 200 looks, a third independent.
   states("T_rot / T_tr", ratio, 1, 3 * 0.037 / std::sqrt(200.0 / 3),
          "equipartition, e = 1, beta = 1");
-  states("energy", engine->account().kinetic / energy, 1, 1e-10, "rough and elastic: conserved");
+  states("energy", engine->energy_balance().kinetic / energy, 1, 1e-10,
+         "rough and elastic: conserved");
 }
 
 TEST(Gas, smooth_cooling_follows_haff) {

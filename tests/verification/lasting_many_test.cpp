@@ -122,7 +122,7 @@ TEST(LastingMany, planetary_jar_lets_go_where_burgio_says_with_the_absolute_spee
   const double speed2 = std::pow(motion.speed * motion.orbit_radius, 2) +
                         absolute * absolute * arm * arm * (1 - 2 * absolute / motion.speed);
   const Vec3 place = arm * Vec3{std::cos(let_go), -std::sin(let_go), 0};
-  const Vec3 velocity = cross({0, 0, absolute}, place) + motion.ride(0).velocity;
+  const Vec3 velocity = cross({0, 0, absolute}, place) + motion.frame_motion(0).velocity;
   states("speed when let go [m/s]", norm(velocity), std::sqrt(speed2), 1e-12, "Burgio 1991: V_b");
   states("that speed [m/s]", std::sqrt(speed2), 3.091, 5e-4, "physics 1.2");
 }

@@ -41,7 +41,7 @@ TEST(Lasting, sliding_turns_into_rolling_at_five_sevenths) {
   Recorder recorder;
   engine->advance(0.5 * stops, recorder);
   const scene::Ball half = engine->balls().front();
-  const double t = engine->account().time;
+  const double t = engine->energy_balance().time;
   states("speed while sliding [m/s]", half.velocity.x, u0 - mu * gravity * t, 1e-6,
          "u0 - mu g t, physics 7.2; contact begins 5e-7 s late");
   states("spin while sliding [m/s]", r * half.spin.y, 2.5 * mu * gravity * t, 3e-6,
@@ -51,7 +51,7 @@ TEST(Lasting, sliding_turns_into_rolling_at_five_sevenths) {
   // Sliding ends when the slip is below 1e-4 m/s.
   states("speed in the end [m/s]", b.velocity.x, 5.0 / 7 * u0, 1e-4, "physics 7.2");
   states("it rolls: v - w R [m/s]", b.velocity.x - r * b.spin.y, 0, 1e-12, "no slip");
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   states("energy lost by sliding [J]", a.lost(), 0.5 * ball_a().mass() * 2.0 / 7 * u0 * u0, 1e-9,
          "1/2 (2/7) m u0^2");
 }
@@ -62,7 +62,7 @@ TEST(Lasting, rolling_resistance_slows_by_five_sevenths_mu_r_g) {
       event::one_ball(box, on_floor({u0, 0, 0}, {0, u0 / r, 0}), staying(0.5, mu_r));
   Recorder recorder;
   engine->advance(0.5, recorder);
-  const double t = engine->account().time;
+  const double t = engine->energy_balance().time;
   states("speed after a while [m/s]", engine->balls().front().velocity.x,
          u0 - 5.0 / 7 * mu_r * gravity * t, 1e-6,
          "a = (5/7) g (sin a - mu_r cos a) on the level, physics 7.2");
@@ -80,7 +80,8 @@ TEST(Lasting, a_ball_rolls_down_an_incline_at_five_sevenths_or_slips_when_it_is_
     const double a = rolls ? 5.0 / 7 * gravity * std::sin(angle)
                            : gravity * (std::sin(angle) - mu * std::cos(angle));
     states(rolls ? "rolling [m/s2]" : "slipping [m/s2]",
-           engine->balls().front().velocity.x / engine->account().time, a, 1e-4 * a, "physics 7.2");
+           engine->balls().front().velocity.x / engine->energy_balance().time, a, 1e-4 * a,
+           "physics 7.2");
   }
 }
 
@@ -98,7 +99,7 @@ TEST(Lasting, ball_in_a_still_cylinder_swings_like_a_rolling_pendulum) {
     engine->advance(t, recorder);
     const scene::Ball b = engine->balls().front();
     if (b.position.y * last < 0) {
-      const double now = engine->account().time, w = 2 * std::numbers::pi / period;
+      const double now = engine->energy_balance().time, w = 2 * std::numbers::pi / period;
       const double back = std::atan(w * b.position.y / b.velocity.y) / w;  // a sine since it passed
       (passes++ == 0 ? first_pass : last_pass) = now - back;
     }
@@ -119,9 +120,9 @@ TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_t
       event::one_ball(loop, ball_a({0, 0, -rho + 1e-12}, {0, v0, 0}, {-v0 / r, 0, 0}), staying(20));
   Recorder recorder;
   double t = 0;
-  while (engine->account().lasting_contacts == 0) engine->advance(t += 1e-6, recorder);
+  while (engine->energy_balance().lasting_contacts == 0) engine->advance(t += 1e-6, recorder);
   const double before = t;
-  while (engine->account().time - engine->account().contact_time < before + 1e-5)
+  while (engine->energy_balance().time - engine->energy_balance().contact_time < before + 1e-5)
     engine->advance(t += 1e-5, recorder);
   // v^2 = v0^2 - (10/7) g rho (1 - cos), let go at v^2 = -g rho cos: cos = (10/7 - v0^2/(g rho)) /
   // (17/7).
@@ -163,7 +164,7 @@ TEST(Lasting, a_drum_beyond_its_critical_speed_carries_the_ball_round) {
                         staying(INFINITY, 3.0));
     Recorder recorder;
     engine->advance(0.5, recorder);  // more than a turn
-    const scene::Account a = engine->account();
+    const scene::EnergyBalance a = engine->energy_balance();
     if (share > 1)
       stays_below("time off the wall above critical speed [s]", a.time - a.contact_time, 1e-5,
                   "W_c = sqrt(g/(R_v - R_b)), physics 1.6");
@@ -188,9 +189,9 @@ TEST(Collapse, a_ball_rolling_along_the_side_of_a_drum_settles_against_its_end) 
           event::one_ball(drum, ball_a({0.001, 0.002, -0.001}, {0.3, -0.02, 0.05}), rules);
       Recorder recorder;
       ASSERT_NO_THROW(engine->advance(5, recorder)) << share << " of critical, mu " << mu;
-      const scene::Account a = engine->account();
+      const scene::EnergyBalance a = engine->energy_balance();
       stays_below("balance, relative to the energy turned over",
-                  std::abs(a.residual()) / (a.started_with + std::abs(a.wall_work) + a.lost()),
+                  std::abs(a.residual()) / (a.initial_energy + std::abs(a.wall_work) + a.lost()),
                   1e-6, "evt.18");
     }
 }
@@ -206,7 +207,7 @@ TEST(Collapse, a_ball_without_restitution_collides_once_and_skims_the_wall) {
     const auto engine = event::one_ball(weightless, ball_a({}, {0.4, 0.0113 * i, up}), rules);
     Recorder recorder;
     engine->advance(2, recorder);
-    most = max_or_nan(most, engine->account().collisions);
+    most = max_or_nan(most, engine->energy_balance().collisions);
     states("height it skims at [m]", engine->balls().front().position.z, 1 - r, 1e-9 * r,
            "it keeps no normal speed, and no more than a thousand margins are given (evt.5)");
   }
@@ -232,10 +233,10 @@ TEST(Lasting, a_ball_in_the_corner_of_a_box_is_held_by_three_faces) {
   states("speed [m/s]", norm(b.velocity), 0, 1e-12, "held by three faces");
   states("surface speed [m/s]", r * norm(b.spin), 0, 1e-5,
          "friction at three contacts leaves no spin; creeping at 1 mm/s dies out (evt.17)");
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   EXPECT_GT(a.contact_time, 2);
   stays_below("balance, relative to the energy turned over",
-              std::abs(a.residual()) / (std::abs(a.started_with) + a.lost()), 1e-6, "evt.18");
+              std::abs(a.residual()) / (std::abs(a.initial_energy) + a.lost()), 1e-6, "evt.18");
 }
 
 TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
@@ -255,7 +256,7 @@ TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
   states("height while held [m]", engine->balls().front().position.z, rest, 1e-12, "N > 0");
   engine->advance(leaves + 0.02, recorder);
   const scene::Ball b = engine->balls().front();
-  const double at = engine->account().time, s = at - leaves;
+  const double at = engine->energy_balance().time, s = at - leaves;
   const double rode = amplitude * std::sin(w * leaves);
   const double speed = amplitude * w * std::cos(w * leaves);
   states("height after it was let go [m]", b.position.z,
@@ -267,7 +268,7 @@ TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
 
 TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
   event::Rules rules = rules_a(0.5);
-  rules.lasting = event::Lasting::none;
+  rules.lasting = event::SustainedContactMode::none;
   const auto engine = event::one_ball(box, ball_a({0, 0, -1 + r + 0.01}), rules);
   Recorder recorder;
   try {
@@ -283,11 +284,11 @@ TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
 
 TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
   event::Rules rules = rules_a(0.5);
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   const auto engine = event::one_ball(box, ball_a({0, 0, -1 + r + 0.01}), rules);
   Recorder recorder;
   engine->advance(1, recorder);
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   EXPECT_GT(a.tc_collisions, 1000);
   EXPECT_EQ(a.lasting_contacts, 0);
   states("balance [J]", a.residual(), 0,
@@ -298,7 +299,7 @@ TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
 /// Rates above 1 cm/s hardly depend on how collapse is treated, per second of free flight (peers'
 /// finding).
 TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight) {
-  const auto rate = [](event::Lasting lasting) {
+  const auto rate = [](event::SustainedContactMode lasting) {
     double hits = 0, flight = 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
       event::Rules rules = rules_a();
@@ -308,11 +309,12 @@ TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight)
       Recorder recorder;
       engine->advance(120, recorder);
       for (const auto& c : recorder.all) hits += c.approach > 0.1;
-      flight += engine->account().time - engine->account().contact_time;
+      flight += engine->energy_balance().time - engine->energy_balance().contact_time;
     }
     return hits / flight;
   };
-  const double rolling = rate(event::Lasting::roll), tc = rate(event::Lasting::tc);
+  const double rolling = rate(event::SustainedContactMode::roll),
+               tc = rate(event::SustainedContactMode::tc);
   // Replicates of 120 s scatter by about 1 %; four of each; 3 % is the agreement the peers report.
   states("rate above 0.1 m/s per second of flight [1/s]", rolling, tc, 0.03 * tc, "TC with 1e-4 s");
   states("the same with the TC rule [1/s]", tc, 159.2, 0.03 * 159.2, "physics 7.4: 159.2 +- 1");

@@ -18,7 +18,7 @@ using namespace tests;
 TEST(ManyBalls, one_of_them_goes_the_way_of_the_engine_for_one) {
   scene::Ball ball = ball_a({0.001, 0, 0.002}, {0.05, 0.02, 0.1}, {3, 2, 1});
   event::Rules rules = rules_a();
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   const auto one = event::one_ball(mill_a(), ball, rules);
   const auto many = event::many_balls(mill_a(), {ball}, rules, {1, 1, rules.bounce});
   Recorder a, b;
@@ -42,15 +42,16 @@ TEST(ManyBalls, elastic_gas_conserves_momentum_and_energy) {
     return p;
   };
   const Vec3 before = sum();
-  const double energy = engine->account().kinetic;
+  const double energy = engine->energy_balance().kinetic;
   Counter counter;
   engine->advance(200, counter);
   stays_below("events without", -static_cast<double>(counter.count), -1e5, "enough to tell");
   stays_below("momentum gained", norm(sum() - before), 512 * 1e-13, "rounding of 1e5 collisions");
-  states("energy", engine->account().kinetic / energy, 1, 1e-11, "rounding of 1e5 collisions");
+  states("energy", engine->energy_balance().kinetic / energy, 1, 1e-11,
+         "rounding of 1e5 collisions");
   stays_below("deepest overlap over R", deepest_overlap(engine->balls(), side), 1e-12,
               "hard spheres");
-  stays_below("deepest overlap at a collision", engine->account().deepest_overlap, 1e-12,
+  stays_below("deepest overlap at a collision", engine->energy_balance().deepest_overlap, 1e-12,
               "rounding of places");
 }
 
@@ -67,7 +68,7 @@ TEST(ManyBalls, ball_that_collides_on_the_very_border_of_a_periodic_box_is_not_l
     Recorder seen;
     run->advance(40, seen);
     EXPECT_GE(seen.all.size(), 10U);
-    stays_below("deepest overlap at a collision", run->account().deepest_overlap, 1e-12,
+    stays_below("deepest overlap at a collision", run->energy_balance().deepest_overlap, 1e-12,
                 "hard spheres");
   }
 }
@@ -79,14 +80,14 @@ TEST(ManyBalls, few_balls_in_the_smallest_box_meet_their_nearest_images) {
                         {0.5, 1, {0, 1.05, 0.3}, {0, 0, -1}, {}},
                         {0.1, 1, {-0.7, -0.7, 0.7}, {0, 0, -3}, {}}},
                        side, {1, 1, INFINITY});
-  const double energy = run->account().kinetic;
+  const double energy = run->energy_balance().kinetic;
   Counter counter;
   for (int i = 1; i <= 400; ++i) {
     run->advance(2.0 * i, counter);
     ASSERT_LE(deepest_overlap(run->balls(), side), 1e-12);
   }
   EXPECT_GT(counter.count, 200);
-  states("energy", run->account().kinetic / energy, 1, 1e-12, "elastic");
+  states("energy", run->energy_balance().kinetic / energy, 1, 1e-12, "elastic");
   EXPECT_THROW(gas({{0.5, 1, {}, {}, {}}}, 1.9, {1, 1, INFINITY}), InputError);
 }
 
@@ -97,7 +98,7 @@ TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
   const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
   const scene::Ball ball{0.005, 7850, {0.01, 0.0148, 0.004}, {}, {}};
   event::Rules rules;
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   for (const bool alone : {true, false}) {
     rules.bounce = {0.5, 0, 0.3};
     const auto run = alone ? event::one_ball(mill, ball, rules)
@@ -105,7 +106,7 @@ TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
     Recorder seen;
     run->advance(1e-4, seen);
     EXPECT_GE(seen.all.size(), 1U);
-    stays_below("overlap at the touch over R", run->account().deepest_overlap, 1e-11,
+    stays_below("overlap at the touch over R", run->energy_balance().deepest_overlap, 1e-11,
                 "evt.5: a few margins of 1e-12 R");
   }
 }
@@ -115,12 +116,12 @@ TEST(ManyBalls, search_for_a_ball_that_no_wall_reaches_ends) {
   motion.speed = 4e3;
   const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
   event::Rules rules;
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   const auto run = event::many_balls(mill, {{0.005, 7850, {0.01, 0.01, 0}, {}, {}}}, rules,
                                      {1, 6, {0.5, 0, 0.3}});
   Recorder seen;
   run->advance(0.1, seen);
-  EXPECT_EQ(run->account().time, 0.1);
+  EXPECT_EQ(run->energy_balance().time, 0.1);
   EXPECT_TRUE(seen.all.empty());
 }
 
@@ -134,7 +135,7 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
                      {},
                      {}});
   event::Rules rules;
-  rules.lasting = event::Lasting::tc;
+  rules.lasting = event::SustainedContactMode::tc;
   const auto engine = event::many_balls(mill, balls, rules, {1, 1, {0.9, 0.3, 0.3}});
   Counter counter;
   for (int i = 1; i <= 100; ++i) {
@@ -145,7 +146,7 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
       ASSERT_GE(std::get<geometry::Capsule>(*mill.shape).gap(0, b.position).distance - b.radius,
                 -1e-12 * 0.05);
   }
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   stays_below("collision balance", a.worst_collision, 1e-12, "rounding");
   stays_below("run balance", std::abs(a.residual()) / a.wall_work, 1e-11, "rounding");
 }

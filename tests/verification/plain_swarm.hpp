@@ -32,10 +32,10 @@ class PlainSwarm {
   PlainSwarm(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls,
              const contact::BounceRule& rule, double noise = 0, std::uint64_t seed = 0)
       : chamber_(chamber), balls_(balls), rule_(rule), noise_(noise), random_(seed, 0) {
-    const kinematics::Ride ride = ride_at(0);
+    const kinematics::FrameMotion frame = frame_motion_at(0);
     for (scene::Ball& b : balls_) {
-      b.position += ride.centre + jitter();
-      b.velocity += ride.velocity;
+      b.position += frame.centre + jitter();
+      b.velocity += frame.velocity;
     }
     walls_.resize(balls_.size());
     for (int i = 0; i < static_cast<int>(balls_.size()); ++i) ask_walls(i);
@@ -64,8 +64,8 @@ class PlainSwarm {
   auto of_motion(Question question) const {
     return std::visit(question, *chamber_.motion);
   }
-  kinematics::Ride ride_at(double t) const {
-    return of_motion([t](const auto& m) { return m.ride(t); });
+  kinematics::FrameMotion frame_motion_at(double t) const {
+    return of_motion([t](const auto& m) { return m.frame_motion(t); });
   }
   int faces() const { return geometry::faces(*chamber_.shape); }
   Vec3 at(const scene::Ball& b, double s) const {
@@ -104,14 +104,15 @@ class PlainSwarm {
     Vec3 inward, wall_speed;  ///< of the wall's material, in the laboratory
   };
   Contact wall(const scene::Ball& b, const Vec3& place, int face, double t) const {
-    const kinematics::Ride ride = ride_at(t);
-    const Rotation turn = of_motion([t](const auto& m) { return m.turn(t); }) * chamber_.mount;
+    const kinematics::FrameMotion frame = frame_motion_at(t);
+    const Rotation turn = of_motion([t](const auto& m) { return m.rotation(t); }) * chamber_.mount;
     const Vec3 spin = of_motion([t](const auto& m) { return m.spin(t); });
-    const Vec3 here = place - ride.centre;
-    const geometry::Gap gap =
-        std::visit([&](const auto& s) { return s.gap(face, turn.back(here)); }, *chamber_.shape);
+    const Vec3 here = place - frame.centre;
+    const geometry::Gap gap = std::visit(
+        [&](const auto& s) { return s.gap(face, turn.apply_inverse(here)); }, *chamber_.shape);
     const Vec3 inward = turn * gap.inward;
-    return {gap.distance - b.radius, inward, ride.velocity + cross(spin, here - b.radius * inward)};
+    return {gap.distance - b.radius, inward,
+            frame.velocity + cross(spin, here - b.radius * inward)};
   }
 
   double until_pair(const scene::Ball& a, const scene::Ball& b) const {
@@ -156,7 +157,7 @@ class PlainSwarm {
     };
     std::vector<int> met;
     for (int face = 0; face < faces(); ++face)
-      if (std::visit([&](const auto& s) { return s.meets(face, b.radius); }, *chamber_.shape))
+      if (std::visit([&](const auto& s) { return s.can_touch(face, b.radius); }, *chamber_.shape))
         met.push_back(face);
     double before = now_, after = now_;
     while (!met.empty()) {

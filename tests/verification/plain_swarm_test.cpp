@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mahlwerk/event/meetings.hpp"
+#include "mahlwerk/event/collision_prediction.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "many_balls.hpp"
@@ -27,15 +27,15 @@ std::vector<scene::Ball> mixed(const scene::Chamber& chamber, int count, double 
   const double reach = geometry::reach(*chamber.shape);
   const Vec3 periods =
       std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber.shape);
-  const Rotation turn = kinematics::turn(*chamber.motion, 0) * chamber.mount;
+  const Rotation turn = kinematics::rotation(*chamber.motion, 0) * chamber.mount;
   const auto fits = [&](const scene::Ball& b) {
-    const Vec3 own = turn.back(b.position);
-    const Vec3 out = magnitude(own) - 0.5 * periods;
+    const Vec3 own = turn.apply_inverse(b.position);
+    const Vec3 out = componentwise_abs(own) - 0.5 * periods;
     if (std::max({out.x, out.y, out.z}) > 0) return false;
     bool free = std::visit(
         [&](const auto& s) {
           for (int face = 0; face < s.faces; ++face)
-            if (s.meets(face, b.radius) && s.gap(face, own).distance < 1.01 * b.radius)
+            if (s.can_touch(face, b.radius) && s.gap(face, own).distance < 1.01 * b.radius)
               return false;
           return true;
         },
@@ -73,7 +73,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
   for (std::uint64_t i = 1; i <= 4; ++i) noisy.emplace_back(chamber, balls, rule, noise, i);
 
   event::Rules rules;
-  rules.lasting = event::Lasting::none;
+  rules.lasting = event::SustainedContactMode::none;
   const auto engine = event::many_balls(chamber, balls, rules, {1, faces, rule});
   Recorder seen;
   double late = 0, fast = 0, worst = 0;

@@ -12,8 +12,8 @@
 
 namespace mahlwerk {
 
-/// The state of a run as bytes, to the bit. One function `carry(Archive&)` of each part writes or
-/// reads it, depending on the archive's direction, so that both cannot disagree. For the machine
+/// The state of a run as bytes, to the bit. One function `serialize(Archive&)` of each part writes
+/// or reads it, depending on the archive's direction, so that both cannot disagree. For the machine
 /// that wrote it; throws RunError where bytes are missing or left over.
 class Archive {
  public:

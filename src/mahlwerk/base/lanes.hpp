@@ -27,40 +27,40 @@ using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int
 
 /// Eight numbers where they are kept: aligned for the widest registers, whatever a file is compiled
 /// for.
-struct alignas(64) Eight {
-  Lanes is{};
+struct alignas(64) AlignedLanes {
+  Lanes value{};
 };
 
 template <class V>
 using MaskOf = std::conditional_t<std::is_same_v<V, double>, bool, LaneMask>;
 
-[[gnu::always_inline]] inline double choose(bool which, double a, double b) {
+[[gnu::always_inline]] inline double select(bool which, double a, double b) {
   return which ? a : b;
 }
-[[gnu::always_inline]] inline Lanes choose(LaneMask which, Lanes a, Lanes b) {
+[[gnu::always_inline]] inline Lanes select(LaneMask which, Lanes a, Lanes b) {
   return which ? a : b;
 }
 
-[[gnu::always_inline]] inline double root(double a) {
+[[gnu::always_inline]] inline double sqrt(double a) {
   return std::sqrt(a);
 }
-[[gnu::always_inline]] inline Lanes root(Lanes a) {
+[[gnu::always_inline]] inline Lanes sqrt(Lanes a) {
   Lanes r;
   for (int l = 0; l < lanes; ++l) r[l] = std::sqrt(a[l]);
   return r;
 }
 
 template <class V>
-[[gnu::always_inline]] inline V larger(V a, V b) {
-  return choose(a > b, a, b);
+[[gnu::always_inline]] inline V max(V a, V b) {
+  return select(a > b, a, b);
 }
 template <class V>
-[[gnu::always_inline]] inline V smaller(V a, V b) {
-  return choose(a < b, a, b);
+[[gnu::always_inline]] inline V min(V a, V b) {
+  return select(a < b, a, b);
 }
 template <class V>
-[[gnu::always_inline]] inline V size_of(V a) {
-  return choose(a < V{}, -a, a);
+[[gnu::always_inline]] inline V abs(V a) {
+  return select(a < V{}, -a, a);
 }
 
 /// a < b as a mask. GCC 12 takes a comparison of eight numbers apart unless it chooses something.
@@ -111,9 +111,9 @@ template <class V>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class V>
-[[gnu::always_inline]] inline Vec<V> choose(const MaskOf<V>& which, const Vec<V>& a,
+[[gnu::always_inline]] inline Vec<V> select(const MaskOf<V>& which, const Vec<V>& a,
                                             const Vec<V>& b) {
-  return {choose(which, a.x, b.x), choose(which, a.y, b.y), choose(which, a.z, b.z)};
+  return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
 }
 
 }  // namespace mahlwerk

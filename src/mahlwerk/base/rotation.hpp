@@ -12,7 +12,7 @@ struct Rotation {
   Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
 
   constexpr Vec3 operator*(const Vec3& a) const { return a.x * ex + a.y * ey + a.z * ez; }
-  constexpr Vec3 back(const Vec3& a) const { return {dot(ex, a), dot(ey, a), dot(ez, a)}; }
+  constexpr Vec3 apply_inverse(const Vec3& a) const { return {dot(ex, a), dot(ey, a), dot(ez, a)}; }
   constexpr bool operator==(const Rotation&) const = default;
 };
 
@@ -21,7 +21,7 @@ constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
 }
 
 /// Turning by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
-inline Rotation turning(const Vec3& axis, double angle) {
+inline Rotation rotation_about(const Vec3& axis, double angle) {
   const SinCos of = sin_cos(angle);
   const auto turned = [&](const Vec3& a) {
     return of.cos * a + of.sin * cross(axis, a) + (1 - of.cos) * dot(axis, a) * axis;
@@ -31,7 +31,8 @@ inline Rotation turning(const Vec3& axis, double angle) {
 
 /// A bound on the components of a rotated vector whose own components are bounded by `most`.
 inline Vec3 bound_of_rotated(const Rotation& r, const Vec3& most) {
-  return most.x * magnitude(r.ex) + most.y * magnitude(r.ey) + most.z * magnitude(r.ez);
+  return most.x * componentwise_abs(r.ex) + most.y * componentwise_abs(r.ey) +
+         most.z * componentwise_abs(r.ez);
 }
 
 }  // namespace mahlwerk

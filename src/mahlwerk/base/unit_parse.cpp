@@ -19,7 +19,7 @@ namespace {
 constexpr int highest_power = 9;  // of a unit; keeps exponents and factors within bounds
 
 /// Other spellings of the same units.
-std::string plain(std::string_view text) {
+std::string with_ascii_symbols(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> spellings[] = {
       {"\u00b5", "u"}, {"\u03bc", "u"},     {"\u00b2", "2"},  {"\u00b3", "3"},
       {"\u00b7", "*"}, {"\u00b0C", "degC"}, {"\u00b0", "deg"}};
@@ -51,11 +51,11 @@ const Unit& find_unit(std::string_view symbol) {
   unknown_unit(symbol);
 }
 
-void multiply(Measure& m, const Unit& unit, int power) {
+void multiply(ParsedUnit& m, const Unit& unit, int power) {
   const int n = std::abs(power), sign = power < 0 ? -1 : 1;
   for (int i = 0; i < n; ++i) {
-    m.scale.up *= power > 0 ? unit.scale.up : unit.scale.down;
-    m.scale.down *= power > 0 ? unit.scale.down : unit.scale.up;
+    m.scale.numerator *= power > 0 ? unit.scale.numerator : unit.scale.denominator;
+    m.scale.denominator *= power > 0 ? unit.scale.denominator : unit.scale.numerator;
     m.scale.turns += sign * unit.scale.turns;
     const auto add = [&](std::int8_t& into, std::int8_t what) {
       const int sum = into + sign * what;
@@ -68,11 +68,11 @@ void multiply(Measure& m, const Unit& unit, int power) {
     add(m.dimension.temperature, unit.dimension.temperature);
     add(m.dimension.angle, unit.dimension.angle);
   }
-  if (!std::isfinite(m.scale.up) || !std::isfinite(m.scale.down))
+  if (!std::isfinite(m.scale.numerator) || !std::isfinite(m.scale.denominator))
     throw UnitError("the unit has too high a power");
-  const double divisor = common_divisor(m.scale.up, m.scale.down);
-  m.scale.up /= divisor;
-  m.scale.down /= divisor;
+  const double divisor = common_divisor(m.scale.numerator, m.scale.denominator);
+  m.scale.numerator /= divisor;
+  m.scale.denominator /= divisor;
 }
 
 /// The power behind a symbol: "3", "^3", "^-3"; 1 if there is none.
@@ -88,7 +88,7 @@ int parse_power(std::string_view power, std::string_view symbol) {
   return value;
 }
 
-void multiply_factor(Measure& m, std::string_view factor, int sign) {
+void multiply_factor(ParsedUnit& m, std::string_view factor, int sign) {
   std::size_t end = 0;
   while (end < factor.size() &&
          (std::isalpha(static_cast<unsigned char>(factor[end])) != 0 || factor[end] == '%'))
@@ -145,9 +145,9 @@ std::string with_products(std::string_view text) {
 
 }  // namespace
 
-Measure parse_unit(std::string_view given) {
-  const std::string text = without_brackets(with_products(trimmed(plain(given))));
-  Measure m;
+ParsedUnit parse_unit(std::string_view given) {
+  const std::string text = without_brackets(with_products(trimmed(with_ascii_symbols(given))));
+  ParsedUnit m;
   if (text.empty()) return m;
   if (text == "1/min") return parse_unit("rpm");  // a turn a minute, as on a type plate
   std::size_t from = 0;

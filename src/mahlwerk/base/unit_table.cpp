@@ -63,12 +63,12 @@ constexpr Unit table[] = {
     {"K", {}, temperature},
 };
 
-struct Shown {
+struct DisplayUnits {
   std::string_view unit;
   std::array<std::string_view, 5> as;  // empty ones are left out
 };
 
-constexpr Shown shown[] = {
+constexpr DisplayUnits display_table[] = {
     {"m", {"mm", "m", "um", "nm", "km"}},
     {"kg", {"g", "kg", "mg", "ug"}},
     {"s", {"s", "ms", "us", "ns"}},
@@ -91,8 +91,8 @@ std::span<const Unit> all_units() {
   return table;
 }
 
-std::span<const std::string_view> shown_in(std::string_view unit) {
-  for (const Shown& s : shown) {
+std::span<const std::string_view> display_units(std::string_view unit) {
+  for (const DisplayUnits& s : display_table) {
     if (s.unit != unit) continue;
     std::size_t n = 0;
     while (n < s.as.size() && !s.as[n].empty()) ++n;

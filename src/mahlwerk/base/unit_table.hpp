@@ -9,10 +9,10 @@
 
 namespace mahlwerk {
 
-/// The size of a unit in SI: up / down * (2 pi)^turns. Kept apart so that "600 rpm" is 10 Hz and
-/// "12 mm" is the double nearest to 0.012 m, without detours through rounded factors.
+/// The size of a unit in SI: numerator / denominator * (2 pi)^turns. Kept apart so that "600 rpm"
+/// is 10 Hz and "12 mm" is the double nearest to 0.012 m, without detours through rounded factors.
 struct Scale {
-  double up = 1, down = 1;  ///< whole numbers without a common divisor
+  double numerator = 1, denominator = 1;  ///< whole numbers without a common divisor
   int turns = 0;
 };
 
@@ -24,7 +24,7 @@ struct Unit {
 };
 
 /// A unit as an expression gives it.
-struct Measure {
+struct ParsedUnit {
   Scale scale;
   Dimension dimension;
 };
@@ -33,9 +33,9 @@ struct Measure {
 std::span<const Unit> all_units();
 
 /// The multiples a value kept in `unit` is shown in, the one people like best first.
-std::span<const std::string_view> shown_in(std::string_view unit);
+std::span<const std::string_view> display_units(std::string_view unit);
 
 /// Reads "mm", "kg/m3", "1/min", "J m/kg", "J/(kg K)". Throws UnitError.
-Measure parse_unit(std::string_view text);
+ParsedUnit parse_unit(std::string_view text);
 
 }  // namespace mahlwerk

@@ -56,16 +56,16 @@ bool celsius(std::string_view unit) {
 
 /// `value` in units of `from`, measured in units of `to`.
 double converted(double value, const Scale& from, const Scale& to) {
-  double up = from.up * to.down, down = from.down * to.up;
-  for (double a = up, b = down;;) {
+  double numerator = from.numerator * to.denominator, denominator = from.denominator * to.numerator;
+  for (double a = numerator, b = denominator;;) {
     if (b == 0) {
-      up /= a;
-      down /= a;
+      numerator /= a;
+      denominator /= a;
       break;
     }
     a = std::exchange(b, std::fmod(a, b));
   }
-  double out = value * up / down;
+  double out = value * numerator / denominator;
   constexpr double turn = 2 * std::numbers::pi;
   for (int i = from.turns; i < to.turns; ++i) out /= turn;
   for (int i = to.turns; i < from.turns; ++i) out *= turn;
@@ -125,20 +125,20 @@ Quantity parse_quantity(std::string_view text) {
   const Parts p = split(text);
   if (celsius(p.unit))
     return {finite_or_fault(p.number + ice_point, text), Dimension{.temperature = 1}};
-  const Measure m = parse_unit(p.unit);
+  const ParsedUnit m = parse_unit(p.unit);
   return {finite_or_fault(converted(p.number, m.scale, {}), text), m.dimension};
 }
 
 double parse_in(std::string_view text, std::string_view unit) {
   const Parts p = split(text);
   if (celsius(unit)) return celsius(p.unit) ? p.number : parse_in(text, "K") - ice_point;
-  const Measure wanted = parse_unit(unit);
+  const ParsedUnit wanted = parse_unit(unit);
   if (celsius(p.unit) && wanted.dimension == Dimension{.temperature = 1})
     return finite_or_fault(converted(p.number + ice_point, {}, wanted.scale), text);
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
                                 example_unit(unit)));
-  Measure found;
+  ParsedUnit found;
   if (celsius(p.unit))
     found.dimension = {.temperature = 1};
   else
@@ -209,7 +209,7 @@ constexpr int unreadable = 1000;  // farther than any number is
 
 /// How far `value` is from the sizes people like to read, in decades; unreadable in a unit so small
 /// that it is infinite.
-int strain(double value) {
+int readability_cost(double value) {
   const double size = std::abs(value);
   if (size == 0) return 0;
   if (!std::isfinite(size)) return unreadable;
@@ -218,13 +218,13 @@ int strain(double value) {
 }
 
 /// One way to write a value.
-struct Way {
+struct Rendering {
   std::string text;
   int cost = unreadable;
 };
 
 /// Fewest digits in `as` that read back as `value` in `unit`; an empty text if none do.
-Way exact_in(double value, std::string_view unit, std::string_view as) {
+Rendering exact_in(double value, std::string_view unit, std::string_view as) {
   constexpr int enough = 17;
   const Scale here = parse_unit(unit).scale, there = parse_unit(as).scale;
   const double x = converted(value, here, there);
@@ -232,7 +232,7 @@ Way exact_in(double value, std::string_view unit, std::string_view as) {
   for (int digits = 1; digits <= enough; ++digits) {
     const double r = rounded(x, digits);
     if (std::isfinite(r) && converted(r, there, here) == value)
-      return {with_unit(r, as), digits + 3 * strain(r)};
+      return {with_unit(r, as), digits + 3 * readability_cost(r)};
   }
   return {};
 }
@@ -240,11 +240,11 @@ Way exact_in(double value, std::string_view unit, std::string_view as) {
 }  // namespace
 
 std::string show(double value, std::string_view unit) {
-  Way best;
+  Rendering best;
   if (std::isfinite(value))
-    for (const std::string_view as : shown_in(unit)) {
-      Way way = exact_in(value, unit, as);
-      if (!way.text.empty() && way.cost < best.cost) best = std::move(way);
+    for (const std::string_view as : display_units(unit)) {
+      Rendering rendering = exact_in(value, unit, as);
+      if (!rendering.text.empty() && rendering.cost < best.cost) best = std::move(rendering);
     }
   return best.text.empty() ? with_unit(value, unit) : best.text;
 }
@@ -253,8 +253,9 @@ std::string show_rounded(double value, std::string_view unit, int digits) {
   if (!std::isfinite(value)) return with_unit(value, unit);
   std::string_view best = unit;
   int least = unreadable;
-  for (const std::string_view as : shown_in(unit)) {
-    const int cost = strain(converted(value, parse_unit(unit).scale, parse_unit(as).scale));
+  for (const std::string_view as : display_units(unit)) {
+    const int cost =
+        readability_cost(converted(value, parse_unit(unit).scale, parse_unit(as).scale));
     if (cost < least) {
       least = cost;
       best = as;

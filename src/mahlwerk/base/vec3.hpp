@@ -49,12 +49,12 @@ inline double norm(const Vec3& a) {
 }
 
 /// Component by component size, for bounds.
-inline Vec3 magnitude(const Vec3& a) {
+inline Vec3 componentwise_abs(const Vec3& a) {
   return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
 }
 
 /// The part of `a` across the unit vector `n`.
-constexpr Vec3 across(const Vec3& a, const Vec3& n) {
+constexpr Vec3 tangential_part(const Vec3& a, const Vec3& n) {
   return a - dot(a, n) * n;
 }
 

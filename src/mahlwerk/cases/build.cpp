@@ -21,9 +21,9 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
   const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
   // Ball velocities are relative to the jar's centre, start speeds to the chosen frame.
-  const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.ride.velocity;
+  const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.frame.velocity;
   for (scene::Ball& ball : balls) {
-    ball.position = start.turn * (mount * ball.position);
+    ball.position = start.rotation * (mount * ball.position);
     const double speed = random.uniform(0, c.run.start_speed);
     ball.velocity = speed * random.direction() - frame;
     const double spin = random.uniform(0, c.run.start_spin);

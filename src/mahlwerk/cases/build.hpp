@@ -50,7 +50,7 @@ contact::PairTable pair_table(const Case& c);
 Notices jar_warnings(const Case& c);
 
 /// What the engine does not look at, or nobody asked for, is no assumption of the results.
-void keep_what_matters(Case& c);
+void drop_irrelevant_assumptions(Case& c);
 /// Keys that the case gives and `engine` does not look at.
 Notices ignored_keys(const Case& c, EngineName engine);
 
@@ -59,7 +59,7 @@ Notices ignored_keys(const Case& c, EngineName engine);
 Notices unusual_values(const Case& c);
 
 /// One thing that follows from a case before it is run.
-struct Consequence {
+struct DerivedQuantity {
   std::string name;  ///< "peak_wall_speed"
   double value = 0;  ///< in `unit`
   std::string unit;
@@ -68,6 +68,6 @@ struct Consequence {
 
 /// Peak wall speed, acceleration number, critical speed or speed ratio, expected impact energy,
 /// charge.
-std::vector<Consequence> consequences(const Case& c);
+std::vector<DerivedQuantity> derived_quantities(const Case& c);
 
 }  // namespace mahlwerk::cases

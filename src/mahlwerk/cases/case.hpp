@@ -35,7 +35,7 @@ struct Mill {
 };
 
 /// Steel, which stands in for what a case does not say.
-constexpr contact::Elastic steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
+constexpr contact::ElasticConstants steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
 
 /// What wear and heat ask of a material.
 struct Substance {
@@ -48,7 +48,7 @@ struct Substance {
 /// 1.4034, the steel of many balls and jars, which stands in for what a case does not say.
 constexpr Substance hardened_steel{.hardness = 600, .conductivity = 30, .heat_capacity = 460};
 constexpr double hardened_steel_density = 7730;  ///< [kg/m3]
-constexpr double usual_wall = 5e-3;              ///< [m] of a small jar
+constexpr double default_wall_thickness = 5e-3;  ///< [m] of a small jar
 
 /// Where a jar's mesh came from.
 struct MeshFile {
@@ -62,11 +62,11 @@ struct Jar {
   std::string model;     ///< name in the catalogue, or empty
   std::string material;  ///< name in the catalogue, or empty
   Indirect<geometry::AnyShape> shape;
-  contact::Elastic elastic = steel;
+  contact::ElasticConstants elastic = steel;
   MeshFile mesh = {};  ///< of a mesh
   Substance substance = hardened_steel;
   double density = hardened_steel_density;  ///< [kg/m3] of its wall
-  double wall = usual_wall;                 ///< [m] thickness of it
+  double wall = default_wall_thickness;     ///< [m] thickness of it
   bool operator==(const Jar&) const = default;
 };
 
@@ -76,7 +76,7 @@ struct BallSet {
   double diameter = 0;     ///< [m] of each, or of the ball of mean volume where sizes differ
   double density = 0;      ///< [kg/m3]
   std::string material;    ///< name in the catalogue, or empty
-  contact::Elastic elastic = steel;
+  contact::ElasticConstants elastic = steel;
   Substance substance = hardened_steel;
   /// [m] where they start, in the jar's own axes about its centre: one for each ball, or none at
   /// all for random places.
@@ -102,7 +102,7 @@ struct Powder {
 };
 
 /// What happens when bounces become countless and ever smaller.
-enum class Lasting {
+enum class SustainedContactModel {
   roll,  ///< the ball goes on in lasting contact, rolling or sliding, until the wall lets it go
   tc,    ///< TC rule: a bounce within `contact_time` of the last one is elastic
   none   ///< nothing; the Zeno guard stops the run
@@ -128,7 +128,7 @@ struct Contact {
   double rolling_friction = 0;  ///< [1] mu_r; [s/m] under viscous rolling
   double surface_energy = 0;    ///< [J/m2] gamma of one surface, of the law jkr
   double cohesion = 0;          ///< [J/m3] energy density, of the law sjkr
-  Lasting lasting = Lasting::roll;
+  SustainedContactModel lasting = SustainedContactModel::roll;
   /// [m/s] a rebound slower than this, pressed to the wall, has come to stay
   double lasting_speed = 0;
   double contact_time = 0;  ///< [s] t_c of the TC rule
@@ -142,10 +142,10 @@ enum class StartFrame {
 };
 
 /// Instead of a time: go on until a quantity is known well enough.
-struct Until {
+struct StopCriterion {
   double within = 0;     ///< half-width of its 95 % confidence interval over time, of its mean
   std::string quantity;  ///< "dissipated_power"
-  bool operator==(const Until&) const = default;
+  bool operator==(const StopCriterion&) const = default;
 };
 
 /// The engine that a case asks for; a run is by one of the first two.
@@ -154,16 +154,16 @@ std::string_view name_of(EngineName engine);  ///< "event", "soft", "auto"
 
 struct Run {
   EngineName engine = EngineName::event;
-  double time = 0;                            ///< [s] counted; with `until`: at most
-  std::optional<Until> until = std::nullopt;  ///< ends each replicate sooner
-  double settle = 0;                          ///< [s] before that, not counted
+  double time = 0;                                    ///< [s] counted; with `until`: at most
+  std::optional<StopCriterion> until = std::nullopt;  ///< ends each replicate sooner
+  double settle = 0;                                  ///< [s] before that, not counted
   std::int64_t replicates = 1;
   double start_speed = 0;  ///< [m/s] starting speeds are uniform in 0 ... this
   double start_spin = 0;   ///< [rad/s] starting spins are uniform in 0 ... this
   StartFrame start_frame = StartFrame::laboratory;  ///< of start_speed
   std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
   double time_step_fraction = 0.125;  ///< of the Rayleigh time, for the step the engine chooses
-  bool hop = true;                    ///< the soft engine's clock hops over free flight
+  bool free_flight_skip = true;       ///< the soft engine's clock hops over free flight
   bool operator==(const Run&) const = default;
 };
 

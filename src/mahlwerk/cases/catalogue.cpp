@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one thing in a room is called in a message.
-std::string_view thing(std::string_view room) {
-  if (room == "mills") return "mill";
-  if (room == "jars") return "jar";
-  return room == "media" ? "ball set" : "material";
+/// What one thing in a category is called in a message.
+std::string_view category_noun(std::string_view category) {
+  if (category == "mills") return "mill";
+  if (category == "jars") return "jar";
+  return category == "media" ? "ball set" : "material";
 }
 
 /// "Fritsch P7" as {"fritsch", "p7"}.
@@ -71,52 +71,53 @@ std::string contents(const fs::path& file) {
 }  // namespace
 
 Catalogue::Catalogue(fs::path root) : root_(std::move(root)) {
-  const auto is_there = [&](std::string_view room) {
+  const auto is_there = [&](std::string_view category) {
     std::error_code ignored;
-    return fs::is_directory(root_ / room, ignored);
+    return fs::is_directory(root_ / category, ignored);
   };
-  if (std::ranges::none_of(rooms, is_there))
+  if (std::ranges::none_of(categories, is_there))
     throw InputError(Fault{root_.string(), "there is no catalogue here",
                            "give the folder that holds mills, jars, materials and media",
                            "no-catalogue"});
 }
 
-std::vector<std::string> Catalogue::names(std::string_view room) const {
-  if (std::ranges::find(rooms, room) == std::end(rooms))
-    throw InputError(
-        Fault{"", fmt::format("the catalogue has no room called '{}'", room),
-              fmt::format("one of: {}", joined({std::begin(rooms), std::end(rooms)}, ", ")),
-              "unknown-name"});
+std::vector<std::string> Catalogue::names(std::string_view category) const {
+  if (std::ranges::find(categories, category) == std::end(categories))
+    throw InputError(Fault{
+        "", fmt::format("the catalogue has no room called '{}'", category),
+        fmt::format("one of: {}", joined({std::begin(categories), std::end(categories)}, ", ")),
+        "unknown-name"});
   std::vector<std::string> found;
-  std::error_code missing;  // an empty room may have no folder
-  for (const fs::directory_entry& file : fs::directory_iterator(root_ / room, missing))
+  std::error_code missing;  // an empty category may have no folder
+  for (const fs::directory_entry& file : fs::directory_iterator(root_ / category, missing))
     if (file.path().extension() == ".toml" && file.is_regular_file())
       found.push_back(file.path().stem().string());
   std::ranges::sort(found);
   return found;
 }
 
-bool Catalogue::has(std::string_view room, std::string_view name) const {
+bool Catalogue::has(std::string_view category, std::string_view name) const {
   std::error_code missing;
   return name.find_first_of("/\\") == std::string_view::npos &&  // "../x" is no name
-         fs::is_regular_file(root_ / room / (std::string(name) + ".toml"), missing);
+         fs::is_regular_file(root_ / category / (std::string(name) + ".toml"), missing);
 }
 
-CatalogueEntry Catalogue::find(std::string_view room, std::string_view name,
+CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
                                std::string_view where) const {
-  if (!has(room, name)) {
-    const std::vector<std::string> near = near_names(name, names(room));
-    throw InputError(Fault{
-        std::string(where), fmt::format("the catalogue has no {} called '{}'", thing(room), name),
-        (near.empty() ? "" : fmt::format("did you mean '{}'? ", joined(near, "' or '"))) +
-            fmt::format("`mahlwerk list {}` shows them all", room),
-        "unknown-name"});
+  if (!has(category, name)) {
+    const std::vector<std::string> near = near_names(name, names(category));
+    throw InputError(
+        Fault{std::string(where),
+              fmt::format("the catalogue has no {} called '{}'", category_noun(category), name),
+              (near.empty() ? "" : fmt::format("did you mean '{}'? ", joined(near, "' or '"))) +
+                  fmt::format("`mahlwerk list {}` shows them all", category),
+              "unknown-name"});
   }
-  const fs::path file = root_ / room / (std::string(name) + ".toml");
-  return read_entry(contents(file), room, name, file.string());
+  const fs::path file = root_ / category / (std::string(name) + ".toml");
+  return read_entry(contents(file), category, name, file.string());
 }
 
-std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string> near = near_names(word, known);
   return near.empty() ? "" : near.front();
 }

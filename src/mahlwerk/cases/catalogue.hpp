@@ -27,11 +27,11 @@ struct CatalogueCheck {
 };
 
 struct CatalogueEntry {
-  std::string room;   ///< "mills", "jars", "materials" or "media"
-  std::string name;   ///< the file's stem, and the word in a case
-  std::string title;  ///< what people call it
-  std::string kind;   ///< motion of a mill, shape of a jar; empty otherwise
-  std::string about;  ///< a sentence
+  std::string category;  ///< "mills", "jars", "materials" or "media"
+  std::string name;      ///< the file's stem, and the word in a case
+  std::string title;     ///< what people call it
+  std::string kind;      ///< motion of a mill, shape of a jar; empty otherwise
+  std::string about;     ///< a sentence
   std::map<std::string, CatalogueValue> values;
   std::vector<std::string> jars;  ///< of a mill: names in jars that fit it
   std::vector<CatalogueCheck> checks;
@@ -40,16 +40,16 @@ struct CatalogueEntry {
 
 class Catalogue {
  public:
-  static constexpr std::string_view rooms[] = {"mills", "jars", "materials", "media"};
+  static constexpr std::string_view categories[] = {"mills", "jars", "materials", "media"};
 
-  /// `root` holds one folder per room. Throws InputError if it is not there.
+  /// `root` holds one folder per category. Throws InputError if it is not there.
   explicit Catalogue(std::filesystem::path root);
 
-  std::vector<std::string> names(std::string_view room) const;  ///< sorted
-  bool has(std::string_view room, std::string_view name) const;
+  std::vector<std::string> names(std::string_view category) const;  ///< sorted
+  bool has(std::string_view category, std::string_view name) const;
   /// Throws InputError with the nearest names if there is no such entry, or naming what is wrong in
   /// its file. `where` is the place that asked for it.
-  CatalogueEntry find(std::string_view room, std::string_view name,
+  CatalogueEntry find(std::string_view category, std::string_view name,
                       std::string_view where = "") const;
   const std::filesystem::path& root() const { return root_; }
 
@@ -68,6 +68,6 @@ struct CheckQuantity {
 const std::vector<CheckQuantity>& check_quantities();
 
 /// The known word nearest to `word`, or empty if none is near.
-std::string nearest(std::string_view word, const std::vector<std::string>& known);
+std::string nearest_name(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace mahlwerk::cases

@@ -34,7 +34,7 @@ void each_number(C& c, Visit visit) {
   if (c.kinetics) all("kinetics.", c.kinetics->conversion, kinetics_fields());
 }
 
-std::invalid_argument nothing_called(const std::string& key) {
+std::invalid_argument no_such_parameter(const std::string& key) {
   return std::invalid_argument("the case has no number \"" + key + "\" that could be adjusted");
 }
 
@@ -66,30 +66,30 @@ std::optional<double> milling_time(const Case& c) {
   return std::nullopt;
 }
 
-std::vector<Adjustable> adjustables(const Case& c) {
-  std::vector<Adjustable> found;
+std::vector<FitParameter> fit_parameters(const Case& c) {
+  std::vector<FitParameter> found;
   each_number(c, [&](const std::string& key, const auto& field, double) {
     found.push_back({key, std::string(field.unit), std::string(field.about), field.range});
   });
   return found;
 }
 
-void adjust(Case& c, const std::string& key, double value) {
+void set_fit_parameter(Case& c, const std::string& key, double value) {
   bool known = false;
   each_number(c, [&](const std::string& its, const auto&, double& number) {
     if (its != key) return;
     number = value;
     known = true;
   });
-  if (!known) throw nothing_called(key);
+  if (!known) throw no_such_parameter(key);
 }
 
-double adjusted(const Case& c, const std::string& key) {
+double fit_parameter_value(const Case& c, const std::string& key) {
   const double* found = nullptr;
   each_number(c, [&](const std::string& its, const auto&, const double& number) {
     if (its == key) found = &number;
   });
-  if (found == nullptr) throw nothing_called(key);
+  if (found == nullptr) throw no_such_parameter(key);
   return *found;
 }
 

@@ -23,15 +23,15 @@ std::optional<double> milling_time(const Case& c);
 
 /// A number of [capture], [breakage], [fragments], [grinding] or [kinetics] that may be changed
 /// after reading, without a new run of the mill: what `mahlwerk fit` chooses.
-struct Adjustable {
+struct FitParameter {
   std::string key;  ///< "breakage.f_mat"
   std::string unit, about;
   Range range;  ///< in `unit`
 };
 /// Those this case has.
-std::vector<Adjustable> adjustables(const Case& c);
+std::vector<FitParameter> fit_parameters(const Case& c);
 /// Sets one of them, in its unit. Throws std::invalid_argument for another key.
-void adjust(Case& c, const std::string& key, double value);
-double adjusted(const Case& c, const std::string& key);  ///< its value now
+void set_fit_parameter(Case& c, const std::string& key, double value);
+double fit_parameter_value(const Case& c, const std::string& key);  ///< its value now
 
 }  // namespace mahlwerk::cases

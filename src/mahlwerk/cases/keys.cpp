@@ -12,34 +12,36 @@
 namespace mahlwerk::cases {
 namespace {
 
-using Chosen = std::map<std::string, std::size_t>;  ///< key -> place of the word under it
+using ChosenWords = std::map<std::string, std::size_t>;  ///< key -> place of the word under it
 
 /// What all visits together have found.
-struct Found {
+struct KeySearch {
   std::vector<KeyInfo> keys;
   std::set<std::pair<std::string, std::size_t>> tried;  ///< words
-  std::vector<Chosen> todo;                             ///< that lead to words not tried yet
+  std::vector<ChosenWords> todo;                        ///< that lead to words not tried yet
 };
 
 /// Lists the keys under some words; others that could stand there are left to do.
 class KeyList : public CaseVisitor {
  public:
-  KeyList(Found& found, Chosen chosen) : found_(found), chosen_(std::move(chosen)) {}
+  KeyList(KeySearch& found, ChosenWords chosen) : found_(found), chosen_(std::move(chosen)) {}
 
   void section(std::string_view name, std::size_t) override { prefix_ = std::string(name) + "."; }
-  void number(const Wanted& wanted, double&) override { alternative(wanted); }
-  void maybe(const Wanted& wanted, std::optional<double>&) override { alternative(wanted); }
-  void alternative(const Wanted& wanted) override {
-    add({prefix_ + std::string(wanted.key),
-         std::string(wanted.unit),
-         wanted.range,
-         {},
-         std::string(wanted.about)});
+  void number(const NumberSpec& spec, double&) override { alternative(spec); }
+  void optional_number(const NumberSpec& spec, std::optional<double>&) override {
+    alternative(spec);
   }
-  void whole(const Whole& wanted, std::int64_t&) override {
-    const Range range{.least = static_cast<double>(wanted.least),
-                      .most = static_cast<double>(wanted.most)};
-    add({prefix_ + std::string(wanted.key), "", range, {}, std::string(wanted.about)});
+  void alternative(const NumberSpec& spec) override {
+    add({prefix_ + std::string(spec.key),
+         std::string(spec.unit),
+         spec.range,
+         {},
+         std::string(spec.about)});
+  }
+  void integer(const IntegerSpec& spec, std::int64_t&) override {
+    const Range range{.least = static_cast<double>(spec.least),
+                      .most = static_cast<double>(spec.most)};
+    add({prefix_ + std::string(spec.key), "", range, {}, std::string(spec.about)});
   }
   void flag(const Flag& flag, bool&) override {
     add({prefix_ + std::string(flag.key), "", {}, {"true", "false"}, ""});
@@ -50,10 +52,10 @@ class KeyList : public CaseVisitor {
   void custom(const CustomKey& key, const std::function<std::string()>&) override {
     add({prefix_ + std::string(key.key), "", {}, {}, std::string(key.about)});
   }
-  bool choose(const Choice& choice, std::size_t& place) override {
+  bool choose(const Choice& choice, std::size_t& word_index) override {
     const std::string key = prefix_ + std::string(choice.key);
     add({key, "", {}, choice.words, ""});
-    place = chosen(key, choice.words.size(), place);
+    word_index = chosen(key, choice.words.size(), word_index);
     return true;
   }
   bool visits_all() override { return true; }
@@ -70,22 +72,22 @@ class KeyList : public CaseVisitor {
   }
   std::size_t chosen(const std::string& key, std::size_t count, std::size_t now) {
     if (const auto own = chosen_.find(key); own != chosen_.end()) return own->second;
-    for (std::size_t place = 0; place < count; ++place) {
-      if (!found_.tried.emplace(key, place).second || place == now) continue;
-      Chosen other = chosen_;
-      other[key] = place;
+    for (std::size_t word_index = 0; word_index < count; ++word_index) {
+      if (!found_.tried.emplace(key, word_index).second || word_index == now) continue;
+      ChosenWords other = chosen_;
+      other[key] = word_index;
       found_.todo.push_back(std::move(other));
     }
     return now;
   }
 
-  Found& found_;
-  Chosen chosen_;
+  KeySearch& found_;
+  ChosenWords chosen_;
   std::string prefix_;
 };
 
 /// A case with every section.
-Case whole_case() {
+Case full_case() {
   Case c;
   c.balls.resize(2);
   c.balls.back().grains = true;
@@ -103,15 +105,15 @@ Case whole_case() {
 
 const std::vector<KeyInfo>& all_keys() {
   static const std::vector<KeyInfo> keys = [] {
-    Found found{.keys = {}, .tried = {}, .todo = {{}}};
+    KeySearch found{.keys = {}, .tried = {}, .todo = {{}}};
     while (!found.todo.empty()) {
       KeyList list(found, std::exchange(found.todo.back(), {}));
       found.todo.pop_back();
-      Case c = whole_case();
+      Case c = full_case();
       describe(list, c);
     }
     KeyList list(found, {});
-    Case c = whole_case();
+    Case c = full_case();
     c.run.until.emplace();
     describe(list, c);
     return std::move(found.keys);

@@ -20,8 +20,8 @@ int faces(const Case& c) {
 
 /// Calls `balls` with every two kinds, `wall` with every kind and face, that a rule is for.
 template <class Balls, class Wall>
-void for_those(const PairRule& pair, const Case& c, Balls balls, Wall wall) {
-  const Party a = party(pair.between[0], c), b = party(pair.between[1], c);
+void for_each_pair(const PairRule& pair, const Case& c, Balls balls, Wall wall) {
+  const PairSelector a = pair_selector(pair.between[0], c), b = pair_selector(pair.between[1], c);
   for (const int i : a.kinds) {
     for (const int j : b.kinds) balls(i, j);
     for (const int face : b.faces) wall(i, face);
@@ -32,7 +32,7 @@ void for_those(const PairRule& pair, const Case& c, Balls balls, Wall wall) {
 
 /// What [contact] or one of its pairs says; the moduli are the bodies' own matter.
 template <class Owner>
-contact::Pair said_of(const Owner& owner) {
+contact::Pair contact_pair(const Owner& owner) {
   return {.modulus = 0,
           .shear_modulus = 0,
           .restitution = owner.rule.restitution.value(),
@@ -42,8 +42,8 @@ contact::Pair said_of(const Owner& owner) {
           .cohesion = owner.cohesion};
 }
 
-contact::Pair with_moduli(contact::Pair pair, contact::Elastic a, contact::Elastic b,
-                          double softening) {
+contact::Pair with_moduli(contact::Pair pair, contact::ElasticConstants a,
+                          contact::ElasticConstants b, double softening) {
   a.youngs_modulus *= softening;
   b.youngs_modulus *= softening;
   pair.modulus = contact::effective_modulus(a, b);
@@ -57,8 +57,8 @@ std::string set_name(const Case& c, std::size_t kind) {
   return c.balls[kind].grains ? "powder" : fmt::format("balls.{}", kind + 1);
 }
 
-Party party(std::string_view name, const Case& c) {
-  Party found;
+PairSelector pair_selector(std::string_view name, const Case& c) {
+  PairSelector found;
   for (std::size_t i = 0; i < c.balls.size(); ++i)
     if ((name == "balls" && !c.balls[i].grains) || name == set_name(c, i) ||
         (!name.empty() && name == c.balls[i].material))
@@ -70,7 +70,7 @@ Party party(std::string_view name, const Case& c) {
   return found;
 }
 
-std::vector<std::string> party_names(const Case& c) {
+std::vector<std::string> pair_selector_names(const Case& c) {
   std::vector<std::string> names{"balls"};
   const auto also = [&](const std::string& name) {
     if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -87,18 +87,18 @@ std::vector<std::string> party_names(const Case& c) {
 contact::BounceTable bounce_table(const Case& c) {
   contact::BounceTable table(kinds(c), faces(c), c.contact.rule);
   for (const PairRule& pair : c.contact.pairs)
-    for_those(
+    for_each_pair(
         pair, c, [&](int i, int j) { table.set_balls(i, j, pair.rule); },
         [&](int i, int face) { table.set_wall(i, face, pair.rule); });
   return table;
 }
 
 contact::PairTable pair_table(const Case& c) {
-  contact::PairTable table(kinds(c), faces(c), said_of(c.contact));
+  contact::PairTable table(kinds(c), faces(c), contact_pair(c.contact));
   for (const PairRule& rule : c.contact.pairs)
-    for_those(
-        rule, c, [&](int i, int j) { table.set_balls(i, j, said_of(rule)); },
-        [&](int i, int face) { table.set_wall(i, face, said_of(rule)); });
+    for_each_pair(
+        rule, c, [&](int i, int j) { table.set_balls(i, j, contact_pair(rule)); },
+        [&](int i, int face) { table.set_wall(i, face, contact_pair(rule)); });
   const auto elastic = [&](int kind) { return c.balls[static_cast<std::size_t>(kind)].elastic; };
   for (int i = 0; i < kinds(c); ++i) {
     for (int j = i; j < kinds(c); ++j)

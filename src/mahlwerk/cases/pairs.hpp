@@ -12,15 +12,15 @@
 namespace mahlwerk::cases {
 
 /// Ball sets and faces of the jar, both counted from 0.
-struct Party {
+struct PairSelector {
   std::vector<int> kinds, faces;
-  bool nobody() const { return kinds.empty() && faces.empty(); }
+  bool empty() const { return kinds.empty() && faces.empty(); }
 };
 
 /// "balls.1" for the first set, "powder" for grains.
 std::string set_name(const Case& c, std::size_t kind);
 
-Party party(std::string_view name, const Case& c);
-std::vector<std::string> party_names(const Case& c);  ///< all that mean somebody
+PairSelector pair_selector(std::string_view name, const Case& c);
+std::vector<std::string> pair_selector_names(const Case& c);  ///< all that mean somebody
 
 }  // namespace mahlwerk::cases

@@ -31,26 +31,26 @@ class CaseReader {
 
   Case read(const std::vector<Override>& overrides) {
     c_.file = file_.generic_string();
-    apply(overrides, Giver::command);
-    std::map<std::string, std::string> places;
-    c_.sweep = read_sweep(section("sweep", false), places, findings_);
+    apply(overrides, ValueSource::command);
+    std::map<std::string, std::string> locations;
+    c_.sweep = read_sweep(section("sweep", false), locations, findings_);
     refuse_both(overrides);
-    apply(overrides, Giver::sweep);
-    fill_from_sweep(places);
-    follow(places);
+    apply(overrides, ValueSource::sweep);
+    fill_from_sweep(locations);
+    apply_formulas(locations);
     if (const Node* table = section("optimise", false))
       c_.optimise = read_optimise(table, findings_);
     if (const Node* table = section("match", false)) c_.match = read_match(table, findings_);
-    apply(overrides, Giver::optimise);
-    apply(overrides, Giver::match);
+    apply(overrides, ValueSource::optimise);
+    apply(overrides, ValueSource::match);
     const DottedLists fit = read_fit(section("fit", false), findings_);
-    await(fit);
+    record_fit(fit);
     read_top();
     read_sections();
-    check_fit(c_, fit.places, findings_);
+    check_fit(c_, fit.locations, findings_);
     c_.origins = std::move(findings_.origins);
-    keep_what_matters(c_);
-    auto more = findings_.faults.empty() ? faults(c_) : misfits(c_);
+    drop_irrelevant_assumptions(c_);
+    auto more = findings_.faults.empty() ? faults(c_) : inconsistencies(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));
     if (!findings_.faults.empty()) throw InputError(in_order(std::move(findings_.faults)));
     return std::move(c_);
@@ -58,25 +58,26 @@ class CaseReader {
 
  private:
   Node given(const Override& one) const {
-    const auto& [key, value, by] = one;
-    if (by == Giver::command) return loose_value(value, "--set " + key, Rank::command);
-    if (by == Giver::sweep)
-      return loose_value(value, fmt::format("[sweep] {} = {}", key, value), Rank::sweep);
-    const std::string section = by == Giver::optimise ? "optimise" : "match";
+    const auto& [key, value, source] = one;
+    if (source == ValueSource::command)
+      return value_from_text(value, "--set " + key, Precedence::command);
+    if (source == ValueSource::sweep)
+      return value_from_text(value, fmt::format("[sweep] {} = {}", key, value), Precedence::sweep);
+    const std::string section = source == ValueSource::optimise ? "optimise" : "match";
     const auto range =
         std::ranges::find(findings_.origins, fmt::format("{}.over.{}", section, key), &Origin::key);
     const std::string line = range == findings_.origins.end() ? section : range->source;
     const std::string where = fmt::format("{}: [{}] {} = {}", line, section, key, value);
-    Node node = loose_value(value, where, Rank::command);
+    Node node = value_from_text(value, where, Precedence::command);
     node.source = fmt::format("{}: found by {}", line, section);
     return node;
   }
 
-  void apply(const std::vector<Override>& overrides, Giver by) {
+  void apply(const std::vector<Override>& overrides, ValueSource source) {
     for (const Override& one : overrides) {
-      if (one.by != by) continue;
+      if (one.source != source) continue;
       Node value = given(one);
-      const std::string where = value.where, trouble = put(root_, one.key, std::move(value));
+      const std::string where = value.where, trouble = set_value(root_, one.key, std::move(value));
       if (!trouble.empty())
         findings_.faults.push_back({where, trouble,
                                     "name a value of the case: mill.speed, "
@@ -88,7 +89,7 @@ class CaseReader {
   /// What [sweep] varies cannot be said once for all.
   void refuse_both(const std::vector<Override>& overrides) {
     for (const Override& one : overrides)
-      if (one.by == Giver::command &&
+      if (one.source == ValueSource::command &&
           std::ranges::find(c_.sweep.keys, one.key, &SweptKey::key) != c_.sweep.keys.end())
         findings_.faults.push_back(
             {fmt::format("--set {}", one.key), fmt::format("[sweep] varies {}", one.key),
@@ -96,17 +97,17 @@ class CaseReader {
   }
 
   /// The values that follow from others by a formula of [sweep].
-  void follow(const std::map<std::string, std::string>& places) {
+  void apply_formulas(const std::map<std::string, std::string>& locations) {
     for (const auto& [key, formula] : c_.sweep.derived) {
-      const std::string& where = places.at(key);
+      const std::string& where = locations.at(key);
       const auto fault = [&](std::string what, std::string remedy) {
         findings_.faults.push_back({where, fmt::format("\"{}\" by its formula: {}", key, what),
                                     std::move(remedy), "bad-formula"});
       };
       try {
-        Node value = loose_value(text_of(derived(key, 0)), where, Rank::sweep);
+        Node value = value_from_text(text_of(derived(key, 0)), where, Precedence::sweep);
         value.source = fmt::format("[sweep]: ={}", formula);
-        if (std::string trouble = put(root_, key, std::move(value)); !trouble.empty())
+        if (std::string trouble = set_value(root_, key, std::move(value)); !trouble.empty())
           fault(std::move(trouble), "name a value of the case: \"jar.height\"");
       } catch (const FormulaError& error) {
         fault(error.what(), "write for instance \"= 5 ml / (pi/4 * jar.diameter^2)\"");
@@ -135,14 +136,14 @@ class CaseReader {
   }
 
   /// A value that only the sweep gives is read with the first it takes.
-  void fill_from_sweep(const std::map<std::string, std::string>& places) {
+  void fill_from_sweep(const std::map<std::string, std::string>& locations) {
     for (const SweptKey& swept : c_.sweep.keys) {
       const std::string& key = swept.key;
       if (value_at(root_, key) != nullptr) continue;
-      const std::string& where = places.at(key);
-      Node value = loose_value(swept.values.front(), where, Rank::sweep);
+      const std::string& where = locations.at(key);
+      Node value = value_from_text(swept.values.front(), where, Precedence::sweep);
       value.source = fmt::format("first of [sweep] \"{}\"", key);
-      const std::string trouble = put(root_, key, std::move(value));
+      const std::string trouble = set_value(root_, key, std::move(value));
       if (!trouble.empty())
         findings_.faults.push_back({where, trouble,
                                     "sweep over a value of the case: \"mill.speed\"",
@@ -151,10 +152,10 @@ class CaseReader {
   }
 
   /// What [fit] may choose, and what it must, as nobody else gives it.
-  void await(const DottedLists& fit) {
+  void record_fit(const DottedLists& fit) {
     for (const auto& [key, ends] : fit.values) {
       c_.fit.emplace(key, FitRange{ends.front(), ends.back()});
-      if (value_at(root_, key) == nullptr) findings_.awaited.insert(key);
+      if (value_at(root_, key) == nullptr) findings_.fitted_keys.insert(key);
     }
   }
 
@@ -173,7 +174,7 @@ class CaseReader {
   }
 
   void read_top() {
-    Section in(&root_, "", findings_);
+    SectionReader in(&root_, "", findings_);
     for (const std::string_view name :
          {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "capture",
           "breakage", "fragments", "grinding", "kinetics", "sweep", "optimise", "match", "fit"})
@@ -182,28 +183,28 @@ class CaseReader {
       c_.title = *title;
     } else {
       c_.title = file_.stem().string();
-      in.note_default("title", fmt::format("\"{}\"", c_.title), "the file's name");
+      in.record_default("title", fmt::format("\"{}\"", c_.title), "the file's name");
     }
     c_.seed = read_seed(in);
     in.fields(c_, case_fields());
-    in.close();
+    in.report_unknown_keys();
   }
 
-  std::uint64_t read_seed(Section& in) {
+  std::uint64_t read_seed(SectionReader& in) {
     const Node* at = in.find("seed");
     if (at == nullptr) {
-      in.note_default("seed", "1", "any will do");
+      in.record_default("seed", "1", "any will do");
       return 1;
     }
     std::uint64_t seed = 0;
     const char* end = at->text.data() + at->text.size();
     const auto [stop, error] = std::from_chars(at->text.data(), end, seed);
-    const bool written = at->whole || at->kind == Node::Kind::text;
+    const bool written = at->is_integer || at->kind == Node::Kind::text;
     if (!written || error != std::errc{} || stop != end)
       in.fault(*at, fmt::format("seed = {} must be a whole number from 0 on", at->text),
                "write for instance seed = 1", "out-of-range");
     else
-      in.note("seed", std::to_string(seed), at);
+      in.record_origin("seed", std::to_string(seed), at);
     return seed;
   }
 
@@ -217,14 +218,14 @@ class CaseReader {
   template <class What, class... Around>
   What read_table(const Node* table, const char* name, Around&... around) {
     What what;
-    Section in(table, name, findings_);
+    SectionReader in(table, name, findings_);
     describe(in, what, around...);
-    in.close();
+    in.report_unknown_keys();
     return what;
   }
 
   void read_sections() {
-    c_.jar = described<Jar>("jar", true).value_or(unread_jar());
+    c_.jar = described<Jar>("jar", true).value_or(placeholder_jar());
     Node no_balls;
     no_balls.where = file_.generic_string();
     const Node* balls = root_.find("balls");

@@ -15,13 +15,13 @@
 namespace mahlwerk::cases {
 
 /// Who gives a value that is not the file's: --set, or the section that varies its key.
-enum class Giver { command, sweep, optimise, match };
+enum class ValueSource { command, sweep, optimise, match };
 
 /// One "key=value" of the command line, of a campaign's point or of a search; the value is text as
 /// in TOML, quotes optional.
 struct Override {
   std::string key, value;
-  Giver by = Giver::command;
+  ValueSource source = ValueSource::command;
 };
 
 /// A case file read from disk once, for many runs that differ in some of its values.
@@ -57,7 +57,7 @@ std::string write(const Case& c);
 
 /// What the files a case names hold, the jar's mesh and the measured motion, as a fingerprint:
 /// another file under the same name is another case.
-std::string contents_of_files(const Case& c);
+std::string input_files_fingerprint(const Case& c);
 
 /// Faults of a case as a whole, wherever it came from: values out of range, a ball that does not
 /// fit its jar. Empty if it makes sense. Called by read(); bindings and tests call it too.
@@ -65,7 +65,7 @@ std::vector<Fault> faults(const Case& c);
 
 /// Where the value under `key` was said; the key itself if that is no place in a file. A key that
 /// is searched over is "optimise.over." and its name.
-std::string place_of(const Case& c, const std::string& key);
+std::string location_of(const Case& c, const std::string& key);
 
 /// What keeps the engines of this version from running a case that makes sense otherwise. Not
 /// called by read(), so that such a case can be checked.

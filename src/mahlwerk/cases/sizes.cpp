@@ -121,7 +121,7 @@ double mean_volume_diameter(const std::vector<SizeClass>& classes) {
   return std::cbrt(cube / count);  // (chg.7)
 }
 
-std::vector<std::int64_t> counted_out(std::int64_t count, const std::vector<SizeShare>& shares) {
+std::vector<std::int64_t> apportion(std::int64_t count, const std::vector<SizeShare>& shares) {
   std::vector<std::int64_t> counts;
   std::vector<double> rest;
   for (const SizeShare& s : shares) {
@@ -138,9 +138,9 @@ std::vector<std::int64_t> counted_out(std::int64_t count, const std::vector<Size
   return counts;
 }
 
-std::int64_t classes_that_fill(Distribution of, std::int64_t count) {
-  for (of.classes = usual_classes; of.classes > 1; --of.classes)
-    if (std::ranges::min(counted_out(count, size_shares(of))) > 0) break;
+std::int64_t max_filled_classes(Distribution of, std::int64_t count) {
+  for (of.classes = default_classes; of.classes > 1; --of.classes)
+    if (std::ranges::min(apportion(count, size_shares(of))) > 0) break;
   return of.classes;
 }
 

@@ -37,9 +37,9 @@ struct SizeClass {
   bool operator==(const SizeClass&) const = default;
 };
 
-constexpr std::int64_t most_classes = 32;   ///< of one set
-constexpr std::int64_t usual_classes = 12;  ///< unless said otherwise
-constexpr double cut_off = 3;               ///< spreads on either side
+constexpr std::int64_t most_classes = 32;     ///< of one set
+constexpr std::int64_t default_classes = 12;  ///< unless said otherwise
+constexpr double cut_off = 3;                 ///< spreads on either side
 
 /// A class before balls are counted out: where it begins and ends, the size of ball that keeps its
 /// mass, and its share of the number.
@@ -56,10 +56,10 @@ double mean_volume_diameter(const std::vector<SizeShare>& shares);
 double mean_volume_diameter(const std::vector<SizeClass>& classes);
 
 /// `count` balls, counted out by largest remainders: the sum is exact (chg.8).
-std::vector<std::int64_t> counted_out(std::int64_t count, const std::vector<SizeShare>& shares);
+std::vector<std::int64_t> apportion(std::int64_t count, const std::vector<SizeShare>& shares);
 
-/// The most classes, usual_classes at most, of which none remains without a ball.
-std::int64_t classes_that_fill(Distribution of, std::int64_t count);
+/// The most classes, default_classes at most, of which none remains without a ball.
+std::int64_t max_filled_classes(Distribution of, std::int64_t count);
 
 /// "equal", "normal", ... in the order of Distribution::Law.
 const std::vector<std::string>& distribution_words();

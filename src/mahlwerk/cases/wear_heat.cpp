@@ -12,7 +12,7 @@ namespace {
 /// What a body brings into a collision; a wall is as heavy and as flat as can be.
 struct Partner {
   double radius, mass, effusivity;
-  contact::Elastic elastic;
+  contact::ElasticConstants elastic;
 };
 
 double effusivity_of(const Substance& s, double density) {

@@ -16,7 +16,7 @@ struct AnyLaw;
 
 std::string_view name_of(const AnyLaw& law);  ///< "hertz-mindlin"
 /// What its shortest_time() is of, as words: "the shortest collision".
-std::string_view shortest(const AnyLaw& law);
+std::string_view shortest_time_name(const AnyLaw& law);
 /// What it knows of bodies that stick together; empty if nothing.
 std::span<const AdhesionParameter> adhesion(const AnyLaw& law);
 

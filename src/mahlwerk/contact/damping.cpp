@@ -28,7 +28,7 @@ double rebound(const Force& force) {
 
 /// The damping at which `rebound` gives `restitution`; it falls as damping grows.
 template <class Rebound>
-double solved(double restitution, const Rebound& rebound) {
+double find_damping(double restitution, const Rebound& rebound) {
   if (restitution >= 1) return 0;
   double low = 0, high = 1;
   while (rebound(high) > restitution && high < 1e3) low = high, high *= 2;
@@ -42,7 +42,7 @@ double solved(double restitution, const Rebound& rebound) {
 }  // namespace
 
 double tensionless_damping(double restitution) {
-  return solved(restitution, [](double c) {
+  return find_damping(restitution, [](double c) {
     return rebound([c](double x, double v) {
       const double half = std::sqrt(x);
       return x * half + c * std::sqrt(half) * v;
@@ -51,7 +51,7 @@ double tensionless_damping(double restitution) {
 }
 
 double stepped_damping(double restitution, double depth) {
-  return solved(restitution, [depth](double c) {
+  return find_damping(restitution, [depth](double c) {
     return rebound([c, depth](double x, double v) {
       const double s = std::min(x / depth, 1.0);
       return std::max(x * std::sqrt(x) + c * s * s * (3 - 2 * s) * v, 0.0);

@@ -8,23 +8,23 @@
 namespace mahlwerk::contact {
 
 /// F = this times overlap^1.5 [N/m^1.5] (dem.5).
-inline double hertz_stiffness(const Touching& t) {
+inline double hertz_stiffness(const EffectivePair& t) {
   return 4.0 / 3.0 * t.pair.modulus * std::sqrt(t.radius);
 }
 /// Mindlin's stiffness across the normal is this times sqrt(overlap) [N/m^1.5] (dem.6).
-inline double mindlin_stiffness(const Touching& t) {
+inline double mindlin_stiffness(const EffectivePair& t) {
   return 8 * t.pair.shear_modulus * std::sqrt(t.radius);
 }
 /// F/overlap over the stiffness across the normal.
-inline double mindlin_secant(const Touching& t) {
+inline double mindlin_stiffness_ratio(const EffectivePair& t) {
   return t.pair.modulus / (6 * t.pair.shear_modulus);
 }
 /// Of an elastic collision at `speed` [m/s] (dem.8).
-inline double hertz_overlap(const Touching& t, double speed) {
+inline double hertz_overlap(const EffectivePair& t, double speed) {
   return std::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
 /// How long it lasts [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 overlaps a speed.
-inline double hertz_time(const Touching& t, double speed) {
+inline double hertz_time(const EffectivePair& t, double speed) {
   const double ratio = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
   return ratio * hertz_overlap(t, speed) / speed;
 }
@@ -36,15 +36,15 @@ inline double hertz_energy(double stiffness, double overlap) {
 /// What laws with Hertz's spring have in common; its stiffness is the first of their numbers. Their
 /// times and overlaps each states for itself.
 struct HertzSpring {
-  static constexpr bool remembers = false;
-  void begin(const LawNumbers&, double*, double) const {}
+  static constexpr bool has_history = false;
+  void begin(const LawCoefficients&, double*, double) const {}
   template <class V>
-  [[gnu::always_inline]] static V abrupt(const V*) {
+  [[gnu::always_inline]] static V onset_overlap(const V*) {
     return V{};
   }
-  double reach(const Touching&) const { return 0; }
-  double secant(const Touching& t) const { return mindlin_secant(t); }
-  double stored(const LawNumbers& k, const double*, double overlap) const {
+  double pull_off_distance(const EffectivePair&) const { return 0; }
+  double stiffness_ratio(const EffectivePair& t) const { return mindlin_stiffness_ratio(t); }
+  double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {
     return hertz_energy(k[0], overlap);
   }
   bool operator==(const HertzSpring&) const = default;

@@ -21,21 +21,21 @@
 namespace mahlwerk::contact {
 
 /// Two bodies that may touch: their pair's properties, R* [m] and m* [kg] (dem.4).
-struct Touching {
+struct EffectivePair {
   Pair pair;
   double radius = 0, mass = 0;
 };
 
 /// What a law makes of them, once; what each number means is the law's own business.
-constexpr int law_numbers = 8;
-using LawNumbers = std::array<double, law_numbers>;
+constexpr int law_coefficient_count = 8;
+using LawCoefficients = std::array<double, law_coefficient_count>;
 /// What a law remembers of one contact.
-constexpr int law_memories = 2;
+constexpr int law_history_size = 2;
 
 /// Force along the normal, > 0 repulsive [N]; stiffness [N/m] and damping [N s/m] across it; and
 /// the load [N] under which the bodies rub and roll, < 0 where they pull: its size counts.
 template <class V>
-struct Push {
+struct LawForce {
   V force, stiffness, damping, load;
 };
 
@@ -45,45 +45,47 @@ struct Push {
 constexpr std::array step_error_restitutions{0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0};
 using StepErrors = std::array<std::array<double, 3>, step_error_restitutions.size()>;
 
-/// The `shortest` of most laws.
+/// The `shortest_time_name` of most laws.
 constexpr std::string_view whole_collision = "the shortest collision";
 
 /// Whether L itself states its scales: one inherited is another law's, and wrong without a word.
 template <class L>
-concept StatesItsScales =
-    std::same_as<decltype(&L::largest_overlap), double (L::*)(const Touching&, double) const> &&
-    std::same_as<decltype(&L::shortest_time), double (L::*)(const Touching&, double) const> &&
-    std::same_as<decltype(&L::damper_time), double (L::*)(const Touching&, double, double) const>;
+concept DefinesOwnScales = std::same_as<decltype(&L::largest_overlap),
+                                        double (L::*)(const EffectivePair&, double) const> &&
+    std::same_as<decltype(&L::shortest_time), double (L::*)(const EffectivePair&, double) const> &&
+    std::same_as<decltype(&L::damper_time),
+                 double (L::*)(const EffectivePair&, double, double) const>;
 
 /// A contact law: a value with its own numbers, `fields()`, and `switches()` if it has any.
 /// `adhesion` lists the adhesion parameters it reads; a law that reads none need not say so.
-/// `shortest` names what `shortest_time` is the time of. `remembers` tells whether contacts have a
-/// memory. `damping(e)` is the number that makes a collision end with restitution e; it may take a
-/// while and is asked once for each pair. `begin` sets the memory of a new contact that closes at
-/// `approach` [m/s]. `reach` [m] is how far a contact holds beyond touch. Within an overlap of
-/// `abrupt` [m] a force comes up that steps may pass over; most laws have none. `stored` [J] is the
-/// elastic energy of the normal deformation. `secant(t)` [1] is the stiffness along the normal,
-/// F/overlap of the spring, over that across it. `largest_overlap` [m], `shortest_time` [s] (that
-/// of the swiftest part of a collision) and `damper_time` [s] (in which the damper alone would stop
-/// the bodies, where that may be shorter still) are those at a speed [m/s].
+/// `shortest_time_name` names what `shortest_time` is the time of. `has_history` tells whether
+/// contacts have a memory. `damping(e)` is the number that makes a collision end with restitution
+/// e; it may take a while and is asked once for each pair. `begin` sets the memory of a new contact
+/// that closes at `approach` [m/s]. `pull_off_distance` [m] is how far a contact holds beyond
+/// touch. Within an overlap of `onset_overlap` [m] a force comes up that steps may pass over; most
+/// laws have none. `elastic_energy` [J] is the elastic energy of the normal deformation.
+/// `stiffness_ratio(t)` [1] is the stiffness along the normal, F/overlap of the spring, over that
+/// across it. `largest_overlap` [m], `shortest_time` [s] (that of the swiftest part of a collision)
+/// and `damper_time` [s] (in which the damper alone would stop the bodies, where that may be
+/// shorter still) are those at a speed [m/s].
 template <class L>
-concept Law = std::default_initializable<L> && std::equality_comparable<L> && StatesItsScales<L> &&
-    requires(const L law, const Touching& t, const LawNumbers& k, double x, double* m,
+concept Law = std::default_initializable<L> && std::equality_comparable<L> && DefinesOwnScales<L> &&
+    requires(const L law, const EffectivePair& t, const LawCoefficients& k, double x, double* m,
              const double* v) {
   { L::name } -> std::convertible_to<std::string_view>;
   { L::about } -> std::convertible_to<std::string_view>;
-  { L::shortest } -> std::convertible_to<std::string_view>;
+  { L::shortest_time_name } -> std::convertible_to<std::string_view>;
   { L::step_errors } -> std::convertible_to<StepErrors>;
   { L::fields()[0] } -> std::convertible_to<LawField<L>>;
-  { L::remembers } -> std::convertible_to<bool>;
+  { L::has_history } -> std::convertible_to<bool>;
   { law.damping(x) } -> std::same_as<double>;
-  { law.numbers(t, x) } -> std::same_as<LawNumbers>;
+  { law.coefficients(t, x) } -> std::same_as<LawCoefficients>;
   { law.begin(k, m, x) } -> std::same_as<void>;
-  { L::push(v, m, x, x) } -> std::same_as<Push<double>>;
-  { law.reach(t) } -> std::same_as<double>;
-  { L::abrupt(v) } -> std::same_as<double>;
-  { law.secant(t) } -> std::same_as<double>;
-  { law.stored(k, v, x) } -> std::same_as<double>;
+  { L::evaluate(v, m, x, x) } -> std::same_as<LawForce<double>>;
+  { law.pull_off_distance(t) } -> std::same_as<double>;
+  { L::onset_overlap(v) } -> std::same_as<double>;
+  { law.stiffness_ratio(t) } -> std::same_as<double>;
+  { law.elastic_energy(k, v, x) } -> std::same_as<double>;
   { law.largest_overlap(t, x) } -> std::same_as<double>;
   { law.shortest_time(t, x) } -> std::same_as<double>;
   { law.damper_time(t, x, x) } -> std::same_as<double>;  // damping, speed

@@ -10,14 +10,14 @@
 // What a contact law tells of its own numbers: reader, writer and checks of cases walk over it.
 namespace mahlwerk::contact {
 
-/// A number of a law. At most one of `instead_of` and `unless_given` says something; the number may
+/// A number of a law. At most one of `instead_of` and `default_text` says something; the number may
 /// then be left out of a case, and is 0.
 template <class L>
 struct LawField : Field<L> {
   std::string_view instead_of = "";    ///< key of the number whose place this one takes
-  std::string_view unless_given = "";  ///< what the law takes where the case is silent, in words
+  std::string_view default_text = "";  ///< what the law takes where the case is silent, in words
 
-  constexpr bool may_be_left_out() const { return !instead_of.empty() || !unless_given.empty(); }
+  constexpr bool is_optional() const { return !instead_of.empty() || !default_text.empty(); }
 };
 
 /// Whether the number counts: it is not left out, and no other takes its place.
@@ -25,7 +25,7 @@ template <class L>
 bool is_given(const L& law, const LawField<L>& field) {
   for (const LawField<L>& other : L::fields())
     if (other.instead_of == field.key && law.*other.value != 0) return false;
-  return law.*field.value != 0 || !field.may_be_left_out();
+  return law.*field.value != 0 || !field.is_optional();
 }
 
 /// One of two words that a law takes.

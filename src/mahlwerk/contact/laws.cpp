@@ -15,8 +15,8 @@ static_assert(laws_count == MAHLWERK_LAW_FILES,
 std::string_view name_of(const AnyLaw& law) {
   return std::visit([](const auto& l) { return l.name; }, law);
 }
-std::string_view shortest(const AnyLaw& law) {
-  return std::visit([](const auto& l) -> std::string_view { return l.shortest; }, law);
+std::string_view shortest_time_name(const AnyLaw& law) {
+  return std::visit([](const auto& l) -> std::string_view { return l.shortest_time_name; }, law);
 }
 std::span<const AdhesionParameter> adhesion(const AnyLaw& law) {
   return std::visit([]<class L>(const L&) { return adhesion_of<L>(); }, law);

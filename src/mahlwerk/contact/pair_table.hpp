@@ -9,10 +9,10 @@
 namespace mahlwerk::contact {
 
 /// How a body gives way under load.
-struct Elastic {
+struct ElasticConstants {
   double youngs_modulus = 0;  ///< [Pa] > 0; infinite: rigid
   double poisson_ratio = 0;   ///< [1] in (-1, 0.5]
-  bool operator==(const Elastic&) const = default;
+  bool operator==(const ElasticConstants&) const = default;
 };
 
 /// What a contact law needs to know of two bodies that may touch, but for their radii and masses.
@@ -28,14 +28,14 @@ struct Pair {
 };
 
 /// E* and G* of two bodies, both 1 / (sum of compliances) (dem.2, dem.3).
-inline double effective_modulus(const Elastic& a, const Elastic& b) {
-  const auto compliance = [](const Elastic& x) {
+inline double effective_modulus(const ElasticConstants& a, const ElasticConstants& b) {
+  const auto compliance = [](const ElasticConstants& x) {
     return (1 - x.poisson_ratio * x.poisson_ratio) / x.youngs_modulus;
   };
   return 1 / (compliance(a) + compliance(b));
 }
-inline double effective_shear_modulus(const Elastic& a, const Elastic& b) {
-  const auto compliance = [](const Elastic& x) {
+inline double effective_shear_modulus(const ElasticConstants& a, const ElasticConstants& b) {
+  const auto compliance = [](const ElasticConstants& x) {
     return 2 * (2 - x.poisson_ratio) * (1 + x.poisson_ratio) / x.youngs_modulus;
   };
   return 1 / (compliance(a) + compliance(b));

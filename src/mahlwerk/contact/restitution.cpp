@@ -56,7 +56,7 @@ Restitution Restitution::tabulated(Points speed_and_value) {
   return made;
 }
 
-double Restitution::varied(double approach) const {
+double Restitution::speed_dependent(double approach) const {
   if (law_ == Law::viscoelastic)
     return viscoelastic_e(scale_ * std::pow(std::max(approach, 0.0), 0.2));
   if (!(approach > points_.front().first)) return points_.front().second;

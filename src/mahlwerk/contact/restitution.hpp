@@ -25,7 +25,7 @@ class Restitution {
   double at(double approach) const {
     if (law_ == Law::constant) [[likely]]
       return value_;
-    return varied(approach);
+    return speed_dependent(approach);
   }
 
   Law law() const { return law_; }
@@ -35,7 +35,7 @@ class Restitution {
   bool operator==(const Restitution&) const = default;
 
  private:
-  double varied(double approach) const;
+  double speed_dependent(double approach) const;
 
   Law law_ = Law::constant;
   double value_ = 1, speed_ = 0;

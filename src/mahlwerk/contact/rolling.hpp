@@ -19,7 +19,7 @@ struct RollingRule {
   bool resists;
   std::string_view friction_unit;  ///< of the pairs' rolling_friction
   bool damped;                     ///< reads rolling_damping
-  bool remembers;                  ///< contacts have a spring of rolling
+  bool has_history;                ///< contacts have a spring of rolling
 };
 
 /// The register of rules, in the order of Rolling.

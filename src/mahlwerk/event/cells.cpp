@@ -22,7 +22,7 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
   const double room = size.x * size.y * size.z;
   const double wide = std::max(side, std::cbrt(room / std::max(most, 1.0)));
   const auto count = [&](double width) {
-    const double several = std::min(5.0, std::floor(width / side));  // see few()
+    const double several = std::min(5.0, std::floor(width / side));  // see needs_all_images()
     const double least = std::max(several, periodic ? 2.0 : 1.0);
     return static_cast<std::int32_t>(
         std::clamp(std::max(std::floor(width / wide), least), 1.0, mask + 1.0));
@@ -56,7 +56,7 @@ void Cells::clear() {
 }
 
 void Cells::insert(std::int32_t ball, Cell cell) {
-  const std::int32_t where = place(cell);
+  const std::int32_t where = cell_index(cell);
   std::int32_t& n = filled_[as_index(where)];
   if (n == capacity_) grow();
   slots_[as_index(where * capacity_ + n)] = ball;
@@ -64,7 +64,7 @@ void Cells::insert(std::int32_t ball, Cell cell) {
 }
 
 void Cells::remove(std::int32_t ball, Cell cell) {
-  const std::int32_t where = place(cell);
+  const std::int32_t where = cell_index(cell);
   std::int32_t* const first = &slots_[as_index(where * capacity_)];
   std::int32_t& n = filled_[as_index(where)];
   *std::find(first, first + n, ball) = first[n - 1];
@@ -72,11 +72,11 @@ void Cells::remove(std::int32_t ball, Cell cell) {
 }
 
 void Cells::grow() {
-  RoomyVector<std::int32_t> roomy(as_index((count() + 1) * 2 * capacity_ + 4), -1);
+  HugePageVector<std::int32_t> larger(as_index((count() + 1) * 2 * capacity_ + 4), -1);
   for (std::int32_t place = 0; place <= count(); ++place)
     std::copy_n(&slots_[as_index(place * capacity_)], filled_[as_index(place)],
-                &roomy[as_index(place * 2 * capacity_)]);
-  slots_ = std::move(roomy);
+                &larger[as_index(place * 2 * capacity_)]);
+  slots_ = std::move(larger);
   capacity_ *= 2;
 }
 
@@ -88,12 +88,12 @@ int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
   return n + many;
 }
 
-void Cells::fetch(Cell cell) const {
+void Cells::prefetch(Cell cell) const {
   const auto [x, y, z] = split(cell);
   for (const std::int32_t layer : {before_[2][as_index(z)], z, after_[2][as_index(z)]})
     for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
       if (layer < 0 || row < 0) continue;
-      const std::int32_t middle = place(x, row, layer);
+      const std::int32_t middle = cell_index(x, row, layer);
       __builtin_prefetch(&filled_[as_index(middle)]);
       __builtin_prefetch(&slots_[as_index(middle * capacity_)]);
     }
@@ -107,7 +107,7 @@ int Cells::near(Cell cell, std::int32_t* out) const {
     if (layer < 0) continue;
     for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
       if (row < 0) continue;
-      const std::int32_t first = place(0, row, layer);
+      const std::int32_t first = cell_index(0, row, layer);
       n = copy(left < 0 ? 0 : first + left, out, n);
       n = copy(first + x, out, n);
       n = copy(right < 0 ? 0 : first + right, out, n);
@@ -134,7 +134,7 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   for (const std::int32_t layer : along[2])
     for (const std::int32_t row : along[1])
       for (const std::int32_t column : along[0])
-        if (layer >= 0 && row >= 0 && column >= 0) n = copy(place(column, row, layer), out, n);
+        if (layer >= 0 && row >= 0 && column >= 0) n = copy(cell_index(column, row, layer), out, n);
   return n;
 }
 
@@ -158,13 +158,13 @@ void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>&
   for (std::int32_t k = z; k < z + zs; ++k)
     for (std::int32_t j = y; j < y + ys; ++j)
       for (std::int32_t i = x; i < x + xs; ++i) {
-        const std::int32_t where = place(i % counts_[0], j % counts_[1], k % counts_[2]);
+        const std::int32_t where = cell_index(i % counts_[0], j % counts_[1], k % counts_[2]);
         const auto first = slots_.begin() + where * capacity_;
         out.insert(out.end(), first, first + filled_[as_index(where)]);
       }
 }
 
-void Cells::carry(Archive& archive) {
+void Cells::serialize(Archive& archive) {
   archive(capacity_)(filled_)(slots_);
   if (!archive.reading()) return;
   const auto places = static_cast<std::size_t>(count()) + 1;
@@ -175,14 +175,14 @@ void Cells::carry(Archive& archive) {
     throw Archive::broken();
 }
 
-bool Cells::holds(std::int32_t ball, Cell cell) const {
+bool Cells::contains(std::int32_t ball, Cell cell) const {
   const auto [x, y, z] = split(cell);
   if (cell < 0 || x >= counts_[0] || y >= counts_[1] || z >= counts_[2]) return false;
-  const auto first = slots_.begin() + std::int64_t{place(cell)} * capacity_;
-  return std::count(first, first + filled_[as_index(place(cell))], ball) == 1;
+  const auto first = slots_.begin() + std::int64_t{cell_index(cell)} * capacity_;
+  return std::count(first, first + filled_[as_index(cell_index(cell))], ball) == 1;
 }
 
-std::int64_t Cells::held() const {
+std::int64_t Cells::ball_count() const {
   return std::accumulate(filled_.begin(), filled_.end(), std::int64_t{0});
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
-#include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/base/huge_page_allocator.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 namespace mahlwerk::event {
@@ -25,27 +25,30 @@ class Cells {
   /// leaving its cell; there are at most about `most` of them.
   Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack, double most);
 
-  Cell cell_at(const Vec3& place) const;  ///< places outside count to the nearest cell
+  Cell cell_at(const Vec3& position) const;  ///< places outside count to the nearest cell
   void clear();
   void insert(std::int32_t ball, Cell cell);
   void remove(std::int32_t ball, Cell cell);
 
-  /// The balls in and next to `cell` into `out`, which must hold `most_near()`; returns how many.
+  /// The balls in and next to `cell` into `out`, which must hold `max_neighbours()`; returns how
+  /// many.
   int near(Cell cell, std::int32_t* out) const;
   /// Of those, the ones that are not near the neighbour `before` of `cell`.
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
   /// Appends the balls of all cells that the box from `low` to `high` reaches; it may be infinite.
   void within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const;
   /// Sends for what `near` will read.
-  void fetch(Cell cell) const;
-  void carry(Archive& archive);
-  bool holds(std::int32_t ball, Cell cell) const;  ///< any number may be asked for
-  std::int64_t held() const;                       ///< how many balls there are in all cells
-  int most_near() const { return 27 * capacity_ + 4; }
+  void prefetch(Cell cell) const;
+  void serialize(Archive& archive);
+  bool contains(std::int32_t ball, Cell cell) const;  ///< any number may be asked for
+  std::int64_t ball_count() const;                    ///< how many balls there are in all cells
+  int max_neighbours() const { return 27 * capacity_ + 4; }
 
   /// Whether balls in cells next to each other may be nearer in another image than in the one they
   /// will meet in: a box repeats itself after fewer than five cells.
-  bool few() const { return periodic_ && std::min({counts_[0], counts_[1], counts_[2]}) < 5; }
+  bool needs_all_images() const {
+    return periodic_ && std::min({counts_[0], counts_[1], counts_[2]}) < 5;
+  }
 
   /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where
   /// there is no other cell to go to.
@@ -61,12 +64,12 @@ class Cells {
     return {cell & mask, (cell >> bits) & mask, cell >> (2 * bits)};
   }
   /// Where a cell's balls are kept; place 0 stays empty and stands for "outside".
-  std::int32_t place(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  std::int32_t cell_index(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return (z * counts_[1] + y) * counts_[0] + x + 1;
   }
-  std::int32_t place(Cell cell) const {
+  std::int32_t cell_index(Cell cell) const {
     const auto [x, y, z] = split(cell);
-    return place(x, y, z);
+    return cell_index(x, y, z);
   }
   std::int32_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
   void grow();
@@ -78,8 +81,8 @@ class Cells {
   std::array<std::int32_t, 3> counts_{};
   std::array<std::vector<std::int32_t>, 3> before_, after_;  // neighbours along each axis, or -1
   int capacity_ = 4;                                         // balls a cell can hold
-  RoomyVector<std::int32_t> filled_;                         // how many it holds
-  RoomyVector<std::int32_t> slots_;                          // which, `capacity_` places a cell
+  HugePageVector<std::int32_t> filled_;                      // how many it holds
+  HugePageVector<std::int32_t> slots_;                       // which, `capacity_` places a cell
 };
 
 }  // namespace mahlwerk::event

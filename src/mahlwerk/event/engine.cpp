@@ -41,7 +41,7 @@ std::unique_ptr<scene::Engine> many_balls(const scene::Chamber& chamber,
         if constexpr (!geometry::has_exact_touches<S>)
           throw not_exact<S>();
         else
-          return std::make_unique<ManyBalls>(enclosure_of(shape, chamber), balls, rules, bounces,
+          return std::make_unique<ManyBalls>(moving_wall_of(shape, chamber), balls, rules, bounces,
                                              start);
       },
       *chamber.shape);

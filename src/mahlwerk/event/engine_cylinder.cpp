@@ -8,7 +8,7 @@ namespace mahlwerk::event {
 template std::unique_ptr<scene::Engine> one_ball_in(const geometry::Cylinder&,
                                                     const scene::Chamber&, const scene::Ball&,
                                                     const Rules&, double);
-template std::unique_ptr<const Enclosure> enclosure_of(const geometry::Cylinder&,
-                                                       const scene::Chamber&);
+template std::unique_ptr<const MovingWall> moving_wall_of(const geometry::Cylinder&,
+                                                          const scene::Chamber&);
 
 }  // namespace mahlwerk::event

@@ -5,7 +5,7 @@
 
 namespace mahlwerk::event {
 
-template std::unique_ptr<const Enclosure> enclosure_of(const geometry::PeriodicBox&,
-                                                       const scene::Chamber&);
+template std::unique_ptr<const MovingWall> moving_wall_of(const geometry::PeriodicBox&,
+                                                          const scene::Chamber&);
 
 }  // namespace mahlwerk::event

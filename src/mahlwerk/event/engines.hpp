@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "mahlwerk/event/enclosure.hpp"
+#include "mahlwerk/event/moving_wall.hpp"
 #include "mahlwerk/event/rules.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
@@ -19,6 +19,6 @@ std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber&
                                            const scene::Ball& ball, const Rules& rules,
                                            double start);
 template <class S>
-std::unique_ptr<const Enclosure> enclosure_of(const S& shape, const scene::Chamber& chamber);
+std::unique_ptr<const MovingWall> moving_wall_of(const S& shape, const scene::Chamber& chamber);
 
 }  // namespace mahlwerk::event

@@ -15,17 +15,18 @@ std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber&
                                            const scene::Ball& ball, const Rules& rules,
                                            double start) {
   const auto engine = [&]<class M>(const M& motion) -> std::unique_ptr<scene::Engine> {
-    return std::make_unique<OneBall<S, M>>(Jar<S, M>(shape, motion, chamber), ball, rules, start);
+    return std::make_unique<OneBall<S, M>>(TypedChamber<S, M>(shape, motion, chamber), ball, rules,
+                                           start);
   };
   if (const auto* shaken = kinematics::as<kinematics::Vibration>(*chamber.motion))
     return engine(*shaken);
-  return engine(kinematics::RememberedMotion(chamber.motion));
+  return engine(kinematics::CachedMotion(chamber.motion));
 }
 
 template <class S>
-std::unique_ptr<const Enclosure> enclosure_of(const S& shape, const scene::Chamber& chamber) {
-  using M = kinematics::RememberedMotion;
-  return std::make_unique<Enclosed<S, M>>(Jar<S, M>(shape, M(chamber.motion), chamber));
+std::unique_ptr<const MovingWall> moving_wall_of(const S& shape, const scene::Chamber& chamber) {
+  using M = kinematics::CachedMotion;
+  return std::make_unique<ChamberWall<S, M>>(TypedChamber<S, M>(shape, M(chamber.motion), chamber));
 }
 
 }  // namespace mahlwerk::event

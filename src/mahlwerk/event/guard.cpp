@@ -7,15 +7,15 @@
 namespace mahlwerk::event {
 namespace {
 
-const char* remedy(Lasting lasting) {
+const char* remedy(SustainedContactMode lasting) {
   switch (lasting) {
-    case Lasting::none:
+    case SustainedContactMode::none:
       return "Nothing ends them, since [contact] lasting = \"none\". Leave it out: one ball then "
              "rolls and slides, several are carried by the TC rule";
-    case Lasting::roll:
+    case SustainedContactMode::roll:
       return "The ball neither rests nor leaves. Try [contact] lasting = \"tc\", or follow the "
              "contact itself by run.engine = \"soft\"";
-    case Lasting::tc:
+    case SustainedContactMode::tc:
       break;
   }
   return "Balls are wedged: they have no room for the small bounces of the TC rule. run.engine = "
@@ -24,7 +24,7 @@ const char* remedy(Lasting lasting) {
 
 }  // namespace
 
-RunError pile_up(double time, double within, std::int64_t events, Lasting lasting) {
+RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting) {
   std::ostringstream text;
   text << "at " << time << " s " << events << " events took place within " << within
        << " s: bounces have collapsed (inelastic collapse) and time would stand still. "
@@ -32,8 +32,8 @@ RunError pile_up(double time, double within, std::int64_t events, Lasting lastin
   return RunError(text.str());
 }
 
-void refuse_gain(const contact::Loss& loss, double mass, double approach, double slip,
-                 double time) {
+void reject_energy_gain(const contact::Loss& loss, double mass, double approach, double slip,
+                        double time) {
   constexpr double rounding = 1e-9;
   const double energy = 0.5 * mass * (approach * approach + slip * slip);
   const double lost = loss.normal + loss.tangential;

@@ -12,10 +12,11 @@ namespace mahlwerk::event {
 
 /// The Zeno guard's message: at `time` [s] since the start `events` took place within `within` [s].
 /// Its remedy is one that `lasting`, the treatment in force, does not contain.
-RunError pile_up(double time, double within, std::int64_t events, Lasting lasting);
+RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting);
 
 /// Throws RunError if a collision gained energy, which no rule of the engine does: an error of the
 /// program. `mass` [kg], `approach` and `slip` [m/s] of the collision, `time` [s] since the start.
-void refuse_gain(const contact::Loss& loss, double mass, double approach, double slip, double time);
+void reject_energy_gain(const contact::Loss& loss, double mass, double approach, double slip,
+                        double time);
 
 }  // namespace mahlwerk::event

@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/base/huge_page_allocator.hpp"
 #include "mahlwerk/contact/bounce_table.hpp"
-#include "mahlwerk/event/calendar.hpp"
-#include "mahlwerk/event/enclosure.hpp"
-#include "mahlwerk/event/meetings.hpp"
-#include "mahlwerk/event/neighbours.hpp"
+#include "mahlwerk/event/calendar_queue.hpp"
+#include "mahlwerk/event/collision_prediction.hpp"
+#include "mahlwerk/event/hierarchical_grid.hpp"
+#include "mahlwerk/event/moving_wall.hpp"
 #include "mahlwerk/event/rules.hpp"
-#include "mahlwerk/event/sustained_contact.hpp"
+#include "mahlwerk/event/tc_rule.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
 namespace mahlwerk::event {
@@ -23,36 +23,37 @@ namespace mahlwerk::event {
 /// looked at in the jar frame, in which walls and cells are.
 class ManyBalls final : public scene::Engine {
  public:
-  ManyBalls(std::unique_ptr<const Enclosure> jar, const std::vector<scene::Ball>& balls,
+  ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
             const Rules& rules, const contact::BounceTable& bounces, double start);
 
   void advance(double time, scene::Observer& observer) override;
-  scene::Account account() const override;
+  scene::EnergyBalance energy_balance() const override;
   std::vector<scene::Ball> balls() const override;
-  void carry(Archive& archive) override;
+  void serialize(Archive& archive) override;
 
  private:
   /// Where the jar frame is in the falling frame.
   struct Drift {
-    double time = -at_no_time;
-    Vec3 place, velocity;
+    double time = -never;
+    Vec3 position, velocity;
   };
   /// Two bodies as they touch; the second may be the wall.
-  struct Touching {
+  struct CollisionKinematics {
     Vec3 normal;             ///< from the ball to the contact
     Vec3 gliding, slipping;  ///< [m/s] tangential, of the centres and of the surfaces
     double mass, approach, slip;
-    double press;  ///< [m/s2] that holds them together, at most
+    double field;  ///< [m/s2] that holds them together, at most
 
     /// `glide` [m/s] of the centres, `rolling` [m/s] the spins times their radii, added.
-    Touching(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling, double press_)
+    CollisionKinematics(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling,
+                        double field_)
         : normal(n),
-          gliding(across(glide, n)),
+          gliding(tangential_part(glide, n)),
           slipping(gliding + cross(rolling, n)),
           mass(mass_),
           approach(dot(glide, n)),
           slip(norm(slipping)),
-          press(press_) {}
+          field(field_) {}
 
     Vec3 impulse(const contact::Impulse& j) const {  ///< [N s] on the ball
       return -j.normal * normal - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
@@ -60,96 +61,107 @@ class ManyBalls final : public scene::Engine {
   };
 
   // many_balls.cpp: what happens next
-  void happen(std::int32_t ball);
-  void fetch_ahead() const;
-  void look(std::int32_t ball);
-  void meet(std::int32_t ball);
-  void renew();
-  bool holds_together(std::size_t count);
-  void start_calendar();
+  void process_event(std::int32_t ball);
+  void prefetch_next_events() const;
+  void check_wall_and_cell(std::int32_t ball);
+  void process_collision(std::int32_t ball);
+  void reorganise();
+  bool is_consistent(std::size_t count);
+  void rebuild_queue();
   void guard();
   void hand_over(scene::Observer& observer);
 
-  // many_plans.cpp: predictions, and where balls are
-  void plan_all();
-  void plan(std::int32_t ball);
+  // many_predictions.cpp: predictions, and where balls are
+  void predict_all();
+  void predict_and_schedule(std::int32_t ball);
   void predict(std::int32_t ball);
-  void plan_meeting(std::int32_t ball, std::span<const std::int32_t> others);
-  void plan_meetings(std::int32_t ball);
-  double leaves(std::int32_t ball, const Passing& where) const;
-  bool has_left(std::int32_t ball, const Passing& where) const;
-  Meeting first_of_images(const Asking& asking, std::span<const std::int32_t> others,
-                          Meeting found) const;
-  void change_cell(std::int32_t ball, const Passing& where);
-  void bring_to_now(std::int32_t ball);
+  void predict_collisions_with(std::int32_t ball, std::span<const std::int32_t> others);
+  void predict_collisions(std::int32_t ball);
+  double cell_safe_time(std::int32_t ball, const BallState& where) const;
+  bool has_left(std::int32_t ball, const BallState& where) const;
+  PredictedCollision first_of_images(const CollisionQuery& query,
+                                     std::span<const std::int32_t> others,
+                                     PredictedCollision found) const;
+  void change_cell(std::int32_t ball, const BallState& where);
+  void advance_to_now(std::int32_t ball);
   void move_frame(double shift);
   void sort();
   void fill_cells();
   const Drift& drift();
   Drift drift_at(double t) const;
-  Passing passing(std::int32_t ball);
+  BallState ball_state(std::int32_t ball);
 
   // many_collisions.cpp: impulses, records, the account
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
-  using Bounce = SustainedContact::Result;
-  Bounce bounce(const contact::BounceRule& rule, const Touching& touch, double since,
+  using Bounce = TcRule::Result;
+  Bounce bounce(const contact::BounceRule& rule, const CollisionKinematics& touch, double since,
                 StoredEnergy stored);
-  void kick(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
-  bool slow(const Touching& touch) const {
-    return touch.approach < sustained_.slowest_rebound(0, touch.press);
+  void apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
+  bool slow(const CollisionKinematics& touch) const {
+    return touch.approach < tc_rule_.slowest_rebound(0, touch.field);
   }
-  void count_contact(Turning& ball, bool slow);
-  void settle_account(const Touching& touch, const Bounce& bounce, double gained, double work,
-                      double scale);
-  void record(std::int32_t ball, std::int32_t other, const Touching& touch, const Vec3& point,
-              double impulse, const contact::Loss& loss);
+  void count_contact(CollisionData& ball, bool slow);
+  void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
+                             double work, double scale);
+  void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
+              const Vec3& point, double impulse, const contact::Loss& loss);
   double kinetic(std::int32_t ball, double t) const;
 
-  double motion_time(double clock) const { return jar_->looks_still() ? clock : before_ + clock; }
-  double mill_time() const { return before_ + now_; }
-  Vec3 lab_velocity(const Line& line, double t) const {
-    return line.velocity + epoch_.velocity + t * gravity_;
+  double motion_time(double clock) const {
+    return jar_->static_geometry() ? clock : clock_origin_ + clock;
+  }
+  double mill_time() const { return clock_origin_ + now_; }
+  Vec3 lab_velocity(const Trajectory& trajectory, double t) const {
+    return trajectory.velocity + epoch_.velocity + t * gravity_;
   }
 
-  Line& line(std::int32_t ball) { return lines_[static_cast<std::size_t>(ball)]; }
-  Plan& plan_of(std::int32_t ball) { return plans_[static_cast<std::size_t>(ball)]; }
-  Turning& turning(std::int32_t ball) { return turnings_[static_cast<std::size_t>(ball)]; }
+  Trajectory& trajectory(std::int32_t ball) {
+    return trajectories_[static_cast<std::size_t>(ball)];
+  }
+  Prediction& prediction_of(std::int32_t ball) {
+    return predictions_[static_cast<std::size_t>(ball)];
+  }
+  CollisionData& collision_data(std::int32_t ball) {
+    return collision_data_[static_cast<std::size_t>(ball)];
+  }
   int level(std::int32_t ball) const {
-    return neighbours_->level_of(lines_[static_cast<std::size_t>(ball)].species);
+    return grid_->level_of(trajectories_[static_cast<std::size_t>(ball)].species);
   }
-  const Species& species(const Line& line) const { return species_[line.species]; }
+  const Species& species(const Trajectory& trajectory) const {
+    return species_[trajectory.species];
+  }
 
-  std::unique_ptr<const Enclosure> jar_;
+  std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
-  SustainedContact sustained_;
+  TcRule tc_rule_;
   contact::BounceTable bounces_;
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
-  geometry::Pull pull_;
-  double press_;  // [m/s2] the most that the mill presses a ball with (man.4)
+  geometry::AccelerationBound max_acceleration_;
+  double field_;  // [m/s2] the most that the mill presses a ball with (man.4)
 
-  RoomyVector<Line> lines_;
-  RoomyVector<Plan> plans_;
-  RoomyVector<Turning> turnings_;
+  HugePageVector<Trajectory> trajectories_;
+  HugePageVector<Prediction> predictions_;
+  HugePageVector<CollisionData> collision_data_;
   std::vector<Species> species_;
-  std::vector<double> radii_;    // [m] by species
-  std::vector<Feeler> feelers_;  // by species
-  std::unique_ptr<Neighbours> neighbours_;
-  Calendar calendar_;
+  std::vector<double> radii_;               // [m] by species
+  std::vector<TouchTolerance> tolerances_;  // by species
+  std::unique_ptr<HierarchicalGrid> grid_;
+  CalendarQueue queue_;
 
-  double start_;            // [s] mill time at which the run began
-  double now_ = 0;          // [s] on the engine's clock
-  double before_ = 0;       // [s] mill time = before_ + clock
-  double horizon_ = 0;      // [s] clock: nothing at or after it happens in this call
-  kinematics::Ride epoch_;  // of the falling frame: the jar's ride at clock 0
+  double start_;                   // [s] mill time at which the run began
+  double now_ = 0;                 // [s] on the engine's clock
+  double clock_origin_ = 0;        // [s] mill time = clock_origin_ + clock
+  double horizon_ = 0;             // [s] clock: nothing at or after it happens in this call
+  kinematics::FrameMotion epoch_;  // of the falling frame: the jar's frame motion at clock 0
   Drift drift_;
   double reached_ = 0;  // [s] since the start
-  std::int64_t events_ = 0, renewed_collisions_ = 0;
-  double renewed_ = 0;  // [s] clock
+  std::int64_t events_ = 0, collisions_at_reorganisation_ = 0;
+  double reorganised_ = 0;  // [s] clock
   std::int64_t guarded_ = 0;
   double guarded_since_ = 0;  // [s] mill time
-  scene::Account account_;
+  scene::EnergyBalance energy_balance_;
   std::vector<scene::Collision> finished_;
 };
 

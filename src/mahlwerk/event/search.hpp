@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-#include "mahlwerk/scene/jar.hpp"
+#include "mahlwerk/scene/typed_chamber.hpp"
 
 namespace mahlwerk::event {
 
-using scene::Jar;
-using scene::Passing;
+using scene::BallState;
+using scene::TypedChamber;
 using scene::Wall;
 
 /// A ball in flight: in laboratory axes, a parabola (evt.1, evt.2).
@@ -25,13 +25,13 @@ struct Flight {
     return velocity + (t - since) * gravity;
   }
   /// Relative to the jar's centre.
-  Passing passing(double t, const Vec3& gravity, const kinematics::Ride& ride) const {
-    return {lab_position(t, gravity) - ride.centre, lab_velocity(t, gravity) - ride.velocity};
+  BallState ball_state(double t, const Vec3& gravity, const kinematics::FrameMotion& frame) const {
+    return {lab_position(t, gravity) - frame.centre, lab_velocity(t, gravity) - frame.velocity};
   }
 };
 
 /// What the search of touches needs to know of a ball.
-struct Feeler {
+struct TouchTolerance {
   double radius = 0;  ///< [m]
   double margin = 0;  ///< [m] a gap below this is a touch; far below what a radius is known to
 
@@ -40,11 +40,11 @@ struct Feeler {
   double least_step(double speed) const { return margin / (speed + 1e-3); }
 };
 
-/// An instant of a ball's way: the clock, the jar's ride, and the ball relative to it.
+/// An instant of a ball's way: the clock, the jar's frame motion, and the ball relative to it.
 struct Instant {
   double time = 0;  ///< [s] on the clock of the search
-  kinematics::Ride ride;
-  Passing ball;
+  kinematics::FrameMotion frame;
+  BallState ball;
 };
 
 struct Touch {
@@ -57,7 +57,8 @@ struct Touch {
 constexpr double rounding_speed = 1e-10;
 
 template <class S, class M>
-double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
+double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now,
+                     const TouchTolerance& ball) {
   const Wall wall = jar.wall(face, now.ball.position, now.time, ball.radius);
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
@@ -66,38 +67,39 @@ double closing_speed(const Jar<S, M>& jar, int face, const Instant& now, const F
 /// by more than a thousand margins, still nothing to its radius: a ball that keeps no normal speed
 /// may skim a wall for as long as it flies. One that lies deeper already may not.
 template <class S, class M>
-double skims(const Jar<S, M>& jar, int face, const Instant& now, const Feeler& ball) {
+double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant& now,
+                         const TouchTolerance& ball) {
   const double deepest = 1e3 * ball.margin;
-  return jar.outlook(face, now.ball, now.time, ball.radius - deepest).time;
+  return jar.safe_time(face, now.ball, now.time, ball.radius - deepest).time;
 }
 
 /// What one look at all faces tells.
-struct Glance {
-  double clear = geometry::never;  ///< [s] without a touch, certainly
-  int nearest = -1;                ///< the face that limits it, of those the ball nears
-  int face = -1;                   ///< touched now; < 0: none
+struct FaceScan {
+  double safe_time = geometry::never;  ///< [s] without a touch, certainly
+  int nearest = -1;                    ///< the face that limits it, of those the ball nears
+  int face = -1;                       ///< touched now; < 0: none
 };
 
 template <class S, class M>
-Glance glance(const Jar<S, M>& jar, const Instant& now, const Feeler& ball) {
+FaceScan scan_faces(const TypedChamber<S, M>& jar, const Instant& now, const TouchTolerance& ball) {
   const double radius = ball.radius - ball.margin;
-  Glance seen;
+  FaceScan scan;
   for (int face = 0; face < S::faces; ++face) {
-    if (S::faces > 1 && !jar.shape().meets(face, ball.radius)) continue;
-    geometry::Outlook look = jar.outlook(face, now.ball, now.time, radius);
-    if (look.gap <= 2 * ball.margin) {
+    if (S::faces > 1 && !jar.shape().can_touch(face, ball.radius)) continue;
+    geometry::SafeTime safe = jar.safe_time(face, now.ball, now.time, radius);
+    if (safe.gap <= 2 * ball.margin) {
       const double speed = closing_speed(jar, face, now, ball);
-      if (look.closing > 0 && speed > rounding_speed) {
-        seen.face = face;
-        return seen;
+      if (safe.closing > 0 && speed > rounding_speed) {
+        scan.face = face;
+        return scan;
       }
       if (std::abs(speed) <= rounding_speed)
-        look.time = std::max(look.time, skims(jar, face, now, ball));
+        safe.time = std::max(safe.time, grazing_safe_time(jar, face, now, ball));
     }
-    if (look.closing > 0 && look.time < seen.clear) seen.nearest = face;
-    seen.clear = std::min(seen.clear, look.time);
+    if (safe.closing > 0 && safe.time < scan.safe_time) scan.nearest = face;
+    scan.safe_time = std::min(scan.safe_time, safe.time);
   }
-  return seen;
+  return scan;
 }
 
 /// Steps of one search; a flight usually takes fewer than ten. A ball that skims a wall may take so
@@ -109,21 +111,22 @@ constexpr std::int64_t most_search_steps = 4096;
 /// touch is passed (evt.3 to evt.5). After most_search_steps it returns where it is: no face, and a
 /// time before `until`, from where to go on.
 template <class S, class M>
-[[gnu::flatten]] Touch next_touch(const Jar<S, M>& jar, const Flight& flight, const Instant& start,
-                                  double until, const Feeler& ball) {
+[[gnu::flatten]] Touch next_touch(const TypedChamber<S, M>& jar, const Flight& flight,
+                                  const Instant& start, double until, const TouchTolerance& ball) {
   Instant now = start;
   for (std::int64_t steps = 1;; ++steps) {
-    const Glance seen = glance(jar, now, ball);
-    if (seen.face >= 0) return {now, seen.face, steps};
+    const FaceScan scan = scan_faces(jar, now, ball);
+    if (scan.face >= 0) return {now, scan.face, steps};
     const double before = now.time;
-    now.time += std::max(seen.clear, ball.least_step(norm(now.ball.velocity) + jar.sweep()));
+    now.time +=
+        std::max(scan.safe_time, ball.least_step(norm(now.ball.velocity) + jar.max_wall_speed()));
     if (now.time == before) {  // nearer than the clock can tell: this is the touch
-      if (seen.nearest >= 0 && closing_speed(jar, seen.nearest, now, ball) > rounding_speed)
-        return {now, seen.nearest, steps};
+      if (scan.nearest >= 0 && closing_speed(jar, scan.nearest, now, ball) > rounding_speed)
+        return {now, scan.nearest, steps};
       now.time = std::nextafter(before, geometry::never);
     }
-    now.ride = jar.motion().ride(now.time);
-    now.ball = flight.passing(now.time, jar.gravity(), now.ride);
+    now.frame = jar.motion().frame_motion(now.time);
+    now.ball = flight.ball_state(now.time, jar.gravity(), now.frame);
     if (!(now.time < until) || steps >= most_search_steps) return {now, -1, steps};
   }
 }

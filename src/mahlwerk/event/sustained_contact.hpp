@@ -2,141 +2,251 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/event/rules.hpp"
+#include "mahlwerk/scene/typed_chamber.hpp"
 
+// A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or
+// creeping where two or three meet (evt.12 to evt.17). The state is that of the jar frame.
 namespace mahlwerk::event {
 
-/// The collision rule of the TC model with a limit on the speed (man.4). Hard spheres in sustained
-/// contact make small bounces instead, which must not die out: they would become countless.
-/// No collision gains energy beyond what the two bodies have stored of earlier losses (man.6).
-struct SustainedContact {
-  double contact_time = 0;  ///< [s] t_c
-  double friction = 0;      ///< Coulomb's mu where the pair's rule has no limit
+/// A ball in lasting contact, with the work done on it and the energy it lost since contact began.
+struct ContactState {
+  Vec3 position, velocity, spin;
+  double work = 0, lost = 0;  // [J]
+};
+inline ContactState operator+(const ContactState& a, const ContactState& b) {
+  return {a.position + b.position, a.velocity + b.velocity, a.spin + b.spin, a.work + b.work,
+          a.lost + b.lost};
+}
+inline ContactState operator*(double s, const ContactState& a) {
+  return {s * a.position, s * a.velocity, s * a.spin, s * a.work, s * a.lost};
+}
 
-  /// Two bodies that collide.
-  struct Approach {
-    double mass, normal, slip;  ///< [kg] effective, [m/s] u_n > 0 and |u_t|
-    double since;               ///< [s] since the last collision of either body
-    double field;               ///< [m/s2] a, the strongest that presses the two together
-    double stored = 0;          ///< [J] by both bodies
-  };
-  struct Result {
-    contact::Impulse impulse;
-    contact::Loss loss;
-    double drawn = 0;     ///< [J] of what was stored; the loss is less by it
-    double kept = 0;      ///< [J] that the bodies store more after it (StoredEnergy::settle)
-    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated besides
-    bool raised = false;  ///< made more elastic than the pair's restitution says
-  };
+/// Creeping: friction made smooth, for two slips cannot both vanish in general (evt.17).
+enum class FrictionState { rolling, sliding, creeping };
 
-  /// Slowest rebound as far as energy allows it [m/s] (man.4).
-  double slowest_rebound(double since, double field) const {
-    constexpr double alone = 0.5, crowded = 10;
-    const double crowding = std::max(0.0, 1 - since / contact_time);
-    return (alone + (crowded - alone) * crowding) * field * contact_time;
+/// The faces a ball rests on, one to three, and how it holds on them: on more than one it creeps.
+struct SupportFaces {
+  static constexpr std::size_t most = 3;
+  std::size_t count = 0;
+  std::array<int, most> face{};
+  FrictionState friction_state = FrictionState::rolling;
+
+  bool has(int which) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (face[i] == which) return true;
+    return false;
   }
-  /// [J] that a body of `mass` [kg] stores at most.
-  double room(double mass, double field) const {
-    const double speed = slowest_rebound(0, field);
-    return 0.5 * mass * speed * speed;
+  void add(int which) {
+    face[count++] = which;
+    if (count > 1) friction_state = FrictionState::creeping;
   }
+  void remove(std::size_t place) { face[place] = face[--count]; }
+};
 
-  Result collide(const contact::BounceRule& rule, const Approach& in) const {
-    const double slowest = slowest_rebound(in.since, in.field), u = in.normal;
-    const double e = rule.restitution.at(u);
-    const double withheld = 0.5 * in.mass * u * u * (1 - e * e);
-    if (u >= slowest) {
-      const double raised = std::max(e, slowest / u);
-      Result result = bounce(rule, in, raised);
-      result.withheld = withheld - result.loss.normal;
-      result.raised = raised > e;
-      return result;
+struct BallBody {
+  double radius = 0, mass = 0, inertia = 0;
+};
+
+/// Forces at an instant.
+struct ContactForces {
+  std::array<double, SupportFaces::most>
+      normal_force{};      ///< [m/s2] normal force per mass, < 0: the wall would have to pull
+  Vec3 sticking_friction;  ///< [m/s2] friction per mass that would keep the slip as it is
+  Vec3 friction;           ///< [m/s2] friction per mass
+  Vec3 slip;               ///< [m/s] of the touching surfaces
+
+  /// The face of `support` that presses least: its place there.
+  std::size_t least(const SupportFaces& support) const {
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < support.count; ++i)
+      if (normal_force[i] < normal_force[place]) place = i;
+    return place;
+  }
+  bool pulls(const SupportFaces& support) const { return normal_force[least(support)] < 0; }
+};
+
+/// The normal forces of a support: sum_j matrix_ij normal_force_j = rhs_i. The columns' diagonals
+/// dominate (evt.23), so elimination needs no pivots.
+struct NormalForceSystem {
+  std::size_t count = 0;
+  std::array<std::array<double, SupportFaces::most>, SupportFaces::most> matrix{};
+  std::array<double, SupportFaces::most> rhs{};
+
+  std::array<double, SupportFaces::most> solve() {
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t i = k + 1; i < count; ++i) {
+        const double by = matrix[i][k] / matrix[k][k];
+        for (std::size_t j = k; j < count; ++j) matrix[i][j] -= by * matrix[k][j];
+        rhs[i] -= by * rhs[k];
+      }
+    for (std::size_t i = count; i-- > 0;) {
+      for (std::size_t j = i + 1; j < count; ++j) rhs[i] -= matrix[i][j] * rhs[j];
+      rhs[i] /= matrix[i][i];
     }
-    const double mu = rule.tangential_restitution == 1 ? 0  // smooth (evt.15)
-                      : std::isfinite(rule.friction)   ? rule.friction
-                                                       : friction;
-    const double wanted = slowest / u;
-    const double paid = std::max(1.0, std::min(wanted, affordable(mu, u, in.slip)));
-    Result result = bounce({1, -1, mu}, in, paid);
-    const double enough = 0.5 * slowest;  // to go on; a whole one would keep beds too lively
-    if (paid * u < enough && in.stored > 0) draw(result, in, paid * u, enough);
-    result.withheld = withheld;
-    result.raised = true;
-    return result;
-  }
-
- private:
-  /// The restitution with which sliding at the Coulomb limit dissipates just what the rebound gains
-  /// (man.5); below 1 where the contact sticks.
-  static double affordable(double mu, double u, double slip) {
-    const double inertia = 1.75 * mu * mu * u;
-    return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);
-  }
-
-  /// Raises the rebound from `speed` towards `enough` [m/s] by what is stored. The tangential
-  /// impulse stays.
-  static void draw(Result& result, const Approach& in, double speed, double enough) {
-    const double half = 0.5 * in.mass;
-    const double drawn = std::min(in.stored, half * (enough * enough - speed * speed));
-    const double rebound = std::sqrt(speed * speed + drawn / half);
-    result.impulse.normal = in.mass * (in.normal + rebound);
-    result.loss.normal -= drawn;
-    result.drawn = drawn;
-  }
-
-  static Result bounce(const contact::BounceRule& rule, const Approach& in, double restitution) {
-    const contact::Impulse j = contact::bounce(rule, in.mass, in.normal, in.slip, restitution);
-    return {j, contact::loss(j, in.mass, in.normal, in.slip)};
+    return rhs;
   }
 };
 
-/// Energy that two bodies have stored [J], of which one may be the wall: that of earlier losses, as
-/// far as there is room, which sustained contacts draw on (man.6).
-class StoredEnergy {
+template <class J>
+class SustainedContact {
  public:
-  StoredEnergy(double& one, double room) : one_(&one), one_room_(room) {}
-  StoredEnergy(double& one, double room, double& other, double other_room)
-      : one_(&one), other_(&other), one_room_(room), other_room_(other_room) {}
+  SustainedContact(const J& jar, const BallBody& ball, const Rules& rules)
+      : jar_(&jar), ball_(ball), rules_(rules) {}
 
-  double sum() const { return *one_ + (other_ != nullptr ? *other_ : 0.0); }
-  /// Takes what was drawn, or puts by what was lost; then the collision's loss is what has really
-  /// been dissipated.
-  void settle(SustainedContact::Result& collision) {
-    const double before = sum();
-    contact::Loss& loss = collision.loss;
-    const double lost = loss.normal + loss.tangential;
-    if (collision.drawn > 0) {
-      take(collision.drawn);
-      loss.normal += collision.drawn;
-    } else if (lost > 0) {
-      put(lost);
-      const double left = std::max(0.0, 1 - (sum() - before) / lost);
-      loss.normal *= left;
-      loss.tangential *= left;
+  /// Derivative of the state at `t`, and the forces that make it. Flat inside, for it is most of
+  /// the work of a contact, but not copied into every stage that asks for it.
+  [[gnu::flatten, gnu::noinline]] ContactState rate(const SupportFaces& support, double t,
+                                                    const ContactState& y,
+                                                    ContactForces& forces) const {
+    const kinematics::FrameMotion frame = jar_->motion().frame_motion(t);
+    const Vec3 field = jar_->gravity() - frame.acceleration;  // (evt.1)
+    return support.friction_state == FrictionState::creeping
+               ? in_edge(support, t, y, frame.velocity, field, forces)
+               : on_face(support, t, y, frame.velocity, field, forces);
+  }
+
+  /// The acceleration with which the wall holds the ball now, < 0 if it lets go [m/s2] (evt.12).
+  double normal_acceleration(int face, double t, const Vec3& position, const Vec3& velocity) const {
+    const auto constraint = jar_->wall_constraint(face, {position, velocity}, t);
+    const Vec3 field = jar_->gravity() - jar_->motion().frame_motion(t).acceleration;
+    return constraint.inward_acceleration - dot(field, constraint.inward);
+  }
+
+  /// Slip of the touching surfaces [m/s].
+  Vec3 slip(int face, double t, const ContactState& y) const {
+    const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
+    return tangential_part(y.velocity - wall.velocity - ball_.radius * cross(y.spin, wall.inward),
+                           wall.inward);
+  }
+
+  /// The state put back onto the wall: no gap, no normal speed. `friction_state` rolling: no slip
+  /// either, the spin following the centre.
+  void project_onto_wall(const SupportFaces& support, double t, ContactState& y) const {
+    for (std::size_t i = 0; i < support.count; ++i) {
+      const Wall wall = jar_->wall(support.face[i], y.position, t, ball_.radius);
+      y.position -= wall.gap * wall.inward;
+      y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
     }
-    collision.kept = sum() - before;
+    if (support.friction_state == FrictionState::rolling && rules_.lasting_friction > 0) {
+      const Wall wall = jar_->wall(support.face[0], y.position, t, ball_.radius);
+      const Vec3 u = y.velocity - wall.velocity;
+      // R w x n = u has the solution w = n x u / R across n; the spin about n is free.
+      y.spin = dot(y.spin, wall.inward) * wall.inward + cross(wall.inward, u) / ball_.radius;
+    }
+  }
+
+  /// Ends what slip is left by an impulse of the wall, as a bounce with e_t = 0 would (evt.7).
+  void stick(int face, double t, ContactState& y) const {
+    const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
+    const Vec3 u = slip(face, t, y);
+    const double before = energy(t, y);
+    const double work =
+        -2.0 / 7.0 * ball_.mass * dot(u, jar_->motion().frame_motion(t).velocity + wall.velocity);
+    y.velocity -= 2.0 / 7.0 * u;
+    y.spin += 5.0 / (7.0 * ball_.radius) * cross(wall.inward, u);
+    y.work += work;
+    y.lost += before + work - energy(t, y);
+  }
+
+  double energy(double t, const ContactState& y) const {  // [J] kinetic, laboratory axes
+    const Vec3 v = y.velocity + jar_->motion().frame_motion(t).velocity;
+    return 0.5 * ball_.mass * squared(v) + 0.5 * ball_.inertia * squared(y.spin);
   }
 
  private:
-  void take(double energy) {
-    const double of_one = std::min(*one_, energy);
-    *one_ -= of_one;
-    if (other_ != nullptr) *other_ = std::max(0.0, *other_ - (energy - of_one));
-  }
-  void put(double energy) {
-    if (other_ == nullptr) {
-      *one_ = std::min(one_room_, *one_ + energy);
-      return;
-    }
-    *one_ = std::min(one_room_, *one_ + 0.5 * energy);
-    *other_ = std::min(other_room_, *other_ + 0.5 * energy);
+  // [m/s] so slow a slip has no sharp direction: a ball that begins to slide would turn it at once
+  // however short the step.
+  static constexpr double hardly_slips = 1e-5;
+
+  /// Unit direction of a slip, less where it is not fast against `slow`.
+  static Vec3 along(const Vec3& slip, double slow) {
+    return slip / std::sqrt(squared(slip) + slow * slow);
   }
 
-  double *one_, *other_ = nullptr;
-  double one_room_, other_room_ = 0;
+  /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball
+  /// hardly turns (evt.16).
+  Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
+    constexpr double hardly = 0.1;  // [rad/s]
+    const Vec3 w = tangential_part(turning, inward);
+    const double most = rules_.rolling_friction * ball_.radius * std::max(normal_force, 0.0);
+    return -(most / std::sqrt(squared(w) + hardly * hardly)) * w;
+  }
+
+  ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
+                       const Vec3& centre_velocity, const Vec3& field,
+                       ContactForces& forces) const {
+    const double r = ball_.radius;
+    const auto constraint = jar_->wall_constraint(support.face[0], {y.position, y.velocity}, t);
+    const Vec3 n = constraint.inward, w = jar_->motion().spin(t), point = y.position - r * n;
+    const Vec3 wall = cross(w, point);
+    const double normal_force = constraint.inward_acceleration - dot(field, n);  // (evt.12)
+    const Vec3 slip = tangential_part(y.velocity - wall - r * cross(y.spin, n), n);
+    const Vec3 torque = rolling_torque(y.spin - w, n, normal_force);
+
+    // Friction per mass that keeps the slip as it is: d(slip)/dt = 0 (evt.13).
+    const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
+                           cross(w, y.velocity - r * constraint.inward_rate);
+    const Vec3 wanted = 2.0 / 7.0 *
+                        tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) -
+                                            field + 2.5 / r * cross(torque, n),
+                                        n);
+    Vec3 drag = wanted;
+    if (support.friction_state == FrictionState::sliding)  // (evt.14)
+      drag = -(rules_.lasting_friction * std::max(normal_force, 0.0)) * along(slip, hardly_slips);
+    forces = {{normal_force}, wanted, drag, slip};
+    const Vec3 push = normal_force * n + drag;  // per mass
+    return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
+            ball_.mass * (dot(push, centre_velocity + wall) + dot(torque, w)),
+            -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
+  }
+
+  /// Two or three faces hold the ball, or one near another: as many normal forces from as many
+  /// conditions, friction at each made smooth over a creeping speed (evt.17).
+  ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
+                       const Vec3& centre_velocity, const Vec3& field,
+                       ContactForces& forces) const {
+    constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
+    constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.23)
+    const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
+    const Vec3 w = jar_->motion().spin(t);
+    std::array<Vec3, SupportFaces::most> n, wall, slip,
+        friction_ratio;  // friction_ratio: friction per normal force
+    NormalForceSystem p;
+    p.count = support.count;
+    for (std::size_t i = 0; i < support.count; ++i) {
+      const auto constraint = jar_->wall_constraint(support.face[i], {y.position, y.velocity}, t);
+      n[i] = constraint.inward;
+      p.rhs[i] = constraint.inward_acceleration - dot(field, n[i]);
+      wall[i] = cross(w, y.position - r * n[i]);
+      slip[i] = tangential_part(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
+      friction_ratio[i] = -mu * along(slip[i], creep);
+    }
+    for (std::size_t i = 0; i < support.count; ++i)
+      for (std::size_t j = 0; j < support.count; ++j)
+        p.matrix[i][j] = i == j ? 1 : dot(n[i], n[j] + friction_ratio[j]);
+    forces.normal_force = p.solve();
+    forces.slip = slip[0];
+    ContactState d{y.velocity, field, {}, 0, 0};
+    for (std::size_t i = 0; i < support.count; ++i) {
+      const double normal_force = forces.normal_force[i];
+      const Vec3 drag = std::max(normal_force, 0.0) * friction_ratio[i];
+      const Vec3 torque = rolling_torque(y.spin - w, n[i], normal_force),
+                 push = normal_force * n[i] + drag;
+      d.velocity += push;
+      d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], drag));
+      d.work += ball_.mass * (dot(push, centre_velocity + wall[i]) + dot(torque, w));
+      d.lost -= ball_.mass * (dot(drag, slip[i]) + dot(torque, y.spin - w));
+    }
+    return d;
+  }
+
+  const J* jar_;
+  BallBody ball_;
+  Rules rules_;
 };
 
 }  // namespace mahlwerk::event

@@ -24,11 +24,11 @@ int faces(const AnyShape& shape);
 std::vector<std::string> face_names(const AnyShape& shape);
 /// Whether its own z axis is an axis of rotation.
 bool axisymmetric(const AnyShape& shape);
-double inradius(const AnyShape& shape);        ///< [m] of the largest ball that fits
-double reach(const AnyShape& shape);           ///< [m] of its farthest point from its origin
-double volume(const AnyShape& shape);          ///< [m3]
-Vec3 periods(const AnyShape& shape);           ///< [m] as periods_of() in geometry/shape.hpp
-double speed_of_parts(const AnyShape& shape);  ///< [m/s] of a stirrer's tips; 0 without one
+double inradius(const AnyShape& shape);         ///< [m] of the largest ball that fits
+double reach(const AnyShape& shape);            ///< [m] of its farthest point from its origin
+double volume(const AnyShape& shape);           ///< [m3]
+Vec3 periods(const AnyShape& shape);            ///< [m] as periods_of() in geometry/shape.hpp
+double rotor_tip_speed(const AnyShape& shape);  ///< [m/s] of a stirrer's tips; 0 without one
 /// Why there is no such shape, as a sentence without its end; empty if nothing is wrong.
 std::string flaw(const AnyShape& shape);
 /// [m] from `p`, in the jar's own axes, to the nearest wall that a ball of `radius` there can

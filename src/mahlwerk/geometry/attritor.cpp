@@ -26,7 +26,7 @@ Gap from_shaft(const Vec3& p, double radius) {
 
 /// From the nearest point of an arm's axis.
 Vec3 Attritor::from_core(int face, const Vec3& p) const {
-  const int arm = face - turning_from - 1;
+  const int arm = face - first_rotor_face - 1;
   const double half = 0.5 * (arm_span - arm_diameter);
   const double z = p.z + 0.5 * height - arm_clearance - arm * arm_spacing;
   return arm % 2 == 0 ? Vec3{p.x - std::clamp(p.x, -half, half), p.y, z}
@@ -34,8 +34,8 @@ Vec3 Attritor::from_core(int face, const Vec3& p) const {
 }
 
 Gap Attritor::gap(int face, const Vec3& p) const {
-  if (face < turning_from) return vessel().gap(face, p);
-  if (face == turning_from)
+  if (face < first_rotor_face) return vessel().gap(face, p);
+  if (face == first_rotor_face)
     return from_shaft(p + Vec3{0, 0, 0.5 * height - shaft_clearance}, 0.5 * shaft_diameter);
   const Vec3 e = from_core(face, p);
   const double far = norm(e), radius = 0.5 * arm_diameter;
@@ -43,9 +43,9 @@ Gap Attritor::gap(int face, const Vec3& p) const {
 }
 
 Vec3 Attritor::normal_rate(int face, const Vec3& p, const Vec3& v) const {
-  if (face < turning_from) return vessel().normal_rate(face, p, v);
+  if (face < first_rotor_face) return vessel().normal_rate(face, p, v);
   Vec3 e, u = v;
-  if (face == turning_from) {
+  if (face == first_rotor_face) {
     if (p.z < shaft_clearance - 0.5 * height) return {};  // its end is flat, and its rim sharp
     e = {p.x, p.y, 0}, u.z = 0;
   } else {
@@ -75,7 +75,7 @@ double Attritor::volume() const {
 /// The largest ball that fits, wherever the stirrer stands, and its place: beside or below the
 /// stirrer.
 std::pair<Vec3, double> Attritor::largest_ball() const {
-  const double beside = 0.25 * (diameter - 2 * turning_reach());
+  const double beside = 0.25 * (diameter - 2 * rotor_reach());
   const double lowest = std::min(shaft_clearance, arm_clearance - 0.5 * arm_diameter);
   const double above = height - arm_clearance - (arms - 1) * arm_spacing - 0.5 * arm_diameter;
   const double room = 0.25 * (diameter - shaft_diameter);

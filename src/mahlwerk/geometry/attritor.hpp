@@ -26,7 +26,7 @@ struct Attritor {
   static constexpr std::string_view name = "attritor";
   static constexpr std::string_view about = "a vessel with a stirrer: a shaft with arms that turns";
   static constexpr bool axisymmetric = false;
-  static constexpr int turning_from = 3;  // this face and those after it are of the stirrer
+  static constexpr int first_rotor_face = 3;  // this face and those after it are of the stirrer
   static std::string face_name(int face) {
     if (face < 3) return std::string(Cylinder::face_name(face));
     return face == 3 ? "shaft" : "arm" + std::to_string(face - 3);
@@ -59,13 +59,13 @@ struct Attritor {
   /// The stirrer's faces as it stands at first, its first arm along x.
   Gap gap(int face, const Vec3& p) const;
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const;
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int face, const Course& c, double radius) const {
-    if (face < turning_from) return vessel().outlook(face, c, radius);
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
+    if (face < first_rotor_face) return vessel().safe_time(face, c, radius);
     const double gap = this->gap(face, c.position).distance - radius, speed = norm(c.velocity);
-    return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+    return {gap, speed, plane_safe_time(gap, speed, c.max_acceleration.total)};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const;
   double reach() const { return vessel().reach(); }
   double inradius() const { return largest_ball().second; }
@@ -75,7 +75,7 @@ struct Attritor {
     return {-half, half};
   }
   /// How far the stirrer reaches from the axis [m].
-  double turning_reach() const { return 0.5 * std::max(arm_span, shaft_diameter); }
+  double rotor_reach() const { return 0.5 * std::max(arm_span, shaft_diameter); }
   bool operator==(const Attritor&) const = default;
 
  private:

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
 
@@ -36,14 +36,14 @@ struct Box {
     return {half(face) + dot(p, inward), inward, 0};
   }
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int face, const Course& c, double radius) const {
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
     const double up = face % 2 == 0 ? 1 : -1;
     const double gap = half(face) + up * part(face, c.position) - radius;
     const double closing = -up * part(face, c.velocity);
-    return {gap, closing, clear_of_plane(gap, closing, part(face, c.pull.most))};
+    return {gap, closing, plane_safe_time(gap, closing, part(face, c.max_acceleration.components))};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const { return width * depth * height; }
   double reach() const { return 0.5 * norm(Vec3{width, depth, height}); }
   double inradius() const { return 0.5 * std::min({width, depth, height}); }

@@ -21,7 +21,7 @@ class BoxTree {
 
   /// A point, and what floats may have made of it and of a box's borders.
   struct Probe {
-    Four place, slack;
+    Four position, slack;
   };
   /// Floats, rounded outwards: half the memory, and never too small.
   struct Box {
@@ -32,7 +32,7 @@ class BoxTree {
     static Box empty();
     /// Squared distance from a point [m2], or a little less; 0 inside.
     double distance2(const Probe& p) const {
-      const Four below = low - p.place, above = p.place - high;
+      const Four below = low - p.position, above = p.position - high;
       const Four out = (below > above ? below : above) - p.slack;
       const Four way = out > 0 ? out : Four{};
       const Four squares = way * way;
@@ -52,11 +52,12 @@ class BoxTree {
   /// it may lessen; the nearest boxes first.
   template <class Visit>
   void near(std::int32_t root, const Vec3& p, double& within2, Visit visit) const {
-    struct Waiting {
+    struct StackEntry {
       std::int32_t id;
       double distance2;
     };
-    std::array<Waiting, 64> stack;  // a node waits at each level of a tree of at most 2^31 leaves
+    std::array<StackEntry, 64>
+        stack;  // a node waits at each level of a tree of at most 2^31 leaves
     std::size_t count = 0;
     const Probe probe = probe_at(p);
     for (std::int32_t id = root;;) {
@@ -64,8 +65,8 @@ class BoxTree {
         visit(~id, within2);
       } else {
         const Node& node = nodes_[static_cast<std::size_t>(id)];
-        Waiting a{node.child[0], node.box[0].distance2(probe)};
-        Waiting b{node.child[1], node.box[1].distance2(probe)};
+        StackEntry a{node.child[0], node.box[0].distance2(probe)};
+        StackEntry b{node.child[1], node.box[1].distance2(probe)};
         if (b.distance2 < a.distance2) std::swap(a, b);
         if (b.distance2 < within2) stack[count++] = b;
         if (a.distance2 < within2) {
@@ -85,10 +86,10 @@ class BoxTree {
     std::array<std::int32_t, 2> child;
   };
   Probe probe_at(const Vec3& p) const {
-    const Four place{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    const Four position{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
     const auto far =
         static_cast<float>(3e-7 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), widest_}));
-    return {place, Four{far, far, far, far}};
+    return {position, Four{far, far, far, far}};
   }
 
   std::vector<Node> nodes_;

@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
 
@@ -41,10 +41,10 @@ struct Capsule {
     const Vec3 e = from_core(p);
     return rate_about_core(e, e.z == 0 ? Vec3{v.x, v.y, 0} : v);  // straight along the cylinder
   }
-  double until_crease(int, const Vec3& p, const Vec3& v) const {
+  double time_to_curvature_jump(int, const Vec3& p, const Vec3& v) const {
     return until_crossing(0.5 * height, p.z, v.z);
   }
-  Outlook outlook(int, const Course& c, double radius) const {
+  SafeTime safe_time(int, const SafeTimeQuery& c, double radius) const {
     const double room = 0.5 * diameter - radius;
     const Vec3 e = from_core(c.position);
     const double e2 = squared(e), along = dot(e, c.velocity), speed2 = squared(c.velocity);
@@ -52,15 +52,15 @@ struct Capsule {
     if (e.z ==
         0) {  // between the caps only the motion across the axis counts, until a cap is reached
       const double vz = c.velocity.z, across2 = std::max(speed2 - vz * vz, 0.0);
-      const double side = clear_of_core(room, e2, along, across2, c.pull.across);
+      const double side = core_safe_time(room, e2, along, across2, c.max_acceleration.across_axis);
       if (stays_between_caps(c, side)) return {gap, along, side};
-      const double ball = clear_of_core(room, e2, along, speed2, c.pull.whole);
+      const double ball = core_safe_time(room, e2, along, speed2, c.max_acceleration.total);
       return {gap, along, std::max(ball, std::min(side, until_cap(c)))};
     }
     // The ball of radius `room` about the foot lies inside: free at least that long.
-    return {gap, along, clear_of_core(room, e2, along, speed2, c.pull.whole)};
+    return {gap, along, core_safe_time(room, e2, along, speed2, c.max_acceleration.total)};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const {
     return std::numbers::pi * diameter * diameter * (0.25 * height + diameter / 6);
   }
@@ -69,14 +69,14 @@ struct Capsule {
   bool operator==(const Capsule&) const = default;
 
  private:
-  bool stays_between_caps(const Course& c, double time) const {
+  bool stays_between_caps(const SafeTimeQuery& c, double time) const {
     const double ahead = c.position.z + c.velocity.z * time;
-    return std::abs(ahead) + 0.5 * c.pull.most.z * time * time <= 0.5 * height;
+    return std::abs(ahead) + 0.5 * c.max_acceleration.components.z * time * time <= 0.5 * height;
   }
-  double until_cap(const Course& c) const {
+  double until_cap(const SafeTimeQuery& c) const {
     const double h = 0.5 * height, z = c.position.z, vz = c.velocity.z;
-    return std::min(clear_of_plane(h - z, vz, c.pull.most.z),
-                    clear_of_plane(h + z, -vz, c.pull.most.z));
+    return std::min(plane_safe_time(h - z, vz, c.max_acceleration.components.z),
+                    plane_safe_time(h + z, -vz, c.max_acceleration.components.z));
   }
 };
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
 
@@ -39,20 +39,20 @@ struct Cylinder {
     if (face != 0) return {};
     return rate_about_core({p.x, p.y, 0}, {v.x, v.y, 0});
   }
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int face, const Course& c, double radius) const {
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
     const Vec3 &p = c.position, &v = c.velocity;
     if (face != 0) {
       const double up = face == 1 ? 1 : -1;
       const double gap = 0.5 * height + up * p.z - radius;
-      return {gap, -up * v.z, clear_of_plane(gap, -up * v.z, c.pull.most.z)};
+      return {gap, -up * v.z, plane_safe_time(gap, -up * v.z, c.max_acceleration.components.z)};
     }
     const double room = 0.5 * diameter - radius;
     const double e2 = p.x * p.x + p.y * p.y, along = p.x * v.x + p.y * v.y;
     return {gap_within(room, e2), along,
-            clear_of_core(room, e2, along, v.x * v.x + v.y * v.y, c.pull.across)};
+            core_safe_time(room, e2, along, v.x * v.x + v.y * v.y, c.max_acceleration.across_axis)};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const { return 0.25 * std::numbers::pi * diameter * diameter * height; }
   double reach() const { return 0.5 * std::hypot(diameter, height); }
   double inradius() const { return 0.5 * std::min(diameter, height); }

@@ -45,7 +45,7 @@ void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides)
     }
 }
 
-int divide(std::vector<Facet>& facets, double crease_angle) {
+int split_into_faces(std::vector<Facet>& facets, double crease_angle) {
   // Bends of just the angle are creases, however their cosine was rounded.
   const double smooth = std::cos(crease_angle) + 1e-9;
   int faces = 0;
@@ -92,7 +92,7 @@ void gather_vertices(Facets& all, std::size_t points) {
     v.last = v.first;
     v.owner = std::numeric_limits<std::int32_t>::max();
   }
-  all.spokes.resize(as_index(count));
+  all.incident_sides.resize(as_index(count));
   for (std::size_t i = 0; i < all.facets.size(); ++i) {
     const Facet& f = all.facets[i];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -101,21 +101,21 @@ void gather_vertices(Facets& all, std::size_t points) {
       v.owner = std::min(v.owner, f.face);
       v.normal += angle_at(f, k) * f.normal;
       for (const std::size_t side : {k, (k + 2) % 3})
-        all.spokes[as_index(v.last++)] = {static_cast<std::int32_t>(i),
-                                          static_cast<std::int8_t>(side),
-                                          as_index(f.start[side]) == k};
+        all.incident_sides[as_index(v.last++)] = {static_cast<std::int32_t>(i),
+                                                  static_cast<std::int8_t>(side),
+                                                  as_index(f.start[side]) == k};
     }
   }
   for (Vertex& v : all.vertices) v.normal = unit(v.normal);
 }
 
-/// At a corner, of the facets there that belong to its own face. Each has two spokes.
+/// At a corner, of the facets there that belong to its own face. Each has two incident sides.
 Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
   const Vertex& v = all.vertices[as_index(f.vertex[k])];
   if (!v.crease) return v.normal;
   Vec3 sum;
   for (std::int32_t n = v.first; n < v.last; n += 2) {
-    const Facet& other = all.facets[as_index(all.spokes[as_index(n)].facet)];
+    const Facet& other = all.facets[as_index(all.incident_sides[as_index(n)].facet)];
     if (other.face != f.face) continue;
     const auto mine = std::ranges::find(other.vertex, f.vertex[k]) - other.vertex.begin();
     sum += angle_at(other, static_cast<std::size_t>(mine)) * other.normal;
@@ -124,7 +124,7 @@ Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
 }
 
 /// From how the normal turns along sides (geo.12).
-double tightest_bend(const Facets& all) {
+double min_concave_radius(const Facets& all) {
   double most = 0;
   for (const Facet& f : all.facets) {
     std::array<Vec3, 3> normal;
@@ -146,9 +146,9 @@ Facets facets_of(const Surface& surface, double crease_angle) {
   all.facets.reserve(surface.triangles.size());
   for (const auto& t : surface.triangles) all.facets.push_back(facet_of(surface, t));
   join_neighbours(all.facets, sides_of(surface));
-  all.faces = divide(all.facets, crease_angle);
+  all.faces = split_into_faces(all.facets, crease_angle);
   gather_vertices(all, surface.points.size());
-  all.tightest_bend = tightest_bend(all);
+  all.min_concave_radius = min_concave_radius(all);
   return all;
 }
 
@@ -161,7 +161,7 @@ void reorder(Facets& all, const std::vector<std::int32_t>& order) {
   for (const std::int32_t i : order) facets.push_back(all.facets[as_index(i)]);
   for (Facet& f : facets)
     for (std::int32_t& n : f.neighbour) n = now[as_index(n)];
-  for (Spoke& s : all.spokes) s.facet = now[as_index(s.facet)];
+  for (IncidentSide& s : all.incident_sides) s.facet = now[as_index(s.facet)];
   all.facets = std::move(facets);
 }
 

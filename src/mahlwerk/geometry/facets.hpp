@@ -31,7 +31,7 @@ struct Facet {
 };
 
 /// A side that ends at a vertex.
-struct Spoke {
+struct IncidentSide {
   std::int32_t facet;
   std::int8_t side;
   bool starts;  ///< it is measured from there
@@ -41,16 +41,16 @@ struct Vertex {
   Vec3 normal;                       ///< of the facets around it, by their angles; into the jar
   std::int32_t owner = 0;            ///< the first of the faces around it
   bool crease = false;               ///< there are several
-  std::int32_t first = 0, last = 0;  ///< its spokes
+  std::int32_t first = 0, last = 0;  ///< its incident sides
 };
 
 struct Facets {
   std::vector<Facet> facets;
   std::vector<Vertex> vertices;
-  std::vector<Spoke> spokes;
+  std::vector<IncidentSide> incident_sides;
   int faces = 0;
   /// [m] the smallest concave radius at which a face is curved (geo.12); infinite if none is
-  double tightest_bend = 0;
+  double min_concave_radius = 0;
 };
 
 /// Facets of a closed surface. Those joined over sides that bend by less than `crease_angle` [rad]

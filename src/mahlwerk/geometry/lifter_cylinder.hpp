@@ -78,13 +78,13 @@ struct LifterCylinder {
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
     return face < 3 ? shell().normal_rate(face, p, v) : Vec3{};  // bars are flat
   }
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int face, const Course& c, double radius) const {
-    if (face < 3) return shell().outlook(face, c, radius);
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
+    if (face < 3) return shell().safe_time(face, c, radius);
     const double gap = bar(face - 3, c.position, never).distance - radius, speed = norm(c.velocity);
-    return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+    return {gap, speed, plane_safe_time(gap, speed, c.max_acceleration.total)};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const;
   double reach() const { return shell().reach(); }
   double inradius() const { return 0.5 * std::min(diameter - 2 * lifter_height, height); }

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "mahlwerk/geometry/clear.hpp"
 #include "mahlwerk/geometry/mesh_wall.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
 namespace {
@@ -29,17 +29,17 @@ void Mesh::distances(const Vec3& p, double within, std::span<double> out) const 
 double Mesh::distance(int face, const Vec3& p, double within) const {
   return wall_->distance(face, p, within);
 }
-double Mesh::surely(const Vec3& p) const {
-  return wall_->surely(p);
+double Mesh::distance_bound(const Vec3& p) const {
+  return wall_->distance_bound(p);
 }
-Mesh::Seen Mesh::nearest(const Vec3& p) const {
-  const MeshWall::Nearest n = wall_->nearest(p);
+Mesh::NearestFace Mesh::nearest(const Vec3& p) const {
+  const MeshWall::NearestFace n = wall_->nearest(p);
   return {n.face, n.gap};
 }
 
-Outlook Mesh::outlook(int, const Course& c, double radius) const {
+SafeTime Mesh::safe_time(int, const SafeTimeQuery& c, double radius) const {
   const double gap = wall_->nearest(c.position).gap.distance - radius, speed = norm(c.velocity);
-  return {gap, speed, clear_of_plane(gap, speed, c.pull.whole)};
+  return {gap, speed, plane_safe_time(gap, speed, c.max_acceleration.total)};
 }
 
 double Mesh::volume() const {
@@ -51,14 +51,14 @@ double Mesh::reach() const {
 double Mesh::inradius() const {
   return wall_ ? wall_->inradius() : unknown;
 }
-double Mesh::across() const {
-  return wall_ ? wall_->across() : unknown;
+double Mesh::radius_about_axis() const {
+  return wall_ ? wall_->radius_about_axis() : unknown;
 }
-double Mesh::tightest_bend() const {
-  return wall_ ? wall_->tightest_bend() : unknown;
+double Mesh::min_concave_radius() const {
+  return wall_ ? wall_->min_concave_radius() : unknown;
 }
 Vec3 Mesh::middle() const {
-  return wall_ ? wall_->deepest() : Vec3{};
+  return wall_ ? wall_->largest_ball_centre() : Vec3{};
 }
 Extent Mesh::extent() const {
   return wall_ ? wall_->extent() : Extent{};

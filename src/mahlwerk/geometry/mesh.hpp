@@ -50,37 +50,37 @@ struct Mesh {
   void near(const Vec3& p, double within, F f) const;
 
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
   /// For the whole wall, and so for each face.
-  Outlook outlook(int face, const Course& course, double radius) const;
-  static constexpr bool one_outlook = true;
-  bool meets(int, double) const { return true; }
+  SafeTime safe_time(int face, const SafeTimeQuery& query, double radius) const;
+  static constexpr bool whole_wall_safe_time = true;
+  bool can_touch(int, double) const { return true; }
 
   double volume() const;
   double reach() const;
-  double inradius() const;         // of the largest ball that was found to fit
-  Vec3 middle() const;             // its centre
-  Extent extent() const;           // [m]
-  double across() const;           // [m] largest distance from the z axis
-  double tightest_bend() const;    // [m] (geo.12)
-  const Surface& surface() const;  // of a mesh that has one
+  double inradius() const;            // of the largest ball that was found to fit
+  Vec3 middle() const;                // its centre
+  Extent extent() const;              // [m]
+  double radius_about_axis() const;   // [m] largest distance from the z axis
+  double min_concave_radius() const;  // [m] (geo.12)
+  const Surface& surface() const;     // of a mesh that has one
   bool operator==(const Mesh& o) const;
 
  private:
-  struct Seen {
+  struct NearestFace {
     int face;
     Gap gap;
   };
-  double surely(const Vec3& p) const;
-  Seen nearest(const Vec3& p) const;
+  double distance_bound(const Vec3& p) const;
+  NearestFace nearest(const Vec3& p) const;
 
   std::shared_ptr<const MeshWall> wall_;
 };
 
 template <class F>
 void Mesh::near(const Vec3& p, double within, F f) const {
-  if (surely(p) > within) return;
-  const Seen first = nearest(p);
+  if (distance_bound(p) > within) return;
+  const NearestFace first = nearest(p);
   if (first.gap.distance < 0) {
     f(first.face, first.gap);
     return;

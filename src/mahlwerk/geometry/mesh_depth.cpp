@@ -12,26 +12,26 @@
 namespace mahlwerk::geometry {
 namespace {
 
-struct Deep {
-  Vec3 place;
+struct DepthSample {
+  Vec3 position;
   double depth;  // [m]
 };
 
 /// In the middle of a round jar all of the wall is about as near, and looking for what is nearest
 /// would never end. Of the facets only those are kept that may be the nearest where the climb is,
 /// and most places need not know more than that some facet is near.
-class Around {
+class LocalDepth {
  public:
-  Around(const MeshWall& wall, std::span<const std::int32_t> all) : wall_(wall), all_(all) {}
+  LocalDepth(const MeshWall& wall, std::span<const std::int32_t> all) : wall_(wall), all_(all) {}
 
   /// Places at most `reach` from `p` will be asked for.
-  void come_to(const Vec3& p, double reach) {
-    const double roomy = 4 * reach, off = norm(p - centre_);
+  void move_to(const Vec3& p, double reach) {
+    const double enlarged = 4 * reach, off = norm(p - centre_);
     const bool inside = off + reach <= within_;
-    if (inside && within_ <= 4 * roomy) return;
-    near_ = wall_.nearest_around(p, roomy, off + roomy <= within_ ? near_ : all_);
+    if (inside && within_ <= 4 * enlarged) return;
+    near_ = wall_.nearest_around(p, enlarged, off + enlarged <= within_ ? near_ : all_);
     centre_ = p;
-    within_ = roomy;
+    within_ = enlarged;
   }
   double operator()(const Vec3& p, double beyond) const {
     return wall_.depth_beyond(beyond, p, near_);
@@ -47,14 +47,14 @@ class Around {
 
 /// The nearest peak of the depth: the best of the 26 directions as long as one goes up, then in
 /// steps half as long.
-Deep climb(Deep from, double step, double least, Around depth) {
+DepthSample hill_climb(DepthSample from, double step, double least, LocalDepth depth) {
   while (step > least) {
-    depth.come_to(from.place, 1.8 * step);  // root 3 of it, and rounding
-    Deep best = from;
+    depth.move_to(from.position, 1.8 * step);  // root 3 of it, and rounding
+    DepthSample best = from;
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = -1; z <= 1; ++z) {
-          const Vec3 p = from.place + step * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
+          const Vec3 p = from.position + step * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
           if (const double d = depth(p, best.depth); d > best.depth) best = {p, d};
         }
     if (best.depth > from.depth)
@@ -68,13 +68,13 @@ Deep climb(Deep from, double step, double least, Around depth) {
 }  // namespace
 
 /// Distances change by no more than one moves: one sounding tells of a whole cell.
-void MeshWall::sound() {
+void MeshWall::sample_depth() {
   const Vec3 cell = extent_.size() / cells;
   const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and what a float loses
   std::vector<std::int32_t> all(facets_.facets.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<float> found;
-  std::vector<Deep> deep;
+  std::vector<DepthSample> deep;
   for (int x = 0; x < cells; ++x)
     for (int y = 0; y < cells; ++y)
       for (int z = 0; z < cells; ++z) {
@@ -84,17 +84,18 @@ void MeshWall::sound() {
         found.push_back(static_cast<float>(std::max(0.0, (d - half) * (1 - 1e-6))));
         deep.push_back({p, d});
       }
-  surely_ = std::move(found);
+  distance_bounds_ = std::move(found);
   constexpr std::size_t tried = 4;
-  std::ranges::partial_sort(deep, deep.begin() + tried, std::ranges::greater{}, &Deep::depth);
-  Deep best = deep[0];
+  std::ranges::partial_sort(deep, deep.begin() + tried, std::ranges::greater{},
+                            &DepthSample::depth);
+  DepthSample best = deep[0];
   for (std::size_t i = 0; i < tried; ++i) {
     if (deep[i].depth + half < best.depth) break;  // its cell has no deeper place
-    const Deep peak = climb(deep[i], half, 1e-9 * reach_, Around(*this, all));
+    const DepthSample peak = hill_climb(deep[i], half, 1e-9 * reach_, LocalDepth(*this, all));
     if (peak.depth > best.depth) best = peak;
   }
   inradius_ = std::max(0.0, best.depth);
-  deepest_ = best.place;
+  largest_ball_centre_ = best.position;
 }
 
 }  // namespace mahlwerk::geometry

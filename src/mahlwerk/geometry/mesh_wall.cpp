@@ -26,14 +26,14 @@ double from_end(const Facet& f, std::size_t k, const Vec3& p) {
 
 MeshWall::MeshWall(Surface surface, double crease_angle)
     : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
-  reorder(facets_, plant());  // near ones in memory, too
-  plant();
+  reorder(facets_, build_trees());  // near ones in memory, too
+  build_trees();
   measure();
-  sound();
+  sample_depth();
 }
 
 /// A tree of each face's facets, and one of the faces. Gives the facets in the order of the trees.
-std::vector<std::int32_t> MeshWall::plant() {
+std::vector<std::int32_t> MeshWall::build_trees() {
   const auto faces = static_cast<std::size_t>(facets_.faces);
   tree_ = face_tree_ = {};
   roots_.clear();
@@ -61,13 +61,13 @@ void MeshWall::measure() {
   volume_ = volume_of(surface_);
   for (const Vec3& p : surface_.points) {
     reach_ = std::max(reach_, norm(p));
-    across_ = std::max(across_, std::hypot(p.x, p.y));
+    radius_about_axis_ = std::max(radius_about_axis_, std::hypot(p.x, p.y));
   }
 }
 
 /// The nearest point of a triangle: in its plane, on the one side beyond which p lies between the
 /// ends, or a corner.
-MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
+MeshWall::ClosestPoint MeshWall::closest_point_on(const Facet& f, const Vec3& p) {
   std::array<double, 3> s{};
   for (std::size_t k = 0; k < 3; ++k) s[k] = across_side(f, k, p);
   if (s[0] > 0 && s[1] > 0 && s[2] > 0) {
@@ -78,8 +78,8 @@ MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
     if (s[k] > 0) continue;
     const double u = from_start(f, k, p);
     if (!(u > 0 && from_end(f, k, p) < 0)) continue;
-    const Vec3 foot = f.start_of(k) + u * f.along[k];
-    return {foot, squared(p - foot), 0, static_cast<int>(k) + 1};
+    const Vec3 closest = f.start_of(k) + u * f.along[k];
+    return {closest, squared(p - closest), 0, static_cast<int>(k) + 1};
   }
   std::size_t nearest = 0;
   double least = never;
@@ -90,89 +90,92 @@ MeshWall::Foot MeshWall::foot_on(const Facet& f, const Vec3& p) {
   return {f.corner[nearest], least, 0, static_cast<int>(nearest) + 4};
 }
 
-MeshWall::Part MeshWall::part_of(const Foot& foot) const {
-  const Facet& f = facets_.facets[as_index(foot.facet)];
-  if (foot.part == 0) return {f.normal, f.face};
-  if (foot.part > 3) {
-    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(foot.part - 4)])];
+MeshWall::Feature MeshWall::feature_of(const ClosestPoint& closest) const {
+  const Facet& f = facets_.facets[as_index(closest.facet)];
+  if (closest.feature == 0) return {f.normal, f.face};
+  if (closest.feature > 3) {
+    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(closest.feature - 4)])];
     return {v.normal, v.owner};
   }
-  const Facet& other = facets_.facets[as_index(f.neighbour[as_index(foot.part - 1)])];
+  const Facet& other = facets_.facets[as_index(f.neighbour[as_index(closest.feature - 1)])];
   const Vec3 sum = f.normal + other.normal;
   const double size = norm(sum);
-  return {
-      size > 0 ? sum / size : f.inner[as_index(foot.part - 1)] * -1.0,  // a fin without thickness
-      std::min(f.face, other.face)};
+  return {size > 0 ? sum / size
+                   : f.inner[as_index(closest.feature - 1)] * -1.0,  // a fin without thickness
+          std::min(f.face, other.face)};
 }
 
-/// Whether no point of the wall around the foot is nearer, and p is before it (geo.10). Next to
-/// each other the parts of the wall ask the same of the same numbers: what one declines another
-/// takes.
-bool MeshWall::in_cone(const Foot& foot, const Vec3& p) const {
-  const Facet& f = facets_.facets[as_index(foot.facet)];
-  if (foot.part > 3) {
-    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(foot.part - 4)])];
+/// Whether no point of the wall around the closest point is nearer, and p is before it (geo.10).
+/// Next to each other the parts of the wall ask the same of the same numbers: what one declines
+/// another takes.
+bool MeshWall::in_normal_cone(const ClosestPoint& closest, const Vec3& p) const {
+  const Facet& f = facets_.facets[as_index(closest.facet)];
+  if (closest.feature > 3) {
+    const Vertex& v = facets_.vertices[as_index(f.vertex[as_index(closest.feature - 4)])];
     for (std::int32_t n = v.first; n < v.last; ++n) {
-      const Spoke& spoke = facets_.spokes[as_index(n)];
-      const Facet& g = facets_.facets[as_index(spoke.facet)];
-      const bool beside = spoke.starts ? from_start(g, as_index(spoke.side), p) > 0
-                                       : from_end(g, as_index(spoke.side), p) < 0;
+      const IncidentSide& incident = facets_.incident_sides[as_index(n)];
+      const Facet& g = facets_.facets[as_index(incident.facet)];
+      const bool beside = incident.starts ? from_start(g, as_index(incident.side), p) > 0
+                                          : from_end(g, as_index(incident.side), p) < 0;
       if (beside) return false;
     }
-  } else if (foot.part > 0) {
-    const std::size_t k = as_index(foot.part - 1);
+  } else if (closest.feature > 0) {
+    const std::size_t k = as_index(closest.feature - 1);
     const Facet& other = facets_.facets[as_index(f.neighbour[k])];
     if (across_side(other, as_index(f.neighbour_side[k]), p) > 0) return false;
   }
-  return dot(part_of(foot).normal, p - foot.point) >= 0;
+  return dot(feature_of(closest).normal, p - closest.point) >= 0;
 }
 
 Gap MeshWall::gap(int face, const Vec3& p, double within) const {
   double within2 = within * within;
-  Foot best;
+  ClosestPoint best;
   tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
     const Facet& f = facets_.facets[as_index(facet)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) return;
-    Foot foot = foot_on(f, p);
-    foot.facet = facet;
-    if (!(foot.distance2 < least) || part_of(foot).owner != face || !in_cone(foot, p)) return;
-    best = foot;
-    least = foot.distance2;
+    ClosestPoint closest = closest_point_on(f, p);
+    closest.facet = facet;
+    if (!(closest.distance2 < least) || feature_of(closest).owner != face ||
+        !in_normal_cone(closest, p))
+      return;
+    best = closest;
+    least = closest.distance2;
   });
   if (best.facet < 0) return {far, {0, 0, 1}, 0};
-  return seen(best, p).gap;
+  return signed_nearest(best, p).gap;
 }
 
-/// A foot as a wall under p, before or behind it.
-MeshWall::Nearest MeshWall::seen(const Foot& foot, const Vec3& p) const {
-  const Part part = part_of(foot);
-  const Vec3 way = p - foot.point;
-  const double side = dot(part.normal, way) < 0 ? -1 : 1, distance = std::sqrt(foot.distance2);
-  const bool known = foot.part != 0 && distance > 0;
-  return {part.owner, {side * distance, known ? side / distance * way : part.normal, 0}};
+/// A closest point as a wall under p, before or behind it.
+MeshWall::NearestFace MeshWall::signed_nearest(const ClosestPoint& closest, const Vec3& p) const {
+  const Feature feature = feature_of(closest);
+  const Vec3 way = p - closest.point;
+  const double side = dot(feature.normal, way) < 0 ? -1 : 1,
+               distance = std::sqrt(closest.distance2);
+  const bool known = closest.feature != 0 && distance > 0;
+  return {feature.owner, {side * distance, known ? side / distance * way : feature.normal, 0}};
 }
 
-void MeshWall::nearest_on(int face, const Vec3& p, double& within2, Foot& best) const {
+void MeshWall::nearest_on(int face, const Vec3& p, double& within2, ClosestPoint& best) const {
   tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
     const Facet& f = facets_.facets[as_index(facet)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) return;
-    const Foot foot = foot_on(f, p);
-    if (!(foot.distance2 < least)) return;
-    best = foot;
+    const ClosestPoint closest = closest_point_on(f, p);
+    if (!(closest.distance2 < least)) return;
+    best = closest;
     best.facet = facet;
-    least = foot.distance2;
+    least = closest.distance2;
   });
 }
 
 void MeshWall::distances(const Vec3& p, double within, std::span<double> out) const {
   std::ranges::fill(out, far);
-  if (surely(p) > within) return;
-  Foot first;
+  if (distance_bound(p) > within) return;
+  ClosestPoint first;
   double least = never, range = within * within;
   face_tree_.near(root_, p, range, [&](std::int32_t face, double&) {
-    Foot best;
+    ClosestPoint best;
     double within2 = within * within;
     nearest_on(face, p, within2, best);
     if (best.facet < 0) return;
@@ -185,48 +188,48 @@ void MeshWall::distances(const Vec3& p, double within, std::span<double> out) co
     if (beyond) out[0] = -far;
     return;
   }
-  const Nearest wall = seen(first, p);
+  const NearestFace wall = signed_nearest(first, p);
   if (wall.gap.distance < 0) out[as_index(wall.face)] = wall.gap.distance;
 }
 
 double MeshWall::distance(int face, const Vec3& p, double within) const {
-  Foot best;
+  ClosestPoint best;
   double within2 = within * within;
   nearest_on(face, p, within2, best);
   return best.facet < 0 ? far : std::sqrt(best.distance2);
 }
 
-MeshWall::Nearest MeshWall::nearest(const Vec3& p) const {
-  Foot best;
+MeshWall::NearestFace MeshWall::nearest(const Vec3& p) const {
+  ClosestPoint best;
   double within2 = never;
   face_tree_.near(root_, p, within2,
                   [&](std::int32_t face, double& least) { nearest_on(face, p, least, best); });
-  return best.facet < 0 ? Nearest{0, {-far, {0, 0, 1}, 0}} : seen(best, p);
+  return best.facet < 0 ? NearestFace{0, {-far, {0, 0, 1}, 0}} : signed_nearest(best, p);
 }
 
 double MeshWall::depth_beyond(double depth, const Vec3& p,
                               std::span<const std::int32_t> facets) const {
-  Foot best;
+  ClosestPoint best;
   double least = never;
   for (const std::int32_t i : facets) {
     const Facet& f = facets_.facets[as_index(i)];
     const double h = dot(f.normal, p - f.corner[0]);
     if (!(h * h < least)) continue;
-    Foot foot = foot_on(f, p);
-    if (!(foot.distance2 < least)) continue;
-    if (depth > 0 && foot.distance2 <= depth * depth) return depth;
-    foot.facet = i;
-    best = foot;
-    least = foot.distance2;
+    ClosestPoint closest = closest_point_on(f, p);
+    if (!(closest.distance2 < least)) continue;
+    if (depth > 0 && closest.distance2 <= depth * depth) return depth;
+    closest.facet = i;
+    best = closest;
+    least = closest.distance2;
   }
-  return best.facet < 0 ? -far : seen(best, p).gap.distance;
+  return best.facet < 0 ? -far : signed_nearest(best, p).gap.distance;
 }
 
 std::vector<std::int32_t> MeshWall::nearest_around(const Vec3& p, double within,
                                                    std::span<const std::int32_t> facets) const {
   std::vector<double> distances;
   for (const std::int32_t i : facets)
-    distances.push_back(std::sqrt(foot_on(facets_.facets[as_index(i)], p).distance2));
+    distances.push_back(std::sqrt(closest_point_on(facets_.facets[as_index(i)], p).distance2));
   const double least = distances.empty() ? 0 : *std::ranges::min_element(distances);
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < facets.size(); ++k)
@@ -234,8 +237,8 @@ std::vector<std::int32_t> MeshWall::nearest_around(const Vec3& p, double within,
   return near;
 }
 
-double MeshWall::surely(const Vec3& p) const {
-  if (surely_.empty()) return 0;
+double MeshWall::distance_bound(const Vec3& p) const {
+  if (distance_bounds_.empty()) return 0;
   const Vec3 size = extent_.size(), place = p - extent_.low;
   std::size_t cell = 0;
   for (const auto& [x, length] :
@@ -244,7 +247,7 @@ double MeshWall::surely(const Vec3& p) const {
     if (!(index >= 0 && index < cells)) return 0;
     cell = cells * cell + static_cast<std::size_t>(index);
   }
-  return static_cast<double>(surely_[cell]);
+  return static_cast<double>(distance_bounds_[cell]);
 }
 
 }  // namespace mahlwerk::geometry

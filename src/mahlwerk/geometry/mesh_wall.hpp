@@ -24,10 +24,14 @@ class MeshWall {
   const Extent& extent() const { return extent_; }
   double volume() const { return volume_; }
   double reach() const { return reach_; }
-  double across() const { return across_; }  ///< [m] largest distance from the z axis
+  double radius_about_axis() const {
+    return radius_about_axis_;
+  }  ///< [m] largest distance from the z axis
   double inradius() const { return inradius_; }
-  const Vec3& deepest() const { return deepest_; }  ///< centre of the largest ball
-  double tightest_bend() const { return facets_.tightest_bend; }
+  const Vec3& largest_ball_centre() const {
+    return largest_ball_centre_;
+  }  ///< centre of the largest ball
+  double min_concave_radius() const { return facets_.min_concave_radius; }
 
   /// Where a ball at `p` may touch a face (geo.10): the nearest point of the face from which p lies
   /// in the wall's normal cone. Distance `far` where there is none within `within`.
@@ -40,12 +44,12 @@ class MeshWall {
   /// The same of one face, never negative.
   double distance(int face, const Vec3& p, double within) const;
 
-  struct Nearest {
+  struct NearestFace {
     int face = 0;
     Gap gap;  ///< negative outside
   };
   /// Of the whole wall.
-  Nearest nearest(const Vec3& p) const;
+  NearestFace nearest(const Vec3& p) const;
   /// [m] from these facets, < 0 outside, where that is more than `depth`; else no more than it.
   double depth_beyond(double depth, const Vec3& p, std::span<const std::int32_t> facets) const;
   /// Those of the facets that may be the nearest to a place `within` [m] of `p`.
@@ -53,29 +57,29 @@ class MeshWall {
                                            std::span<const std::int32_t> facets) const;
 
   /// A distance that p certainly has, inside; 0 if nothing is known at once.
-  double surely(const Vec3& p) const;
+  double distance_bound(const Vec3& p) const;
 
  private:
-  struct Foot {
+  struct ClosestPoint {
     Vec3 point;
     double distance2 = 0;  // [m2]
     std::int32_t facet = -1;
-    int part = 0;  // 0 the plane, 1 to 3 a side, 4 to 6 a corner
+    int feature = 0;  // 0 the plane, 1 to 3 a side, 4 to 6 a corner
   };
-  struct Part {
+  struct Feature {
     Vec3 normal;         // into the jar
     std::int32_t owner;  // the face it counts for
   };
 
-  std::vector<std::int32_t> plant();
+  std::vector<std::int32_t> build_trees();
   void measure();
-  void sound();
+  void sample_depth();
 
-  static Foot foot_on(const Facet& facet, const Vec3& p);
-  Part part_of(const Foot& foot) const;
-  bool in_cone(const Foot& foot, const Vec3& p) const;
-  void nearest_on(int face, const Vec3& p, double& within2, Foot& best) const;
-  Nearest seen(const Foot& foot, const Vec3& p) const;
+  static ClosestPoint closest_point_on(const Facet& facet, const Vec3& p);
+  Feature feature_of(const ClosestPoint& closest) const;
+  bool in_normal_cone(const ClosestPoint& closest, const Vec3& p) const;
+  void nearest_on(int face, const Vec3& p, double& within2, ClosestPoint& best) const;
+  NearestFace signed_nearest(const ClosestPoint& closest, const Vec3& p) const;
 
   Surface surface_;
   Facets facets_;
@@ -84,11 +88,11 @@ class MeshWall {
   std::int32_t root_ = 0;            // of all faces
 
   Extent extent_;
-  double volume_ = 0, reach_ = 0, across_ = 0, inradius_ = 0;
-  Vec3 deepest_;
+  double volume_ = 0, reach_ = 0, radius_about_axis_ = 0, inradius_ = 0;
+  Vec3 largest_ball_centre_;
 
-  static constexpr int cells = 24;  // along each side of the extent
-  std::vector<float> surely_;       // [m] for all points of a cell
+  static constexpr int cells = 24;      // along each side of the extent
+  std::vector<float> distance_bounds_;  // [m] for all points of a cell
 };
 
 }  // namespace mahlwerk::geometry

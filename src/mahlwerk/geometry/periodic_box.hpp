@@ -30,9 +30,9 @@ struct PeriodicBox {
   Vec3 periods() const { return {width, depth, height}; }
   Gap gap(int, const Vec3&) const { return {never, {0, 0, 1}, 0}; }
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int, const Course&, double) const { return {never, 0, never}; }
-  bool meets(int, double) const { return false; }
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int, const SafeTimeQuery&, double) const { return {never, 0, never}; }
+  bool can_touch(int, double) const { return false; }
   double volume() const { return width * depth * height; }
   double reach() const { return 0.5 * norm(periods()); }
   double inradius() const { return 0.5 * std::min({width, depth, height}); }

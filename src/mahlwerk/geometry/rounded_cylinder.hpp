@@ -55,28 +55,29 @@ struct RoundedCylinder {
     const double swept = over * dot(v, around) / rho;  // the normal turns with the azimuth
     return rate_about_core(e, u + swept * around);
   }
-  double until_crease(int face, const Vec3& p, const Vec3& v) const {
+  double time_to_curvature_jump(int face, const Vec3& p, const Vec3& v) const {
     if (face != 3) return never;
     const double rho = std::hypot(p.x, p.y), out = (p.x * v.x + p.y * v.y) / (rho > 0 ? rho : 1);
     return std::min(until_crossing(0.5 * height - fillet, p.z, v.z),
                     until_crossing(0.5 * diameter - fillet, rho, out));
   }
-  Outlook outlook(int face, const Course& c, double radius) const {
-    if (face != 3) return plain().outlook(face, c, radius);
+  SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
+    if (face != 3) return plain().safe_time(face, c, radius);
     const Vec3 e = from_core(c.position);
-    const double room = fillet - radius, e2 = squared(e), pull = c.pull.whole;
+    const double room = fillet - radius, e2 = squared(e),
+                 max_acceleration = c.max_acceleration.total;
     if (e2 > 0) {
       const double along = dot(e, c.velocity);
       return {gap_within(room, e2), along,
-              clear_of_core(room, e2, along, squared(c.velocity), pull)};
+              core_safe_time(room, e2, along, squared(c.velocity), max_acceleration)};
     }
     const double gap = std::min(0.5 * diameter - std::hypot(c.position.x, c.position.y),
                                 0.5 * height - std::abs(c.position.z)) -
                        radius;
     const double speed = norm(c.velocity);
-    return {gap, speed, clear_of_plane(gap, speed, pull)};
+    return {gap, speed, plane_safe_time(gap, speed, max_acceleration)};
   }
-  bool meets(int face, double radius) const { return (face == 3) == (radius < fillet); }
+  bool can_touch(int face, double radius) const { return (face == 3) == (radius < fillet); }
   double volume() const {
     // Pappus: a square of side `fillet` less its quarter disc, turned about the axis, at both ends.
     const double big = 0.5 * diameter, f = fillet, pi = std::numbers::pi;

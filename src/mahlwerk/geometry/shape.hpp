@@ -23,25 +23,25 @@ struct Gap {
 };
 
 /// Bounds on an acceleration [m/s2], kept with what the faces make of them.
-struct Pull {
-  Vec3 most;          ///< on the components' sizes
-  double whole = 0;   ///< on its size
-  double across = 0;  ///< on the size of its part across z
+struct AccelerationBound {
+  Vec3 components;         ///< on the components' sizes
+  double total = 0;        ///< on its size
+  double across_axis = 0;  ///< on the size of its part across z
 
-  Pull() = default;
-  explicit Pull(const Vec3& bounds)
-      : most(bounds), whole(norm(bounds)), across(std::hypot(bounds.x, bounds.y)) {}
+  AccelerationBound() = default;
+  explicit AccelerationBound(const Vec3& bounds)
+      : components(bounds), total(norm(bounds)), across_axis(std::hypot(bounds.x, bounds.y)) {}
 };
 
 /// A ball's centre on its way, in the jar's own axes.
-struct Course {
-  const Vec3& position;  ///< [m]
-  const Vec3& velocity;  ///< [m/s]
-  const Pull& pull;      ///< what accelerates it from now on
+struct SafeTimeQuery {
+  const Vec3& position;                       ///< [m]
+  const Vec3& velocity;                       ///< [m/s]
+  const AccelerationBound& max_acceleration;  ///< what accelerates it from now on
 };
 
 /// What a face can promise a ball on its course.
-struct Outlook {
+struct SafeTime {
   double gap = 0;      ///< [m] between ball and face; a lower bound, exact as it closes
   double closing = 0;  ///< > 0 if the gap shrinks (its sign is what counts)
   double time = 0;  ///< [s] for which no touch is possible, whatever the acceleration within bounds
@@ -49,12 +49,12 @@ struct Outlook {
 
 /// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at
 /// v; its product with -v is the inward acceleration of a point that runs along the parallel
-/// surface (geo.2). `until_crease(face, p, v)` [s] is when a point on a straight line crosses to
-/// where the wall's curvature is another, infinite if it does not. `outlook(face, course, radius)`
-/// serves the search of touches (geo.4 to geo.6). `meets(face, radius)` says whether a ball of that
-/// radius can touch the face at all.
+/// surface (geo.2). `time_to_curvature_jump(face, p, v)` [s] is when a point on a straight line
+/// crosses to where the wall's curvature is another, infinite if it does not. `safe_time(face,
+/// query, radius)` serves the search of touches (geo.4 to geo.6). `can_touch(face, radius)` says
+/// whether a ball of that radius can touch the face at all.
 template <class S>
-concept Shape = requires(const S s, int face, double radius, Vec3 p, Course course) {
+concept Shape = requires(const S s, int face, double radius, Vec3 p, SafeTimeQuery query) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::about } -> std::convertible_to<std::string_view>;
   { s.faces } -> std::convertible_to<int>;  // a constant, or as many as a mesh has
@@ -62,9 +62,9 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, Course cour
   { S::face_name(face) } -> std::convertible_to<std::string_view>;
   { s.gap(face, p) } -> std::same_as<Gap>;
   { s.normal_rate(face, p, p) } -> std::same_as<Vec3>;
-  { s.until_crease(face, p, p) } -> std::same_as<double>;
-  { s.outlook(face, course, radius) } -> std::same_as<Outlook>;
-  { s.meets(face, radius) } -> std::same_as<bool>;
+  { s.time_to_curvature_jump(face, p, p) } -> std::same_as<double>;
+  { s.safe_time(face, query, radius) } -> std::same_as<SafeTime>;
+  { s.can_touch(face, radius) } -> std::same_as<bool>;
   { s.volume() } -> std::same_as<double>;  // [m3]
   { s.reach() } -> std::same_as<double>;   // [m] radius of a sphere about the origin that holds it
   { s.inradius() } -> std::same_as<double>;  // [m] radius of the largest ball it holds
@@ -84,9 +84,9 @@ Vec3 periods_of(const S& shape) {
 
 /// How fast a part of the shape moves in it [m/s]: a stirrer's tips.
 template <class S>
-double speed_of_parts_of(const S& shape) {
+double rotor_tip_speed_of(const S& shape) {
   if constexpr (requires { shape.rotor_speed; })
-    return std::abs(shape.rotor_speed) * shape.turning_reach();
+    return std::abs(shape.rotor_speed) * shape.rotor_reach();
   else
     return 0;
 }
@@ -127,12 +127,12 @@ double distance(const S& shape, int face, const Vec3& p, double within) {
 /// Calls `f(face, gap)` for those faces that a ball of `radius` at `p` can touch: at least for all
 /// that are `within` [m], and outside the jar for one.
 template <class S, class F>
-void each_wall(const S& shape, const Vec3& p, double radius, double within, F f) {
+void for_each_near_face(const S& shape, const Vec3& p, double radius, double within, F f) {
   if constexpr (requires { shape.near(p, within, f); })
     shape.near(p, within, f);
   else
     for (int face = 0; face < shape.faces; ++face)
-      if (shape.meets(face, radius)) f(face, shape.gap(face, p));
+      if (shape.can_touch(face, radius)) f(face, shape.gap(face, p));
 }
 
 }  // namespace mahlwerk::geometry

@@ -43,8 +43,8 @@ double volume(const AnyShape& shape) {
 Vec3 periods(const AnyShape& shape) {
   return std::visit([](const auto& s) { return periods_of(s); }, shape);
 }
-double speed_of_parts(const AnyShape& shape) {
-  return std::visit([](const auto& s) -> double { return speed_of_parts_of(s); }, shape);
+double rotor_tip_speed(const AnyShape& shape) {
+  return std::visit([](const auto& s) -> double { return rotor_tip_speed_of(s); }, shape);
 }
 std::string flaw(const AnyShape& shape) {
   return std::visit(
@@ -60,8 +60,8 @@ double nearest_wall(const AnyShape& shape, const Vec3& p, double radius) {
   double least = never;
   std::visit(
       [&](const auto& s) {
-        each_wall(s, p, radius, radius,
-                  [&](int, const Gap& gap) { least = std::min(least, gap.distance); });
+        for_each_near_face(s, p, radius, radius,
+                           [&](int, const Gap& gap) { least = std::min(least, gap.distance); });
       },
       shape);
   return least;

@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
 
@@ -28,14 +28,14 @@ struct Sphere {
     return {big - r, r > 0 ? -p / r : Vec3{0, 0, 1}, 1 / big};
   }
   Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const { return rate_about_core(p, v); }
-  double until_crease(int, const Vec3&, const Vec3&) const { return never; }
-  Outlook outlook(int, const Course& c, double radius) const {
+  double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
+  SafeTime safe_time(int, const SafeTimeQuery& c, double radius) const {
     const double room = 0.5 * diameter - radius, e2 = squared(c.position);
     const double along = dot(c.position, c.velocity);
     return {gap_within(room, e2), along,
-            clear_of_core(room, e2, along, squared(c.velocity), c.pull.whole)};
+            core_safe_time(room, e2, along, squared(c.velocity), c.max_acceleration.total)};
   }
-  bool meets(int, double) const { return true; }
+  bool can_touch(int, double) const { return true; }
   double volume() const { return std::numbers::pi * diameter * diameter * diameter / 6; }
   double reach() const { return 0.5 * diameter; }
   double inradius() const { return 0.5 * diameter; }

@@ -16,9 +16,9 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 
 /// Points in cells a little larger than the distance at which two are one.
-class Joiner {
+class VertexWelder {
  public:
-  Joiner(double tolerance, double size)
+  VertexWelder(double tolerance, double size)
       : tolerance_(tolerance), cell_(std::max(4 * tolerance, 1e-9 * size)) {}
 
   /// The number of the first point within the tolerance of `p`, or a new one.
@@ -30,7 +30,7 @@ class Joiner {
         for (std::int64_t z = low[2]; z <= high[2]; ++z) {
           const auto [from, to] = cells_.equal_range({x, y, z});
           for (auto at = from; at != to; ++at) {
-            const Vec3 apart = magnitude(points[static_cast<std::size_t>(at->second)] - p);
+            const Vec3 apart = componentwise_abs(points[static_cast<std::size_t>(at->second)] - p);
             if (std::max({apart.x, apart.y, apart.z}) <= tolerance_) return at->second;
           }
         }
@@ -58,12 +58,12 @@ class Joiner {
   std::unordered_multimap<Cell, std::int32_t, Hash> cells_;
 };
 
-Surface numbered(std::span<const Corners> triangles, double tolerance, double size) {
+Surface with_shared_vertices(std::span<const Corners> triangles, double tolerance, double size) {
   Surface out;
-  Joiner joiner(tolerance, size);
+  VertexWelder welder(tolerance, size);
   for (const Corners& c : triangles) {
     std::array<std::int32_t, 3> t{};
-    for (std::size_t k = 0; k < 3; ++k) t[k] = joiner.number(c[k], out.points);
+    for (std::size_t k = 0; k < 3; ++k) t[k] = welder.number(c[k], out.points);
     out.triangles.push_back(t);
   }
   return out;
@@ -130,7 +130,7 @@ class SideMap {
 
 /// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two
 /// that the line from b to the neighbour's own corner makes.
-bool turn_longest_side(Surface& s, SideMap& sides, std::size_t flat) {
+bool flip_longest_side(Surface& s, SideMap& sides, std::size_t flat) {
   const Triangle t = s.triangles[flat];
   const std::size_t k = longest_side(s, t);
   const std::int32_t c = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
@@ -147,7 +147,7 @@ bool turn_longest_side(Surface& s, SideMap& sides, std::size_t flat) {
   return true;
 }
 
-void take_out_flat_ones(Surface& s) {
+void remove_degenerate_triangles(Surface& s) {
   std::erase_if(s.triangles,
                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   const double least = 1e-9 * norm(extent_of(s.points).size());
@@ -157,7 +157,7 @@ void take_out_flat_ones(Surface& s) {
     for (std::size_t i = 0; i < s.triangles.size(); ++i) {
       if (!(height_of(s, s.triangles[i]) < least)) continue;
       if (!sides) sides.emplace(s.triangles);
-      turned = turn_longest_side(s, *sides, i) || turned;
+      turned = flip_longest_side(s, *sides, i) || turned;
     }
     if (!turned) return;
   }
@@ -186,16 +186,16 @@ std::vector<std::int32_t> shells(const Surface& s, const std::vector<Side>& side
 
 }  // namespace
 
-Surface joined(std::span<const Corners> triangles) {
+Surface weld(std::span<const Corners> triangles) {
   std::vector<Vec3> all;
   for (const Corners& c : triangles) all.insert(all.end(), c.begin(), c.end());
   const double size = norm(extent_of(all).size());
   if (!(size > 0)) return {};
-  Surface s = numbered(triangles, 0, size);
-  take_out_flat_ones(s);
+  Surface s = with_shared_vertices(triangles, 0, size);
+  remove_degenerate_triangles(s);
   if (closed(s)) return s;
-  Surface loose = numbered(triangles, 1e-6 * size, size);
-  take_out_flat_ones(loose);
+  Surface loose = with_shared_vertices(triangles, 1e-6 * size, size);
+  remove_degenerate_triangles(loose);
   return closed(loose) ? loose : s;
 }
 
@@ -233,7 +233,7 @@ std::vector<Side> sides_of(const Surface& s) {
 
 std::optional<Flaw> flaw_of(const Surface& s) {
   const std::vector<Side> sides = sides_of(s);
-  std::optional<Flaw> open, crowded, twisted;
+  std::optional<Flaw> open, non_manifold, misoriented;
   const auto note = [&](std::optional<Flaw>& flaw, Flaw::Kind kind, const Side& side) {
     if (!flaw) flaw = Flaw{kind, 0, middle(s, side)};
     ++flaw->count;
@@ -246,11 +246,11 @@ std::optional<Flaw> flaw_of(const Surface& s) {
     if (to - from == 1)
       note(open, Flaw::Kind::open, first);
     else if (to - from > 2)
-      note(crowded, Flaw::Kind::crowded, first);
+      note(non_manifold, Flaw::Kind::non_manifold, first);
     else if (first.forward == sides[from + 1].forward)
-      note(twisted, Flaw::Kind::twisted, first);
+      note(misoriented, Flaw::Kind::misoriented, first);
   }
-  for (const auto& flaw : {open, crowded, twisted})
+  for (const auto& flaw : {open, non_manifold, misoriented})
     if (flaw) return flaw;
   const std::vector<std::int32_t> shell = shells(s, sides);
   std::size_t count = 0;
@@ -259,7 +259,7 @@ std::optional<Flaw> flaw_of(const Surface& s) {
     if (shell[i] != static_cast<std::int32_t>(i)) continue;
     if (++count == 2) second = s.points[as_index(s.triangles[i][0])];
   }
-  if (second) return Flaw{Flaw::Kind::several, count, *second};
+  if (second) return Flaw{Flaw::Kind::several_shells, count, *second};
   if (!(volume_of(s) > 0)) return Flaw{Flaw::Kind::inside_out, 0, {}};
   return std::nullopt;
 }

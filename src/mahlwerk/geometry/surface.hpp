@@ -30,16 +30,16 @@ struct Extent {
 
 /// Joins corners that are one point: equal ones, and, if the surface then still gapes, those within
 /// a millionth of its size. Triangles without area are taken out; the surface stays closed.
-Surface joined(std::span<const Corners> triangles);
+Surface weld(std::span<const Corners> triangles);
 
 Extent extent_of(std::span<const Vec3> points);
 double volume_of(const Surface& surface);  ///< [m3] (geo.11); negative if it is inside out
 
 /// Why a surface does not enclose a volume.
 struct Flaw {
-  enum class Kind { open, crowded, twisted, several, inside_out };
+  enum class Kind { open, non_manifold, misoriented, several_shells, inside_out };
   Kind kind;
-  std::size_t count;  ///< edges or, of `several`, shells
+  std::size_t count;  ///< edges or, of `several_shells`, shells
   Vec3 where;         ///< [m] the middle of one such edge, or a corner of the second shell
 };
 std::optional<Flaw> flaw_of(const Surface& surface);

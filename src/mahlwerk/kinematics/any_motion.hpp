@@ -16,18 +16,18 @@ struct AnyMotion;
 
 /// Where a jar is at an instant, and how it turns.
 struct Pose {
-  Ride ride;
-  Rotation turn;   ///< since it was mounted
-  Vec3 spin;       ///< [rad/s]
-  Vec3 spin_rate;  ///< [rad/s2]
+  FrameMotion frame;
+  Rotation rotation;          ///< since it was mounted
+  Vec3 spin;                  ///< [rad/s]
+  Vec3 angular_acceleration;  ///< [rad/s2]
 };
 
 std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
 Pose pose(const AnyMotion& motion, double t);       ///< all of the next four at once
-Ride ride(const AnyMotion& motion, double t);
-Rotation turn(const AnyMotion& motion, double t);
+FrameMotion frame_motion(const AnyMotion& motion, double t);
+Rotation rotation(const AnyMotion& motion, double t);
 Vec3 spin(const AnyMotion& motion, double t);
-Vec3 spin_rate(const AnyMotion& motion, double t);
+Vec3 angular_acceleration(const AnyMotion& motion, double t);
 Bounds bounds(const AnyMotion& motion);
 double period(const AnyMotion& motion);
 Vec3 fixed_axis(const AnyMotion& motion);

@@ -34,33 +34,34 @@ struct ArcShaker {
   double omega() const { return 2 * std::numbers::pi * frequency; }
   /// Angle of the arm and its two derivatives.
   struct Arc {
-    double angle, rate, gain;
+    double angle, rate, angular_acceleration;
   };
   Arc arc(double t) const {
     const double w = omega();
     const auto [s, c] = sin_cos(w * t);
     return {swing * s, swing * w * c, -swing * w * w * s};
   }
-  Ride ride(double t) const {
+  FrameMotion frame_motion(double t) const {
     const Arc a = arc(t);
     const SinCos at = sin_cos(a.angle);
     const double c = arm * at.cos, s = arm * at.sin, r2 = a.rate * a.rate;
     return {{s, arm - c, 0},
             {c * a.rate, s * a.rate, 0},
-            {c * a.gain - s * r2, s * a.gain + c * r2, 0}};
+            {c * a.angular_acceleration - s * r2, s * a.angular_acceleration + c * r2, 0}};
   }
-  Rotation turn(double t) const { return turning(upright, arc(t).angle); }
+  Rotation rotation(double t) const { return rotation_about(upright, arc(t).angle); }
   Vec3 spin(double t) const { return {0, 0, arc(t).rate}; }
-  Vec3 spin_rate(double t) const { return {0, 0, arc(t).gain}; }
+  Vec3 angular_acceleration(double t) const { return {0, 0, arc(t).angular_acceleration}; }
   Vec3 fixed_axis() const { return upright; }
   Bounds bounds() const {
-    const double w = omega(), rate = swing * w, gain = swing * w * w;
-    const double a = arm * std::hypot(gain, rate * rate);
+    const double w = omega(), rate = swing * w, angular_acceleration = swing * w * w;
+    const double a = arm * std::hypot(angular_acceleration, rate * rate);
     return {.speed = arm * rate,
             .acceleration = {a, a, 0},
-            .jerk = arm * (gain * w + 3 * rate * gain + rate * rate * rate),
+            .jerk = arm * (angular_acceleration * w + 3 * rate * angular_acceleration +
+                           rate * rate * rate),
             .spin = rate,
-            .spin_rate = gain};
+            .angular_acceleration = angular_acceleration};
   }
   double period() const { return 1 / frequency; }
   bool operator==(const ArcShaker&) const = default;

@@ -21,7 +21,7 @@ double speed_of_carrier(const AnyMotion& motion) {
 Carrier carrier(const AnyMotion& motion, double time) {
   const double speed = speed_of_carrier(motion);
   if (speed == 0) return {};
-  return {turning(upright, speed * time), {0, 0, speed}};
+  return {rotation_about(upright, speed * time), {0, 0, speed}};
 }
 
 Vec3 plane_normal(const AnyMotion& motion) {

@@ -12,7 +12,7 @@ namespace mahlwerk::kinematics {
 /// How the carrier has turned since the start, and its angular velocity [rad/s]; none for mills
 /// without one: their carrier is the laboratory.
 struct Carrier {
-  Rotation turn;
+  Rotation rotation;
   Vec3 spin;
 };
 Carrier carrier(const AnyMotion& motion, double time);

@@ -16,10 +16,12 @@ class ChosenMotion {
   explicit ChosenMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
 
   Pose pose(double t) const { return kinematics::pose(*motion_, t); }
-  Ride ride(double t) const { return kinematics::ride(*motion_, t); }
-  Rotation turn(double t) const { return kinematics::turn(*motion_, t); }
+  FrameMotion frame_motion(double t) const { return kinematics::frame_motion(*motion_, t); }
+  Rotation rotation(double t) const { return kinematics::rotation(*motion_, t); }
   Vec3 spin(double t) const { return kinematics::spin(*motion_, t); }
-  Vec3 spin_rate(double t) const { return kinematics::spin_rate(*motion_, t); }
+  Vec3 angular_acceleration(double t) const {
+    return kinematics::angular_acceleration(*motion_, t);
+  }
   Bounds bounds() const { return kinematics::bounds(*motion_); }
   double period() const { return kinematics::period(*motion_); }
   Vec3 fixed_axis() const { return kinematics::fixed_axis(*motion_); }
@@ -30,14 +32,14 @@ class ChosenMotion {
 
 /// The same, that remembers the last instant: a search asks several times of one. Not for several
 /// threads at a time.
-class RememberedMotion {
+class CachedMotion {
  public:
-  explicit RememberedMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
+  explicit CachedMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
 
-  Ride ride(double t) const { return at(t).ride; }
-  Rotation turn(double t) const { return at(t).turn; }
+  FrameMotion frame_motion(double t) const { return at(t).frame; }
+  Rotation rotation(double t) const { return at(t).rotation; }
   Vec3 spin(double t) const { return at(t).spin; }
-  Vec3 spin_rate(double t) const { return at(t).spin_rate; }
+  Vec3 angular_acceleration(double t) const { return at(t).angular_acceleration; }
   Bounds bounds() const { return motion_.bounds(); }
   double period() const { return motion_.period(); }
   Vec3 fixed_axis() const { return motion_.fixed_axis(); }

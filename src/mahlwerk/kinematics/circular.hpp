@@ -9,7 +9,7 @@
 namespace mahlwerk::kinematics {
 
 /// A jar moved on a circle without turning (kin.5).
-struct Circular : NeverTurns {
+struct Circular : NonRotating {
   double radius = 0;  // [m]
   double speed = 0;   // [rad/s]
 
@@ -23,7 +23,7 @@ struct Circular : NeverTurns {
         Field<C>{"speed", "rad/s", &C::speed, positive, "turns of the circle per unit of time"}};
   }
 
-  Ride ride(double t) const {
+  FrameMotion frame_motion(double t) const {
     const SinCos at = sin_cos(speed * t);
     const double c = radius * at.cos, s = radius * at.sin, w = speed;
     return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};

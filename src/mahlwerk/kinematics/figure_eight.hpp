@@ -56,14 +56,14 @@ struct FigureEight {
   double omega() const { return 2 * std::numbers::pi * frequency; }
   /// Rocking angle and its two derivatives.
   struct Rock {
-    double angle, rate, gain;
+    double angle, rate, angular_acceleration;
   };
   Rock rocking(double t) const {
     const double w = omega();
     const auto [s, c] = sin_cos(w * t + phase_rock);
     return {rock * s, rock * w * c, -rock * w * w * s};
   }
-  Ride ride(double t) const {
+  FrameMotion frame_motion(double t) const {
     const double w = omega(), w2 = 2 * w;
     const SinCos along = sin_cos(w * t), across = sin_cos(w2 * t + phase_across),
                  up = sin_cos(w * t + phase_up);
@@ -73,25 +73,28 @@ struct FigureEight {
     const Rock r = rocking(t);
     const SinCos turned = sin_cos(r.angle);
     const double px = pivot * turned.cos, py = pivot * turned.sin, r2 = r.rate * r.rate;
-    return {s + Vec3{px - pivot, py, 0}, c + Vec3{-py * r.rate, px * r.rate, 0},
-            Vec3{-w * w * s.x, -w2 * w2 * s.y, -w * w * s.z} +
-                Vec3{-py * r.gain - px * r2, px * r.gain - py * r2, 0}};
+    return {
+        s + Vec3{px - pivot, py, 0}, c + Vec3{-py * r.rate, px * r.rate, 0},
+        Vec3{-w * w * s.x, -w2 * w2 * s.y, -w * w * s.z} +
+            Vec3{-py * r.angular_acceleration - px * r2, px * r.angular_acceleration - py * r2, 0}};
   }
-  Rotation turn(double t) const { return turning(upright, rocking(t).angle); }
+  Rotation rotation(double t) const { return rotation_about(upright, rocking(t).angle); }
   Vec3 spin(double t) const { return {0, 0, rocking(t).rate}; }
-  Vec3 spin_rate(double t) const { return {0, 0, rocking(t).gain}; }
+  Vec3 angular_acceleration(double t) const { return {0, 0, rocking(t).angular_acceleration}; }
   Vec3 fixed_axis() const { return rock == 0 ? Vec3{} : upright; }
   Bounds bounds() const {
-    const double w = omega(), w2 = 2 * w, rate = rock * w, gain = rock * w * w;
-    const double swing = pivot * std::hypot(gain, rate * rate);
-    return {.speed = norm({w * stroke_along, w2 * stroke_across, w * stroke_up}) + pivot * rate,
-            .acceleration = {w * w * stroke_along + swing, w2 * w2 * stroke_across + swing,
-                             w * w * stroke_up},
-            .jerk = norm({w * w * w * stroke_along, w2 * w2 * w2 * stroke_across,
-                          w * w * w * stroke_up}) +
-                    pivot * (gain * w + 3 * rate * gain + rate * rate * rate),
-            .spin = rate,
-            .spin_rate = gain};
+    const double w = omega(), w2 = 2 * w, rate = rock * w, angular_acceleration = rock * w * w;
+    const double swing = pivot * std::hypot(angular_acceleration, rate * rate);
+    return {
+        .speed = norm({w * stroke_along, w2 * stroke_across, w * stroke_up}) + pivot * rate,
+        .acceleration = {w * w * stroke_along + swing, w2 * w2 * stroke_across + swing,
+                         w * w * stroke_up},
+        .jerk =
+            norm({w * w * w * stroke_along, w2 * w2 * w2 * stroke_across, w * w * w * stroke_up}) +
+            pivot *
+                (angular_acceleration * w + 3 * rate * angular_acceleration + rate * rate * rate),
+        .spin = rate,
+        .angular_acceleration = angular_acceleration};
   }
   double period() const { return 1 / frequency; }
   bool operator==(const FigureEight&) const = default;

@@ -16,7 +16,7 @@
 namespace mahlwerk::kinematics {
 
 /// The jar's centre at an instant.
-struct Ride {
+struct FrameMotion {
   Vec3 centre;        ///< [m]
   Vec3 velocity;      ///< [m/s]
   Vec3 acceleration;  ///< [m/s2]
@@ -24,26 +24,27 @@ struct Ride {
 
 /// What is never exceeded at any time.
 struct Bounds {
-  double speed = 0;      ///< [m/s] of the centre
-  Vec3 acceleration{};   ///< [m/s2] of the centre, component by component
-  double jerk = 0;       ///< [m/s3] of the centre
-  double spin = 0;       ///< [rad/s] of the jar
-  double spin_rate = 0;  ///< [rad/s2] of the jar
+  double speed = 0;                 ///< [m/s] of the centre
+  Vec3 acceleration{};              ///< [m/s2] of the centre, component by component
+  double jerk = 0;                  ///< [m/s3] of the centre
+  double spin = 0;                  ///< [rad/s] of the jar
+  double angular_acceleration = 0;  ///< [rad/s2] of the jar
 };
 
-/// A motion. `turn(t)` is the rotation since mounting, `spin(t)` the angular velocity,
-/// `spin_rate(t)` its derivative. `period()` [s] is that of ride and spin, infinite if there is
-/// none. `fixed_axis()` is the constant unit direction of the spin, zero if the jar does not turn
-/// or its axis wanders. `jar_axis` is how the jar is mounted unless the case says otherwise.
+/// A motion. `rotation(t)` is the rotation since mounting, `spin(t)` the angular velocity,
+/// `angular_acceleration(t)` its derivative. `period()` [s] is that of the frame motion and spin,
+/// infinite if there is none. `fixed_axis()` is the constant unit direction of the spin, zero if
+/// the jar does not turn or its axis wanders. `jar_axis` is how the jar is mounted unless the case
+/// says otherwise.
 template <class M>
 concept Motion = requires(const M m, double t) {
   { M::name } -> std::convertible_to<std::string_view>;
   { M::about } -> std::convertible_to<std::string_view>;
   { M::jar_axis } -> std::convertible_to<Vec3>;
-  { m.ride(t) } -> std::same_as<Ride>;
-  { m.turn(t) } -> std::same_as<Rotation>;
+  { m.frame_motion(t) } -> std::same_as<FrameMotion>;
+  { m.rotation(t) } -> std::same_as<Rotation>;
   { m.spin(t) } -> std::same_as<Vec3>;
-  { m.spin_rate(t) } -> std::same_as<Vec3>;
+  { m.angular_acceleration(t) } -> std::same_as<Vec3>;
   { m.bounds() } -> std::same_as<Bounds>;
   { m.period() } -> std::same_as<double>;
   { m.fixed_axis() } -> std::same_as<Vec3>;
@@ -53,12 +54,12 @@ constexpr double no_period = std::numeric_limits<double>::infinity();
 constexpr Vec3 upright{0, 0, 1}, lying{1, 0, 0};
 
 /// What a jar that never turns has in common with others of its kind.
-struct NeverTurns {
-  static constexpr Rotation turn(double) { return {}; }
+struct NonRotating {
+  static constexpr Rotation rotation(double) { return {}; }
   static constexpr Vec3 spin(double) { return {}; }
-  static constexpr Vec3 spin_rate(double) { return {}; }
+  static constexpr Vec3 angular_acceleration(double) { return {}; }
   static constexpr Vec3 fixed_axis() { return {}; }
-  bool operator==(const NeverTurns&) const = default;
+  bool operator==(const NonRotating&) const = default;
 };
 
 }  // namespace mahlwerk::kinematics

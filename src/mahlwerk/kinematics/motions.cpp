@@ -14,21 +14,21 @@ std::string_view name_of(const AnyMotion& motion) {
 Pose pose(const AnyMotion& motion, double t) {
   return std::visit(
       [t](const auto& m) {
-        return Pose{m.ride(t), m.turn(t), m.spin(t), m.spin_rate(t)};
+        return Pose{m.frame_motion(t), m.rotation(t), m.spin(t), m.angular_acceleration(t)};
       },
       motion);
 }
-Ride ride(const AnyMotion& motion, double t) {
-  return std::visit([t](const auto& m) { return m.ride(t); }, motion);
+FrameMotion frame_motion(const AnyMotion& motion, double t) {
+  return std::visit([t](const auto& m) { return m.frame_motion(t); }, motion);
 }
-Rotation turn(const AnyMotion& motion, double t) {
-  return std::visit([t](const auto& m) -> Rotation { return m.turn(t); }, motion);
+Rotation rotation(const AnyMotion& motion, double t) {
+  return std::visit([t](const auto& m) -> Rotation { return m.rotation(t); }, motion);
 }
 Vec3 spin(const AnyMotion& motion, double t) {
   return std::visit([t](const auto& m) -> Vec3 { return m.spin(t); }, motion);
 }
-Vec3 spin_rate(const AnyMotion& motion, double t) {
-  return std::visit([t](const auto& m) -> Vec3 { return m.spin_rate(t); }, motion);
+Vec3 angular_acceleration(const AnyMotion& motion, double t) {
+  return std::visit([t](const auto& m) -> Vec3 { return m.angular_acceleration(t); }, motion);
 }
 Bounds bounds(const AnyMotion& motion) {
   return std::visit([](const auto& m) { return m.bounds(); }, motion);

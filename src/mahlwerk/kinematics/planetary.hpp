@@ -29,14 +29,14 @@ struct Planetary {
   }
 
   double jar_spin() const { return speed * (1 + ratio); }
-  Ride ride(double t) const {
+  FrameMotion frame_motion(double t) const {
     const SinCos at = sin_cos(speed * t);
     const double c = orbit_radius * at.cos, s = orbit_radius * at.sin, w = speed;
     return {{c, s, 0}, {-w * s, w * c, 0}, {-w * w * c, -w * w * s, 0}};
   }
-  Rotation turn(double t) const { return turning({0, 0, 1}, jar_spin() * t); }
+  Rotation rotation(double t) const { return rotation_about({0, 0, 1}, jar_spin() * t); }
   Vec3 spin(double) const { return {0, 0, jar_spin()}; }
-  Vec3 spin_rate(double) const { return {}; }
+  Vec3 angular_acceleration(double) const { return {}; }
   Vec3 fixed_axis() const { return {0, 0, jar_spin() == 0 ? 0.0 : 1.0}; }
   Bounds bounds() const {
     const double a = speed * speed * orbit_radius;

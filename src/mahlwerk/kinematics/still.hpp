@@ -9,13 +9,13 @@
 namespace mahlwerk::kinematics {
 
 /// A jar at rest.
-struct Still : NeverTurns {
+struct Still : NonRotating {
   static constexpr std::string_view name = "still";
   static constexpr std::string_view about = "a jar at rest";
   static constexpr Vec3 jar_axis = upright;
   static constexpr auto fields() { return std::array<Field<Still>, 0>{}; }
 
-  Ride ride(double) const { return {}; }
+  FrameMotion frame_motion(double) const { return {}; }
   Bounds bounds() const { return {}; }
   double period() const { return no_period; }
   bool operator==(const Still&) const = default;

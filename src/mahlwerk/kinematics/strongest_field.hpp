@@ -11,15 +11,17 @@ namespace mahlwerk::kinematics {
 
 /// The most that |g - c''| gets to in a period of the mill [m/s2], or its bound where there is no
 /// period; never so little that bounces could collapse where nothing presses bodies together
-/// (man.4). `ride(t)` is the motion of the jar's centre, `bound` [m/s2] of its acceleration.
-template <class RideAt>
-double strongest_field(const Vec3& gravity, const Vec3& bound, double period, const RideAt& ride) {
+/// (man.4). `frame_motion(t)` is the motion of the jar's centre, `bound` [m/s2] of its
+/// acceleration.
+template <class FrameMotionAt>
+double strongest_field(const Vec3& gravity, const Vec3& bound, double period,
+                       const FrameMotionAt& frame_motion) {
   constexpr double least = 0.1;  // [m/s2]
   constexpr int samples = 256;
   if (!std::isfinite(period)) return std::max(least, norm(bound) + norm(gravity));
   double most = least;
   for (int i = 0; i < samples; ++i)
-    most = std::max(most, norm(gravity - ride(period * i / samples).acceleration));
+    most = std::max(most, norm(gravity - frame_motion(period * i / samples).acceleration));
   return most;
 }
 

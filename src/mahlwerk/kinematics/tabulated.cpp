@@ -94,36 +94,36 @@ Tabulated::Tabulated(std::vector<Sample> samples, Vec3 axis)
     for (std::size_t i = 0; i < n; ++i) {
       pieces_[i].value[k] = y[i];
       pieces_[i].slope[k] = (y[i + 1] - y[i]) / step[i] - step[i] * (2 * m[i] + m[i + 1]) / 6;
-      pieces_[i].half[k] = m[i];
+      pieces_[i].second[k] = m[i];
       pieces_[i].third[k] = (m[i + 1] - m[i]) / step[i];
     }
   }
   turns_ = std::any_of(samples_.begin(), samples_.end(),
                        [&](const Sample& s) { return s.angle != samples_.front().angle; });
-  bound();
+  compute_bounds();
 }
 
 /// Accelerations are linear between knots, so their bounds lie at the knots; a speed is bounded by
 /// its value at both ends and the acceleration between.
-void Tabulated::bound() {
+void Tabulated::compute_bounds() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece &p = pieces_[i], &next = pieces_[(i + 1) % pieces_.size()];
     const double step = (i + 1 < pieces_.size() ? knots_[i + 1] : period_) - knots_[i];
-    const Vec3 a = magnitude({p.half[0], p.half[1], p.half[2]});
-    const Vec3 b = magnitude({next.half[0], next.half[1], next.half[2]});
+    const Vec3 a = componentwise_abs({p.second[0], p.second[1], p.second[2]});
+    const Vec3 b = componentwise_abs({next.second[0], next.second[1], next.second[2]});
     Vec3& most = bounds_.acceleration;
     most = {std::max({most.x, a.x, b.x}), std::max({most.y, a.y, b.y}),
             std::max({most.z, a.z, b.z})};
     bounds_.jerk = std::max(bounds_.jerk, norm({p.third[0], p.third[1], p.third[2]}));
     bounds_.speed = std::max(bounds_.speed, norm({p.slope[0], p.slope[1], p.slope[2]}) +
                                                 step * std::max(norm(a), norm(b)));
-    const double gain = std::max(std::abs(p.half[3]), std::abs(next.half[3]));
-    bounds_.spin_rate = std::max(bounds_.spin_rate, gain);
+    const double gain = std::max(std::abs(p.second[3]), std::abs(next.second[3]));
+    bounds_.angular_acceleration = std::max(bounds_.angular_acceleration, gain);
     bounds_.spin = std::max(bounds_.spin, std::abs(p.slope[3]) + step * gain);
   }
 }
 
-Tabulated::Place Tabulated::find(double t) const {
+Tabulated::SplinePoint Tabulated::find(double t) const {
   const double round = std::floor(t / period_);
   const double local = std::clamp(t - round * period_, 0.0, period_);
   const auto after = std::upper_bound(knots_.begin(), knots_.end(), local);
@@ -131,33 +131,33 @@ Tabulated::Place Tabulated::find(double t) const {
   return {&pieces_[i], local - knots_[i], round};
 }
 
-double Tabulated::at(const Place& p, int channel, int order) const {
+double Tabulated::at(const SplinePoint& p, int channel, int order) const {
   const auto k = static_cast<std::size_t>(channel);
-  const double s = p.since, a = p.piece->half[k], j = p.piece->third[k];
+  const double s = p.since, a = p.piece->second[k], j = p.piece->third[k];
   if (order == 2) return a + s * j;
   if (order == 1) return p.piece->slope[k] + s * (a + s * j / 2);
   return p.piece->value[k] + s * (p.piece->slope[k] + s * (a / 2 + s * j / 6));
 }
 
-Ride Tabulated::ride(double t) const {
+FrameMotion Tabulated::frame_motion(double t) const {
   if (pieces_.empty()) return {};
-  const Place p = find(t);
+  const SplinePoint p = find(t);
   const auto vector = [&](int order) {
     return Vec3{at(p, 0, order), at(p, 1, order), at(p, 2, order)};
   };
   return {vector(0), vector(1), vector(2)};
 }
 
-Rotation Tabulated::turn(double t) const {
+Rotation Tabulated::rotation(double t) const {
   if (!turns_) return {};
-  const Place p = find(t);
-  return turning(axis_, at(p, 3, 0) - samples_.front().angle + p.round * angle_per_period_);
+  const SplinePoint p = find(t);
+  return rotation_about(axis_, at(p, 3, 0) - samples_.front().angle + p.cycle * angle_per_period_);
 }
 
 Vec3 Tabulated::spin(double t) const {
   return turns_ ? at(find(t), 3, 1) * axis_ : Vec3{};
 }
-Vec3 Tabulated::spin_rate(double t) const {
+Vec3 Tabulated::angular_acceleration(double t) const {
   return turns_ ? at(find(t), 3, 2) * axis_ : Vec3{};
 }
 

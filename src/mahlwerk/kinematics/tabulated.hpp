@@ -32,10 +32,10 @@ class Tabulated {
   /// wrong. The angle turns the jar about its mounted axis `axis` (unit vector).
   explicit Tabulated(std::vector<Sample> samples, Vec3 axis = upright);
 
-  Ride ride(double t) const;
-  Rotation turn(double t) const;
+  FrameMotion frame_motion(double t) const;
+  Rotation rotation(double t) const;
   Vec3 spin(double t) const;
-  Vec3 spin_rate(double t) const;
+  Vec3 angular_acceleration(double t) const;
   Vec3 fixed_axis() const { return turns_ ? axis_ : Vec3{}; }
   Bounds bounds() const { return bounds_; }
   double period() const { return period_; }
@@ -44,17 +44,17 @@ class Tabulated {
 
  private:
   static constexpr int channels = 4;  // x, y, z, angle
-  struct Piece {                      // value + slope s + half s^2/2 + third s^3/6 from its knot
-    std::array<double, channels> value, slope, half, third;
+  struct Piece {                      // value + slope s + second s^2/2 + third s^3/6 from its knot
+    std::array<double, channels> value, slope, second, third;
   };
-  struct Place {
+  struct SplinePoint {
     const Piece* piece;
     double since;  // [s] of its knot
-    double round;  // periods gone by
+    double cycle;  // periods gone by
   };
-  Place find(double t) const;
-  double at(const Place& p, int channel, int order) const;
-  void bound();
+  SplinePoint find(double t) const;
+  double at(const SplinePoint& p, int channel, int order) const;
+  void compute_bounds();
 
   std::vector<Sample> samples_;
   std::vector<double> knots_;

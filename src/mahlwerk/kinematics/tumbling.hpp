@@ -20,10 +20,10 @@ struct Tumbling {
                                       "speed of the drum, or % of its critical speed"}};
   }
 
-  Ride ride(double) const { return {}; }
-  Rotation turn(double t) const { return turning(lying, speed * t); }
+  FrameMotion frame_motion(double) const { return {}; }
+  Rotation rotation(double t) const { return rotation_about(lying, speed * t); }
   Vec3 spin(double) const { return speed * lying; }
-  Vec3 spin_rate(double) const { return {}; }
+  Vec3 angular_acceleration(double) const { return {}; }
   Vec3 fixed_axis() const { return speed == 0 ? Vec3{} : lying; }
   Bounds bounds() const { return {.spin = std::abs(speed)}; }
   double period() const { return no_period; }

@@ -9,7 +9,7 @@
 namespace mahlwerk::kinematics {
 
 /// A jar shaken to and fro along a straight line (paper A, eq. 1) (kin.2).
-struct Vibration : NeverTurns {
+struct Vibration : NonRotating {
   double frequency = 0;  // [Hz]
   double amplitude = 0;  // [m]
   double tilt = 0;       // [rad]
@@ -39,7 +39,7 @@ struct Vibration : NeverTurns {
     if (tilt == 0) return upright;  // the usual case, and it is asked for at every step of a search
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
   }
-  Ride ride(double t) const {
+  FrameMotion frame_motion(double t) const {
     const double w = 2 * std::numbers::pi * frequency;
     const auto [s, c] = sin_cos(w * t);
     const Vec3 stroke = amplitude * line();
@@ -48,7 +48,7 @@ struct Vibration : NeverTurns {
   Bounds bounds() const {
     const double w = 2 * std::numbers::pi * frequency;
     return {.speed = w * amplitude,
-            .acceleration = w * w * amplitude * magnitude(line()),
+            .acceleration = w * w * amplitude * componentwise_abs(line()),
             .jerk = w * w * w * amplitude};
   }
   double period() const { return 1 / frequency; }

@@ -24,7 +24,7 @@ int angle_slot(double x, double y) {
 
 }  // namespace
 
-Charge::Charge(const scene::Chamber& mill, double radius) : mass_at(angles), mill_(mill) {
+Charge::Charge(const scene::Chamber& mill, double radius) : mass_by_angle(angles), mill_(mill) {
   const Vec3 normal = kinematics::plane_normal(*mill.motion);
   const bool along = norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane cuts the jar across
   const double reach = geometry::reach(*mill.shape);
@@ -36,11 +36,11 @@ Charge::Charge(const scene::Chamber& mill, double radius) : mass_at(angles), mil
   up_ = cross(normal, right_);
 }
 
-void Charge::look(double time, const std::vector<scene::Ball>& balls, double weight) {
-  if (mass_at.empty()) return;
+void Charge::sample(double time, const std::vector<scene::Ball>& balls, double weight) {
+  if (mass_by_angle.empty()) return;
   const kinematics::Carrier carrier = kinematics::carrier(*mill_.motion, time);
   const kinematics::Pose jar = kinematics::pose(*mill_.motion, time);
-  const Rotation own = jar.turn * mill_.mount;
+  const Rotation own = jar.rotation * mill_.mount;
   const auto add = [&](PlaneField& field, const scene::Ball& b, const Rotation& axes,
                        const Vec3& turns) {
     const Vec3 e = axes * right_, f = axes * up_;
@@ -49,33 +49,33 @@ void Charge::look(double time, const std::vector<scene::Ball>& balls, double wei
               weight);
   };
   for (const scene::Ball& b : balls) {
-    add(in_jar, b, jar.turn, jar.spin);
-    add(in_carrier, b, carrier.turn, carrier.spin);
-    const double x = dot(b.position, carrier.turn * right_);
-    const double y = dot(b.position, carrier.turn * up_);
-    mass_at[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
-    of_all += weight * b.mass();
-    at_the_wall(b, own, jar.spin, weight);
+    add(in_jar, b, jar.rotation, jar.spin);
+    add(in_carrier, b, carrier.rotation, carrier.spin);
+    const double x = dot(b.position, carrier.rotation * right_);
+    const double y = dot(b.position, carrier.rotation * up_);
+    mass_by_angle[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
+    mass_total += weight * b.mass();
+    add_wall_contact(b, own, jar.spin, weight);
   }
-  in_jar.pass(weight);
-  in_carrier.pass(weight);
+  in_jar.add_time(weight);
+  in_carrier.add_time(weight);
 }
 
 /// A mesh of many faces would take too long to ask.
-void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
-                         double weight) {
+void Charge::add_wall_contact(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
+                              double weight) {
   std::visit(
       [&]<class S>(const S& shape) {
         if constexpr (!std::is_same_v<S, geometry::Mesh> &&
                       !std::is_same_v<S, geometry::Attritor>) {
           for (int face = 0; face < shape.faces; ++face) {
-            const geometry::Gap gap = shape.gap(face, own.back(ball.position));
+            const geometry::Gap gap = shape.gap(face, own.apply_inverse(ball.position));
             if (!(gap.distance - ball.radius < near_wall * ball.radius)) continue;
             const Vec3 n = own * gap.inward, arm = -ball.radius * n;
             const Vec3 slip =
                 ball.velocity + cross(ball.spin, arm) - cross(spin, ball.position + arm);
-            at_wall += weight * ball.mass();
-            wall_slip += weight * ball.mass() * norm(across(slip, n));
+            mass_at_wall += weight * ball.mass();
+            wall_slip += weight * ball.mass() * norm(tangential_part(slip, n));
             return;
           }
         }
@@ -84,23 +84,23 @@ void Charge::at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec
 }
 
 void Charge::merge(const Charge& other) {
-  if (mass_at.empty()) {
+  if (mass_by_angle.empty()) {
     *this = other;
     return;
   }
-  if (other.mass_at.empty()) return;
+  if (other.mass_by_angle.empty()) return;
   in_jar.merge(other.in_jar);
   in_carrier.merge(other.in_carrier);
-  for (std::size_t i = 0; i < mass_at.size(); ++i) mass_at[i] += other.mass_at[i];
-  at_wall += other.at_wall;
+  for (std::size_t i = 0; i < mass_by_angle.size(); ++i) mass_by_angle[i] += other.mass_by_angle[i];
+  mass_at_wall += other.mass_at_wall;
   wall_slip += other.wall_slip;
-  of_all += other.of_all;
+  mass_total += other.mass_total;
 }
 
-void Charge::carry(Archive& archive) {
-  in_jar.carry(archive);
-  in_carrier.carry(archive);
-  archive(mass_at)(at_wall)(wall_slip)(of_all);
+void Charge::serialize(Archive& archive) {
+  in_jar.serialize(archive);
+  in_carrier.serialize(archive);
+  archive(mass_by_angle)(mass_at_wall)(wall_slip)(mass_total);
 }
 
 }  // namespace mahlwerk::observe

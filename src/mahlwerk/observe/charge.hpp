@@ -22,7 +22,7 @@ class Charge {
   Charge(const scene::Chamber& mill, double radius);
 
   /// The balls in the jar frame at `time` [s]; they stand for `weight` [s].
-  void look(double time, const std::vector<scene::Ball>& balls, double weight);
+  void sample(double time, const std::vector<scene::Ball>& balls, double weight);
 
   /// The plane's axes: to the right and up, seen from where its normal points to, at time 0.
   const Vec3& right() const { return right_; }
@@ -32,16 +32,17 @@ class Charge {
   PlaneField in_carrier;  ///< seen from what carries it: the disc, or the laboratory's axes
   /// [kg s] at each angle about the jar's axis in the plane, from `right` on, seen from the
   /// carrier.
-  std::vector<double> mass_at;
-  double at_wall = 0;    ///< [kg s] of balls within a hundredth of their radius from the wall
-  double wall_slip = 0;  ///< [kg m] of those, times the speed at which they slip
-  double of_all = 0;     ///< [kg s]
+  std::vector<double> mass_by_angle;
+  double mass_at_wall = 0;  ///< [kg s] of balls within a hundredth of their radius from the wall
+  double wall_slip = 0;     ///< [kg m] of those, times the speed at which they slip
+  double mass_total = 0;    ///< [kg s]
 
   void merge(const Charge& other);
-  void carry(Archive& archive);
+  void serialize(Archive& archive);
 
  private:
-  void at_the_wall(const scene::Ball& ball, const Rotation& own, const Vec3& spin, double weight);
+  void add_wall_contact(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
+                        double weight);
   scene::Chamber mill_;
   Vec3 right_{1, 0, 0}, up_{0, 1, 0};
 };

@@ -23,7 +23,7 @@ class PlaneField {
   /// squared speed is `speed2`; `weight` [s] is the time it stands for.
   void add(double x, double y, double u, double v, double speed2, double mass, double weight);
   /// Those of one time have been added: `weight` [s] more of time.
-  void pass(double weight) { time_ += weight; }
+  void add_time(double weight) { time_ += weight; }
 
   double half() const { return half_; }
   double time() const { return time_; }
@@ -36,7 +36,7 @@ class PlaneField {
   double kinetic_energy(int i, int j) const;  ///< [J/m2], of the balls' flight
 
   void merge(const PlaneField& other);  ///< of the same size
-  void carry(Archive& archive) { archive(sums_)(time_); }
+  void serialize(Archive& archive) { archive(sums_)(time_); }
 
  private:
   struct Sum {

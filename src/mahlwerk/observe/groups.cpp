@@ -68,7 +68,7 @@ std::optional<TwoGroups> two_groups(std::vector<double> values, double level) {
     if (++as_sharp > level * (samples + 1)) return std::nullopt;  // no need to go on
   }
   return TwoGroups{.between = std::midpoint(values[found.low - 1], values[found.low]),
-                   .chance = as_sharp / (samples + 1.0)};  // (sta.7)
+                   .p_value = as_sharp / (samples + 1.0)};  // (sta.7)
 }
 
 }  // namespace mahlwerk::observe

@@ -11,7 +11,7 @@ namespace mahlwerk::observe {
 /// Values that fall into two groups.
 struct TwoGroups {
   double between = 0;  ///< values of the lower group are below, those of the upper one above
-  double chance = 1;   ///< that a sample of one normal distribution is split as sharply (sta.7)
+  double p_value = 1;  ///< that a sample of one normal distribution is split as sharply (sta.7)
 };
 
 /// Fewer values never show two groups.

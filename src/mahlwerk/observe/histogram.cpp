@@ -58,7 +58,7 @@ std::int64_t LogHistogram::total() const {
   return all;
 }
 
-std::array<int, 2> LogHistogram::filled() const {
+std::array<int, 2> LogHistogram::occupied_range() const {
   int first = 0, last = bins;
   while (first < bins && count(first) == 0) ++first;
   if (first == bins) return {0, 0};

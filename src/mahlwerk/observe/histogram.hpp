@@ -41,7 +41,7 @@ class LogHistogram {
       add_to_end(value, at);
   }
   void merge(const LogHistogram& other);
-  void carry(Archive& archive) { archive(inner_)(ends_); }
+  void serialize(Archive& archive) { archive(inner_)(ends_); }
 
   /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter
   /// is found by comparing its mantissa with the three edges inside an octave.
@@ -62,7 +62,7 @@ class LogHistogram {
   std::int64_t total() const;  ///< of the counts
   double sum() const;          ///< of all values
   /// First and one past the last bin that is not empty; {0, 0} if all are.
-  std::array<int, 2> filled() const;
+  std::array<int, 2> occupied_range() const;
 
  private:
   __extension__ using Whole = unsigned __int128;

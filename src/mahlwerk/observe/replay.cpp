@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_frames = 360, fewest_frames = 16;
 
 /// What a film should last to show the motion [s].
-double worth_showing(const kinematics::AnyMotion& motion) {
+double film_duration(const kinematics::AnyMotion& motion) {
   constexpr double periods = 3, otherwise = 0.5;
   const double spin = kinematics::bounds(motion).spin;
   const double turn = spin > 0 ? 2 * std::numbers::pi / spin : otherwise;
@@ -29,31 +29,31 @@ std::int16_t rounded(double value, double unit) {
 }  // namespace
 
 Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most)
-    : begin_(begin), every_(1 + (balls - 1) / most_balls) {
-  shown_ = (balls + every_ - 1) / every_;
-  frames_ = std::clamp(most_places / shown_, fewest_frames, most_frames);
-  const double length = std::min(worth_showing(*mill.motion), most);
-  every_seconds_ = length / static_cast<double>(frames_ - 1);
-  place_unit_ = geometry::reach(*mill.shape) / 32767;
+    : begin_(begin), ball_stride_(1 + (balls - 1) / most_balls) {
+  shown_balls_ = (balls + ball_stride_ - 1) / ball_stride_;
+  frames_ = std::clamp(most_positions / shown_balls_, fewest_frames, most_frames);
+  const double length = std::min(film_duration(*mill.motion), most);
+  frame_interval_ = length / static_cast<double>(frames_ - 1);
+  position_unit_ = geometry::reach(*mill.shape) / 32767;
 }
 
-double Replay::next() const {
+double Replay::next_frame_time() const {
   if (times_.size() == frames_) return std::numeric_limits<double>::infinity();
-  return begin_ + every_seconds_ * static_cast<double>(times_.size());
+  return begin_ + frame_interval_ * static_cast<double>(times_.size());
 }
 
 void Replay::add(double time, const std::vector<scene::Ball>& balls) {
   times_.push_back(time);
-  for (std::size_t i = 0; i < balls.size(); i += every_) {
+  for (std::size_t i = 0; i < balls.size(); i += ball_stride_) {
     const Vec3& p = balls[i].position;
-    places_.push_back(
-        {rounded(p.x, place_unit_), rounded(p.y, place_unit_), rounded(p.z, place_unit_)});
+    positions_.push_back(
+        {rounded(p.x, position_unit_), rounded(p.y, position_unit_), rounded(p.z, position_unit_)});
     speeds_.push_back(static_cast<float>(norm(balls[i].velocity)));
   }
 }
 
-void Replay::carry(Archive& archive) {
-  archive(times_)(places_)(speeds_);
+void Replay::serialize(Archive& archive) {
+  archive(times_)(positions_)(speeds_);
 }
 
 }  // namespace mahlwerk::observe

@@ -32,9 +32,9 @@ void Spectra::merge(const Spectra& other) {
   }
 }
 
-void Spectra::carry(Archive& archive) {
-  for (const auto one : histograms) (this->*one).carry(archive);
-  normal_tangential.carry(archive);
+void Spectra::serialize(Archive& archive) {
+  for (const auto one : histograms) (this->*one).serialize(archive);
+  normal_tangential.serialize(archive);
   archive(angle_all)(angle_above);
 }
 

@@ -20,12 +20,12 @@ class JointHistogram {
   JointHistogram() : counts_(static_cast<std::size_t>(bins) * bins) {}
   /// Bins as LogHistogram::bin_of() tells them; what lies beyond the ends goes into the outermost.
   void add(std::int64_t normal, std::int64_t tangential) {
-    ++counts_[place(octave(normal), octave(tangential))];
+    ++counts_[index(octave(normal), octave(tangential))];
   }
   void merge(const JointHistogram& other);
-  void carry(Archive& archive) { archive(counts_); }
+  void serialize(Archive& archive) { archive(counts_); }
   std::int64_t count(int normal, int tangential) const {
-    return counts_[place(normal, tangential)];
+    return counts_[index(normal, tangential)];
   }
   static double lower(int bin);  ///< [J] edge; that of the first is 0
 
@@ -34,7 +34,7 @@ class JointHistogram {
     constexpr std::int64_t down = LogHistogram::lowest_octave - lowest_octave;
     return std::clamp<std::int64_t>(bin / LogHistogram::per_octave + down, 0, bins - 1);
   }
-  static std::size_t place(std::int64_t normal, std::int64_t tangential) {
+  static std::size_t index(std::int64_t normal, std::int64_t tangential) {
     return static_cast<std::size_t>(normal) * bins + static_cast<std::size_t>(tangential);
   }
   std::vector<std::int64_t> counts_;
@@ -54,7 +54,7 @@ struct Spectra {
   Angles angle_all{}, angle_above{};
 
   void merge(const Spectra& other);
-  void carry(Archive& archive);
+  void serialize(Archive& archive);
 };
 
 }  // namespace mahlwerk::observe

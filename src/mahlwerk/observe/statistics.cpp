@@ -57,7 +57,7 @@ double squares_about(const std::vector<double>& values, double mean) {
 }
 
 /// Correlation of neighbours, its bias of -1/n taken off.
-double of_neighbours(const std::vector<double>& values) {
+double lag_one_autocorrelation(const std::vector<double>& values) {
   const double mean = mean_of(values), squares = squares_about(values, mean);
   double sum = 0;
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -65,7 +65,7 @@ double of_neighbours(const std::vector<double>& values) {
   return squares > 0 ? sum / squares + 1 / static_cast<double>(values.size()) : 0;
 }
 
-std::vector<double> in_batches(const std::vector<double>& values, std::size_t of) {
+std::vector<double> batch_means(const std::vector<double>& values, std::size_t of) {
   std::vector<double> batches(values.size() / of);
   for (std::size_t i = 0; i < batches.size() * of; ++i)
     batches[i / of] += values[i] / static_cast<double>(of);
@@ -87,24 +87,24 @@ Estimate estimate(const std::vector<double>& values) {
   return {mean, student95(static_cast<int>(values.size()) - 1) * error};  // (sta.1)
 }
 
-Estimate over_time(const std::vector<double>& values) {
+Estimate time_series_estimate(const std::vector<double>& values) {
   constexpr std::size_t fewest = 10;
   if (values.size() < fewest) return {mean_of(values), std::numeric_limits<double>::quiet_NaN()};
   std::vector<double> batches = values;
-  double known = of_neighbours(batches);
+  double known = lag_one_autocorrelation(batches);
   while (known * std::sqrt(static_cast<double>(batches.size())) >= 1 &&
          batches.size() / 2 >= fewest) {  // (sta.3)
-    batches = in_batches(batches, 2);
-    known = of_neighbours(batches);
+    batches = batch_means(batches, 2);
+    known = lag_one_autocorrelation(batches);
   }
   const double left = std::clamp(known, 0.0, 0.9);
   const double wider = std::sqrt((1 + left) / (1 - left));  // (sta.4)
   return {mean_of(values), wider * estimate(batches).ci95};
 }
 
-std::size_t unsettled(const std::vector<double>& values) {
+std::size_t transient_length(const std::vector<double>& values) {
   constexpr std::size_t five = 5;
-  const std::vector<double> batches = in_batches(values, five);
+  const std::vector<double> batches = batch_means(values, five);
   std::size_t best = 0;
   double surest = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first <= batches.size() / 2; ++first) {

@@ -20,12 +20,12 @@ Estimate estimate(const std::vector<double>& values);
 /// and the half-width that its own scatter gives: values are put into batches, twice as many a
 /// batch until neighbouring batches hardly know of each other, and what is left of that is allowed
 /// for (sta.3), (sta.4). NaN for fewer than ten values.
-Estimate over_time(const std::vector<double>& values);
+Estimate time_series_estimate(const std::vector<double>& values);
 
 /// How many of the first values belong to a start that the rest does not remember: those whose
 /// leaving out makes the mean of the others surest (MSER-5, sta.5). At most half of them; that many
 /// means that it has not settled.
-std::size_t unsettled(const std::vector<double>& values);
+std::size_t transient_length(const std::vector<double>& values);
 
 /// Two-sided 95 % quantile of Student's t for `freedom` >= 1 degrees of freedom (sta.2).
 double student95(int freedom);

@@ -4,10 +4,10 @@
 
 namespace mahlwerk::observe {
 
-void StressStream::collisions(std::span<const scene::Collision> finished, const ByPair& pairs,
-                              Energy energy) {
+void StressStream::collisions(std::span<const scene::Collision> finished,
+                              const StatisticsByPair& pairs, Energy energy) {
   for (const scene::Collision& c : finished) {
-    if (seen_++ % each_ != 0) continue;
+    if (received_++ % stride_ != 0) continue;
     const double value = energy == Energy::normal          ? c.energy_normal()
                          : energy == Energy::contact_point ? c.energy_contact_point()
                                                            : c.lost();
@@ -15,7 +15,7 @@ void StressStream::collisions(std::span<const scene::Collision> finished, const 
     if (hits_.size() < most) continue;
     for (std::size_t i = 0; 2 * i < hits_.size(); ++i) hits_[i] = hits_[2 * i];
     hits_.resize(most / 2);
-    each_ *= 2;
+    stride_ *= 2;
   }
 }
 

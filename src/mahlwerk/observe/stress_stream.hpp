@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
-#include "mahlwerk/observe/by_pair.hpp"
+#include "mahlwerk/observe/pair_statistics.hpp"
 #include "mahlwerk/scene/collision.hpp"
 
 namespace mahlwerk::observe {
@@ -21,17 +21,18 @@ class StressStream {
   static constexpr std::size_t most = std::size_t{1} << 20U;
   struct Hit {
     float energy = 0;       ///< [J]
-    std::int32_t pair = 0;  ///< as ByPair numbers them
+    std::int32_t pair = 0;  ///< as StatisticsByPair numbers them
   };
 
-  void collisions(std::span<const scene::Collision> finished, const ByPair& pairs, Energy energy);
+  void collisions(std::span<const scene::Collision> finished, const StatisticsByPair& pairs,
+                  Energy energy);
   const std::vector<Hit>& hits() const { return hits_; }
-  std::int64_t each() const { return each_; }  ///< collisions that a hit stands for
-  void carry(Archive& archive) { archive(hits_)(each_)(seen_); }
+  std::int64_t stride() const { return stride_; }  ///< collisions that a hit stands for
+  void serialize(Archive& archive) { archive(hits_)(stride_)(received_); }
 
  private:
   std::vector<Hit> hits_;
-  std::int64_t each_ = 1, seen_ = 0;
+  std::int64_t stride_ = 1, received_ = 0;
 };
 
 }  // namespace mahlwerk::observe

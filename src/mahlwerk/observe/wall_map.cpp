@@ -31,7 +31,7 @@ void WallMap::merge(const WallMap& other) {
     cells_[i].count += other.cells_[i].count;
     cells_[i].energy_normal += other.cells_[i].energy_normal;
     cells_[i].lost += other.cells_[i].lost;
-    cells_[i].slid += other.cells_[i].slid;
+    cells_[i].load_distance += other.cells_[i].load_distance;
     cells_[i].erosion += other.cells_[i].erosion;
   }
 }

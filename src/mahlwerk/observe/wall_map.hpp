@@ -36,7 +36,7 @@ struct WallGrid {
 struct WallSums {
   std::int64_t count = 0;
   double energy_normal = 0, lost = 0;  ///< [J]
-  double slid = 0;                     ///< [N m] integral of normal force times way slid
+  double load_distance = 0;            ///< [N m] integral of normal force times way slid
   double erosion = 0;                  ///< [J] sum of m u^2 f(alpha) (wea.4)
 };
 
@@ -48,7 +48,7 @@ class WallMap {
   WallSums& at(std::int64_t cell) { return cells_[static_cast<std::size_t>(cell)]; }
   const WallSums& operator[](int cell) const { return cells_[static_cast<std::size_t>(cell)]; }
   void merge(const WallMap& other);  ///< of the same grid
-  void carry(Archive& archive) { archive(cells_); }
+  void serialize(Archive& archive) { archive(cells_); }
 
  private:
   WallGrid grid_;

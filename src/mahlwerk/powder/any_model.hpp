@@ -19,9 +19,9 @@ std::string_view name_of(const AnyBreakage& breakage);    ///< "tavares"
 std::string_view name_of(const AnyFragments& fragments);  ///< "austin"
 std::string_view about(const AnyCapture& capture);        ///< what it is, in a few words
 /// Whether it knows the strength of grains that [capture] leaves to it.
-bool knows_strength(const AnyBreakage& breakage);
+bool has_median_strength(const AnyBreakage& breakage);
 /// Whether it keeps a strength for each grain.
-bool remembers(const AnyBreakage& breakage);
+bool tracks_strength(const AnyBreakage& breakage);
 
 /// What a bed is made of.
 enum class Bed {

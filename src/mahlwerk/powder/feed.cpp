@@ -27,7 +27,7 @@ double sieve_of(const std::vector<std::array<double, 2>>& rows, double share) {
   return rows.back()[0];
 }
 
-double normal_share(double z) {
+double normal_cdf(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
@@ -36,21 +36,21 @@ double normal_quantile(double share) {
   double low = -40, high = 40;
   for (int i = 0; i < 100 && high - low > 1e-14 * (1 + std::abs(low)); ++i) {
     const double middle = 0.5 * (low + high);
-    (normal_share(middle) < share ? low : high) = middle;
+    (normal_cdf(middle) < share ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 }  // namespace
 
-double Feed::finer(double x) const {
+double Feed::undersize(double x) const {
   switch (law) {
     case Law::equal:
       return x >= size ? 1 : 0;
     case Law::sieves:
       return sieved(passing, x);
     case Law::lognormal:
-      return x > 0 ? normal_share(std::log(x / size) / std::log(spread)) : 0;
+      return x > 0 ? normal_cdf(std::log(x / size) / std::log(spread)) : 0;
     case Law::rosin_rammler:
       return x > 0 ? -std::expm1(-std::pow(x / size, spread)) : 0;
   }

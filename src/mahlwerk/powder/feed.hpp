@@ -21,7 +21,7 @@ struct Feed {
   /// Of sieves: opening [m] and the share of the mass that passes it, from 0 to 1; both rise.
   std::vector<std::array<double, 2>> passing = {};
 
-  double finer(double x) const;         ///< [1] of the mass than `x` [m]
+  double undersize(double x) const;     ///< [1] of the mass than `x` [m]
   double quantile(double share) const;  ///< [m] size that this share, 0 to 1, is finer than
   /// [m] Sizes outside of which there is less than a thousandth of a thousandth.
   double smallest() const { return quantile(1e-6); }

@@ -9,20 +9,20 @@ namespace mahlwerk::powder {
 namespace {
 
 /// y' = push - rate y after a time (hea.4).
-double relaxed(double y, double push, double rate, double time) {
+double relax(double y, double push, double rate, double time) {
   const double z = -rate * time;
   return y * std::exp(z) + push * time * (z == 0 ? 1 : std::expm1(z) / z);
 }
 
 /// Appends the temperatures of one phase.
-void follow(std::vector<HeatPoint>& points, const HeatNodes& nodes, const Heating& heating,
-            double ambient, double duration, double steps) {
+void append_phase(std::vector<HeatPoint>& points, const HeatNodes& nodes, const Heating& heating,
+                  double ambient, double duration, double steps) {
   const HeatPoint from = points.back();
   const Temperatures start{from.balls, from.jar};
   const auto whole = static_cast<std::int64_t>(std::max(1.0, std::round(steps)));
   for (std::int64_t i = 1; i <= whole; ++i) {
     const double time = duration * static_cast<double>(i) / static_cast<double>(whole);
-    const Temperatures now = after(nodes, heating, ambient, start, time);
+    const Temperatures now = temperatures_after(nodes, heating, ambient, start, time);
     points.push_back({from.time + time, now.balls, now.jar});
   }
 }
@@ -31,8 +31,8 @@ void follow(std::vector<HeatPoint>& points, const HeatNodes& nodes, const Heatin
 
 // Temperatures times the root of their capacity obey a symmetric matrix, which a rotation takes
 // apart into two modes that know nothing of each other, however near or small their rates are.
-Temperatures after(const HeatNodes& nodes, const Heating& heating, double ambient,
-                   const Temperatures& start, double duration) {
+Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, double ambient,
+                                const Temperatures& start, double duration) {
   const double b = std::sqrt(nodes.balls_capacity), j = std::sqrt(nodes.jar_capacity);
   const double bb = nodes.exchange / (b * b), bj = -nodes.exchange / (b * j);
   const double jj = (nodes.exchange + nodes.cooling) / (j * j);
@@ -43,12 +43,12 @@ Temperatures after(const HeatNodes& nodes, const Heating& heating, double ambien
 
   const double balls = b * (start.balls - ambient), jar = j * (start.jar - ambient);
   const double push_balls = heating.balls / b, push_jar = heating.jar / j;
-  const double one = relaxed(c * balls + s * jar, c * push_balls + s * push_jar, fast, duration);
-  const double two = relaxed(c * jar - s * balls, c * push_jar - s * push_balls, slow, duration);
+  const double one = relax(c * balls + s * jar, c * push_balls + s * push_jar, fast, duration);
+  const double two = relax(c * jar - s * balls, c * push_jar - s * push_balls, slow, duration);
   return {ambient + (c * one - s * two) / b, ambient + (s * one + c * two) / j};
 }
 
-Temperatures steady(const HeatNodes& nodes, const Heating& heating, double ambient) {
+Temperatures steady_temperatures(const HeatNodes& nodes, const Heating& heating, double ambient) {
   const auto rise = [](double power, double conductance) {
     return power > 0 ? power / conductance : 0;
   };
@@ -56,15 +56,17 @@ Temperatures steady(const HeatNodes& nodes, const Heating& heating, double ambie
   return {jar + rise(heating.balls, nodes.exchange), jar};
 }
 
-std::vector<HeatPoint> history(const HeatNodes& nodes, const MillCycles& mill, int points) {
+std::vector<HeatPoint> temperature_history(const HeatNodes& nodes, const MillCycles& mill,
+                                           int points) {
   const double cycle = mill.milling + mill.pause;
   const double steps = points / static_cast<double>(mill.cycles);  // of one cycle
   std::vector<HeatPoint> found{{0, mill.ambient, mill.ambient}};
   for (std::int64_t i = 0; i < mill.cycles; ++i) {
     found.back().time = cycle * static_cast<double>(i);  // no sum of rounded times
-    follow(found, nodes, mill.heating(), mill.ambient, mill.milling, steps * mill.milling / cycle);
+    append_phase(found, nodes, mill.heating(), mill.ambient, mill.milling,
+                 steps * mill.milling / cycle);
     if (mill.pause > 0)
-      follow(found, nodes, {}, mill.ambient, mill.pause, steps * mill.pause / cycle);
+      append_phase(found, nodes, {}, mill.ambient, mill.pause, steps * mill.pause / cycle);
   }
   return found;
 }

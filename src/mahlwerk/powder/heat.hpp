@@ -45,14 +45,15 @@ struct HeatPoint {
 
 /// Temperatures `duration` [s] >= 0 after `start`, heated evenly, the air at `ambient` [K]. Exact
 /// (hea.4).
-Temperatures after(const HeatNodes& nodes, const Heating& heating, double ambient,
-                   const Temperatures& start, double duration);
+Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, double ambient,
+                                const Temperatures& start, double duration);
 
 /// Temperatures that milling without a pause tends to (hea.5); infinite where heat has no way out.
-Temperatures steady(const HeatNodes& nodes, const Heating& heating, double ambient);
+Temperatures steady_temperatures(const HeatNodes& nodes, const Heating& heating, double ambient);
 
 /// Temperatures over all cycles, from the start to the end of the last pause: about `points` of
 /// them, each beginning and end of milling among them.
-std::vector<HeatPoint> history(const HeatNodes& nodes, const MillCycles& mill, int points = 400);
+std::vector<HeatPoint> temperature_history(const HeatNodes& nodes, const MillCycles& mill,
+                                           int points = 400);
 
 }  // namespace mahlwerk::powder

@@ -30,7 +30,7 @@ std::string_view name_of(const AnyFragments& fragments) {
 std::string_view about(const AnyCapture& capture) {
   return std::visit([](const auto& m) -> std::string_view { return m.about; }, capture);
 }
-bool knows_strength(const AnyBreakage& breakage) {
+bool has_median_strength(const AnyBreakage& breakage) {
   return std::visit(
       [](const auto& m) {
         return requires {
@@ -39,8 +39,8 @@ bool knows_strength(const AnyBreakage& breakage) {
       },
       breakage);
 }
-bool remembers(const AnyBreakage& breakage) {
-  return std::visit([](const auto& m) -> bool { return m.remembers; }, breakage);
+bool tracks_strength(const AnyBreakage& breakage) {
+  return std::visit([](const auto& m) -> bool { return m.tracks_strength; }, breakage);
 }
 
 }  // namespace mahlwerk::powder

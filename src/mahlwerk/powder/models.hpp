@@ -24,15 +24,16 @@ namespace mahlwerk::powder {
 /// The registers. A new model is its file and its name here. What is chosen of each is a class of
 /// its own, so that any_model.hpp can name it.
 
-/// `caught(nip, energy [J], grain)` is what a collision catches.
+/// `capture(nip, energy [J], grain)` is what a collision catches.
 using CaptureModels = std::variant<Barrios, TrappedVolume, SurfaceLayer, FixedMass>;
 struct AnyCapture : CaptureModels {
   using Models = CaptureModels;
   using Models::Models;
 };
 
-/// `chance(size [m], energy [J/kg])` that a hit breaks a fresh grain. Those that `tells_fineness`
-/// have `t10(size, energy)`; those that `remembers` keep a strength for each grain.
+/// `breakage_probability(size [m], energy [J/kg])` that a hit breaks a fresh grain. Those that
+/// `predicts_t10` have `t10(size, energy)`; those that `tracks_strength` keep a strength for each
+/// grain.
 using BreakageModels = std::variant<VogelPeukert, ShiKojovic, Tavares, Threshold>;
 struct AnyBreakage : BreakageModels {
   using Models = BreakageModels;
@@ -41,14 +42,15 @@ struct AnyBreakage : BreakageModels {
 
 /// Whether M is the one breakage model that remembers: what looks after its grains knows no other.
 template <class M, class... Models>
-constexpr bool remembers_alone(std::type_identity<std::variant<Models...>>) {
-  return ((Models::remembers == std::is_same_v<Models, M>)&&...);
+constexpr bool only_one_tracks_strength(std::type_identity<std::variant<Models...>>) {
+  return ((Models::tracks_strength == std::is_same_v<Models, M>)&&...);
 }
 template <class M>
-constexpr bool only_remembering = remembers_alone<M>(std::type_identity<BreakageModels>{});
+constexpr bool only_strength_model =
+    only_one_tracks_strength<M>(std::type_identity<BreakageModels>{});
 
-/// `finer(x/y, y [m], t10)` of the mass of a broken grain of size y; `drawn(y, t10, uniform)` is
-/// the size of a piece that a random bit of that mass finds itself in.
+/// `breakage_function(x/y, y [m], t10)` of the mass of a broken grain of size y; `draw_fragment(y,
+/// t10, uniform)` is the size of a piece that a random bit of that mass finds itself in.
 using FragmentsModels =
     std::variant<VogelFragments, AustinFragments, T10Fragments, BinaryFragments, Halves>;
 struct AnyFragments : FragmentsModels {

@@ -22,13 +22,14 @@ struct Grain {
   double mass() const { return density * std::numbers::pi / 6 * size * size * size; }  ///< [kg]
 };
 
-/// What a collision catches: with this `chance` so many grains, each of which gets the same share.
-struct Catch {
-  double chance = 0;  ///< [1] 0 to 1
-  double grains = 0;  ///< [1] how many, at least one
-  double radius = 0;  ///< [m] of the spot they are caught on
+/// What a collision catches: with this `probability` so many grains, each of which gets the same
+/// share.
+struct Capture {
+  double probability = 0;  ///< [1] 0 to 1
+  double grains = 0;       ///< [1] how many, at least one
+  double radius = 0;       ///< [m] of the spot they are caught on
 
-  double mean_mass(const Grain& g) const { return chance * grains * g.mass(); }  ///< [kg]
+  double mean_mass(const Grain& g) const { return probability * grains * g.mass(); }  ///< [kg]
 };
 
 /// [m] Hertz's radius of contact of a collision that stores `energy` [J] (cap.1).
@@ -37,9 +38,9 @@ inline double contact_radius(const Nip& nip, double energy) {
 }
 
 /// A mass that may be less than one grain: then a collision catches one now and then.
-inline Catch caught_mass(double mass, const Grain& g, double radius) {
+inline Capture capture_of_mass(double mass, const Grain& g, double radius) {
   const double grains = mass / g.mass();
-  return grains < 1 ? Catch{grains, 1, radius} : Catch{1, grains, radius};
+  return grains < 1 ? Capture{grains, 1, radius} : Capture{1, grains, radius};
 }
 
 }  // namespace mahlwerk::powder

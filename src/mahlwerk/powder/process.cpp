@@ -22,9 +22,10 @@ Grain Process::grain(double size) const {
   return g;
 }
 
-Catch Process::caught(const Nip& nip, double energy, double size) const {
+Capture Process::capture_per_hit(const Nip& nip, double energy, double size) const {
   const Grain g = grain(size);
-  Catch c = std::visit([&](const auto& model) { return model.caught(nip, energy, g); }, *capture);
+  Capture c =
+      std::visit([&](const auto& model) { return model.capture(nip, energy, g); }, *capture);
   c.grains = std::min(c.grains, std::max(1.0, mass / g.mass()));
   return c;
 }

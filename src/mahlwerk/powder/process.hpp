@@ -27,7 +27,7 @@ struct Process {
   /// A grain of `size` [m] as the capture model asks for it.
   Grain grain(double size) const;
   /// What a collision catches of grains of `size` [m]; no more than there is powder.
-  Catch caught(const Nip& nip, double energy, double size) const;
+  Capture capture_per_hit(const Nip& nip, double energy, double size) const;
 };
 
 }  // namespace mahlwerk::powder

@@ -14,14 +14,14 @@ namespace mahlwerk::powder {
 namespace {
 
 /// Values of t10 between which what breaks is shared out, so that pieces are found once for each.
-constexpr int finenesses = 33;
+constexpr int t10_bins = 33;
 
 /// What breaks of one class [1/s], by fineness; only the first where the model tells none.
-using Broken = std::array<double, finenesses>;
+using BreakageRates = std::array<double, t10_bins>;
 
-void add(Broken& broken, double rate, double t10) {
-  const double place = std::clamp(t10, 0.0, 1.0) * (finenesses - 1);
-  const int low = std::min(static_cast<int>(place), finenesses - 2);
+void add(BreakageRates& broken, double rate, double t10) {
+  const double place = std::clamp(t10, 0.0, 1.0) * (t10_bins - 1);
+  const int low = std::min(static_cast<int>(place), t10_bins - 2);
   const double high_share = place - low;
   broken[static_cast<std::size_t>(low)] += rate * (1 - high_share);
   broken[static_cast<std::size_t>(low) + 1] += rate * high_share;
@@ -34,55 +34,55 @@ struct Hit {
 };
 
 /// Fills the columns of the matrix, a class at a time.
-class Assembly {
+class RateMatrixBuilder {
  public:
-  Assembly(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-           const Levels& levels, const Beds& beds)
+  RateMatrixBuilder(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+                    const StrengthLevels& levels, const CaptureTable& table)
       : process_(process),
         stresses_(stresses),
         grid_(grid),
         levels_(levels),
-        beds_(beds),
-        made_(grid.classes() * levels.count(),
-              process.welding > 0 ? grid.classes() * levels.count() : levels.count()) {}
+        table_(table),
+        rates_(grid.classes() * levels.count(),
+               process.welding > 0 ? grid.classes() * levels.count() : levels.count()) {}
 
-  Rates made() {
+  RateMatrix build() {
     for (int i = 0; i < grid_.classes(); ++i)
       std::visit([&](const auto& model) { fill(i, model); }, *process_.breakage);
-    return std::move(made_);
+    return std::move(rates_);
   }
 
  private:
   Hit hit(std::size_t n, std::size_t bed) const {
     const Stress& s = stresses_.stresses[n];
-    const Catch& c = beds_.caught[bed * stresses_.stresses.size() + n];
-    const double mass = c.grains * Grain{beds_.size[bed], process_.density, 0}.mass();
-    return {s.rate * c.chance * mass / process_.mass, process_.energy_share * s.energy / mass};
+    const Capture& c = table_.captures[bed * stresses_.stresses.size() + n];
+    const double mass = c.grains * Grain{table_.size[bed], process_.density, 0}.mass();
+    return {s.rate * c.probability * mass / process_.mass, process_.energy_share * s.energy / mass};
   }
 
   template <class Model>
   void fill(int i, const Model& model) {
     const double size = grid_.middle(i);
     const double reached = size <= process_.sticking_size ? 1 - process_.sticking : 1;
-    std::vector<Broken> broken(static_cast<std::size_t>(levels_.count()), Broken{});
+    std::vector<BreakageRates> broken(static_cast<std::size_t>(levels_.count()), BreakageRates{});
     for (std::size_t n = 0; n < stresses_.stresses.size(); ++n) {
       Hit h = hit(n, process_.bed == Bed::mixed ? 0 : static_cast<std::size_t>(i));
       h.rate *= reached;
       if (!(h.rate > 0)) continue;
-      if constexpr (Model::remembers)
-        for (int level = 0; level < levels_.count(); ++level) strike(i, level, h, model, broken);
+      if constexpr (Model::tracks_strength)
+        for (int level = 0; level < levels_.count(); ++level) apply_hit(i, level, h, model, broken);
       else
-        strike(i, h, model, broken[0]);
+        apply_hit(i, h, model, broken[0]);
     }
     for (int level = 0; level < levels_.count(); ++level)
-      break_up(i, level, broken[static_cast<std::size_t>(level)]);
+      distribute_fragments(i, level, broken[static_cast<std::size_t>(level)]);
   }
 
   /// On grains that are all alike.
   template <class Model>
-  void strike(int i, const Hit& h, const Model& model, Broken& broken) {
-    const double size = grid_.middle(i), chance = model.chance(size, h.energy);
-    if constexpr (Model::tells_fineness)
+  void apply_hit(int i, const Hit& h, const Model& model, BreakageRates& broken) {
+    const double size = grid_.middle(i), chance = model.breakage_probability(size, h.energy);
+    if constexpr (Model::predicts_t10)
       add(broken, h.rate * chance, model.t10(size, h.energy));
     else
       broken[0] += h.rate * chance;
@@ -91,7 +91,8 @@ class Assembly {
 
   /// On grains of one strength.
   template <class Model>
-  void strike(int i, int level, const Hit& h, const Model& model, std::vector<Broken>& broken) {
+  void apply_hit(int i, int level, const Hit& h, const Model& model,
+                 std::vector<BreakageRates>& broken) {
     const double size = grid_.middle(i),
                  strength = levels_.strength[static_cast<std::size_t>(level)];
     const double load = h.energy / (strength * model.median(size));
@@ -112,37 +113,39 @@ class Assembly {
     const double high = all[static_cast<std::size_t>(below) - 1],
                  low = all[static_cast<std::size_t>(below)];
     const double share = std::min(1.0, std::log(high / strength) / std::log(high / low));
-    made_.at(state(i, below), state(i, level)) += rate * share;
-    if (below - 1 != level) made_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
+    rates_.at(state(i, below), state(i, level)) += rate * share;
+    if (below - 1 != level) rates_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
   }
 
   /// Two like grains become one of twice the volume (pbm.6). Returns the share that does.
   double weld(int i, int level, const Hit& h, double survivors) {
     const int to = i - grid_.per_octave() / 3;
     if (!(process_.welding > 0) || h.energy < process_.welding_energy || to < 0) return 0;
-    made_.at(state(to, level), state(i, level)) += h.rate * survivors * process_.welding;
+    rates_.at(state(to, level), state(i, level)) += h.rate * survivors * process_.welding;
     return process_.welding;
   }
 
   /// Pieces go where the fragments say; those that are as large as their class stay there.
-  void break_up(int i, int level, const Broken& broken) {
+  void distribute_fragments(int i, int level, const BreakageRates& broken) {
     const int last = grid_.classes() - 1;
     if (i == last) return;
     const double size = grid_.middle(i);
     for (std::size_t n = 0; n < broken.size(); ++n) {
       if (!(broken[n] > 0)) continue;
-      const double t10 = static_cast<double>(n) / (finenesses - 1);
+      const double t10 = static_cast<double>(n) / (t10_bins - 1);
       const auto finer = [&](double x) {
-        return x >= size ? 1
-                         : std::visit([&](const auto& f) { return f.finer(x / size, size, t10); },
-                                      *process_.fragments);
+        return x >= size
+                   ? 1
+                   : std::visit(
+                         [&](const auto& f) { return f.breakage_function(x / size, size, t10); },
+                         *process_.fragments);
       };
       double above = 1;
       for (int j = i; j <= last; ++j) {
         const double below = j < last ? finer(grid_.lower(j)) : 0;
         for (int fresh = 0; fresh < levels_.count(); ++fresh)
           if (state(j, fresh) != state(i, level))
-            made_.at(state(j, fresh), state(i, level)) +=
+            rates_.at(state(j, fresh), state(i, level)) +=
                 broken[n] * (above - below) * levels_.fresh[static_cast<std::size_t>(fresh)];
         above = below;
       }
@@ -154,15 +157,15 @@ class Assembly {
   const Process& process_;
   const StressSpectrum& stresses_;
   const SizeGrid& grid_;
-  const Levels& levels_;
-  const Beds& beds_;
-  Rates made_;
+  const StrengthLevels& levels_;
+  const CaptureTable& table_;
+  RateMatrix rates_;
 };
 
 }  // namespace
 
-Levels levels(const AnyBreakage& breakage, int count) {
-  static_assert(only_remembering<Tavares>);
+StrengthLevels strength_levels(const AnyBreakage& breakage, int count) {
+  static_assert(only_strength_model<Tavares>);
   const auto* model = std::get_if<Tavares>(&breakage);
   if (model == nullptr) return {};
   // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a sixth of what as
@@ -174,7 +177,7 @@ Levels levels(const AnyBreakage& breakage, int count) {
   const auto finer = [&](double log_strength) {
     return 0.5 * std::erfc(-model->deviations(std::exp(log_strength)) / std::numbers::sqrt2);
   };
-  Levels made{{}, {}};
+  StrengthLevels made{{}, {}};
   double above = 1;
   for (int k = 0; k < count; ++k) {
     const double at = high - k * apart;
@@ -186,23 +189,23 @@ Levels levels(const AnyBreakage& breakage, int count) {
   return made;
 }
 
-Beds beds(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-          double mean_size) {
-  Beds made;
+CaptureTable capture_table(const Process& process, const StressSpectrum& stresses,
+                           const SizeGrid& grid, double mean_size) {
+  CaptureTable made;
   if (process.bed == Bed::mixed)
     made.size = {mean_size};
   else
     for (int i = 0; i < grid.classes(); ++i) made.size.push_back(grid.middle(i));
   for (const double size : made.size)
     for (const Stress& s : stresses.stresses)
-      made.caught.push_back(
-          process.caught(stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, size));
+      made.captures.push_back(
+          process.capture_per_hit(stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, size));
   return made;
 }
 
-Rates rates(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
-            const Levels& levels, const Beds& beds) {
-  return Assembly(process, stresses, grid, levels, beds).made();
+RateMatrix rate_matrix(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
+                       const StrengthLevels& levels, const CaptureTable& table) {
+  return RateMatrixBuilder(process, stresses, grid, levels, table).build();
 }
 
 }  // namespace mahlwerk::powder

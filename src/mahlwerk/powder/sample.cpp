@@ -15,7 +15,7 @@ constexpr int steps_per_octave = 8;  // of energy, in rows
 constexpr int damage_steps = 512;
 
 /// [1] Standard deviations of a random grain's strength.
-double normal(Draws& draw) {
+double normal(SplitMix64& draw) {
   const double radius = std::sqrt(-2 * std::log(draw()));
   return radius * std::cos(2 * std::numbers::pi * draw());
 }
@@ -30,7 +30,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
       groups_(static_cast<std::size_t>(2 * (grid.classes() - 1) / grid.per_octave() + 1)),
       draw_(start),
       grains_(grains) {
-  static_assert(only_remembering<Tavares>);
+  static_assert(only_strength_model<Tavares>);
   const auto* tavares = std::get_if<Tavares>(&*process_.breakage);
   if (tavares != nullptr)  // small damage goes as this power of the load: smooth in it
     for (int i = 0; i <= damage_steps; ++i)
@@ -54,49 +54,50 @@ int Sample::kind(int nip, double energy) {
   const int step = static_cast<int>(std::lround(std::log2(energy) * steps_per_octave));
   const auto [at, is_new] = known_.try_emplace({nip, step}, static_cast<int>(kinds_.size()));
   if (is_new) {
-    Kind made;
+    CollisionKind made;
     made.nip = nip;
     made.energy = std::exp2(static_cast<double>(step) / steps_per_octave);
-    work_out(made);
+    compute_class_hits(made);
     kinds_.push_back(std::move(made));
   }
   return at->second;
 }
 
-void Sample::work_out(Kind& kind) const {
-  const auto caught = [&](double bed) {
-    return process_.caught(nips_[static_cast<std::size_t>(kind.nip)], kind.energy, bed);
+void Sample::compute_class_hits(CollisionKind& kind) const {
+  const auto capture_from_bed = [&](double bed) {
+    return process_.capture_per_hit(nips_[static_cast<std::size_t>(kind.nip)], kind.energy, bed);
   };
   const bool mixed = process_.bed == Bed::mixed;
-  Catch c = mixed ? caught(mean_size_) : Catch{};
-  kind.reach.clear();
+  Capture c = mixed ? capture_from_bed(mean_size_) : Capture{};
+  kind.class_hits.clear();
   kind.most.fill(0);
-  kind.idle = true;
+  kind.no_effect = true;
   for (int i = 0; i < grid_.classes(); ++i) {
     const double size = grid_.middle(i);
-    if (!mixed) c = caught(size);
+    if (!mixed) c = capture_from_bed(size);
     const double mass = c.grains * process_.grain(mixed ? mean_size_ : size).mass();
     const double reached = size <= process_.sticking_size ? 1 - process_.sticking : 1;
-    kind.reach.push_back({static_cast<float>(reached * c.chance * mass / process_.mass),
-                          static_cast<float>(process_.energy_share / mass)});
+    kind.class_hits.push_back({static_cast<float>(reached * c.probability * mass / process_.mass),
+                               static_cast<float>(process_.energy_share / mass)});
     const double given = kind.energy * process_.energy_share / mass;
     const bool welds = process_.welding > 0 && given >= process_.welding_energy;
     const bool breaks = std::visit(
         [&](const auto& model) {
-          return std::decay_t<decltype(model)>::remembers || model.chance(size, given) > 0;
+          return std::decay_t<decltype(model)>::tracks_strength ||
+                 model.breakage_probability(size, given) > 0;
         },
         *process_.breakage);
-    if (welds || breaks) kind.idle = false;
+    if (welds || breaks) kind.no_effect = false;
     double& most = kind.most[static_cast<std::size_t>(group_of(i))];
-    most = std::max<double>(most, kind.reach.back().share);
+    most = std::max<double>(most, kind.class_hits.back().share);
   }
 }
 
 // As many candidates as if all grains of a group were hit as often as the class of it that is hit
 // most, or one more; spread evenly over the groups. Each is then hit, or not.
 void Sample::hit(int of_kind, double energy, double times) {
-  const Kind& k = kinds_[static_cast<std::size_t>(of_kind)];
-  if (k.idle) return;
+  const CollisionKind& k = kinds_[static_cast<std::size_t>(of_kind)];
+  if (k.no_effect) return;
   double due = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) due += count_[g] * k.most[g];
   const auto candidates = static_cast<std::int64_t>(times * due + draw_());
@@ -117,22 +118,23 @@ void Sample::hit(int of_kind, double energy, double times) {
           }
           const auto which = static_cast<std::size_t>((place - below) / k.most[g]);
           if (which >= groups_[g].size()) continue;  // what has moved on since
-          const Reach reach = k.reach[static_cast<std::size_t>(groups_[g][which].at)];
-          if (draw_() * k.most[g] < reach.share)
-            strike(model, static_cast<int>(g), which, energy * reach.per_energy);
+          const ClassHit class_hit =
+              k.class_hits[static_cast<std::size_t>(groups_[g][which].size_class)];
+          if (draw_() * k.most[g] < class_hit.share)
+            hit_grain(model, static_cast<int>(g), which, energy * class_hit.per_energy);
         }
       },
       *process_.breakage);
-  if (process_.bed == Bed::mixed && grain_hits_ - since_refresh_ > grains_ / 8) refresh();
+  if (process_.bed == Bed::mixed && grain_hits_ - hits_at_update_ > grains_ / 8) update_mixed_bed();
 }
 
 template <class Model>
-void Sample::strike(const Model& model, int group, std::size_t which, double energy) {
-  One& here = groups_[static_cast<std::size_t>(group)][which];
-  One grain = here;
+void Sample::hit_grain(const Model& model, int group, std::size_t which, double energy) {
+  GrainState& here = groups_[static_cast<std::size_t>(group)][which];
+  GrainState grain = here;
   ++grain_hits_;
   bool breaks = false;
-  if constexpr (Model::remembers) {
+  if constexpr (Model::tracks_strength) {
     const double load = energy / grain.strength;
     breaks = load >= 1;
     if (!breaks) {
@@ -146,37 +148,39 @@ void Sample::strike(const Model& model, int group, std::size_t which, double ene
   } else if constexpr (requires { model.breaks(1.0, 1.0, 0.5); }) {
     breaks = model.breaks(grain.size, energy, draw_());
   } else {
-    breaks = draw_() < model.chance(grain.size, energy);
+    breaks = draw_() < model.breakage_probability(grain.size, energy);
   }
   if (breaks) {
-    if (grain.at + 1 == grid_.classes()) return;  // as fine as is told apart
+    if (grain.size_class + 1 == grid_.classes()) return;  // as fine as is told apart
     double t10 = 0;
-    if constexpr (Model::tells_fineness) t10 = model.t10(grain.size, energy);
-    grain.size = std::visit([&](const auto& f) { return f.drawn(grain.size, t10, draw_); },
+    if constexpr (Model::predicts_t10) t10 = model.t10(grain.size, energy);
+    grain.size = std::visit([&](const auto& f) { return f.draw_fragment(grain.size, t10, draw_); },
                             *process_.fragments);
     grain.size = std::max(grain.size, grid_.middle(grid_.classes() - 1));  // as in the balance
-    if constexpr (Model::remembers)
+    if constexpr (Model::tracks_strength)
       grain.strength =
           static_cast<float>(model.median(grain.size) * model.relative_strength(normal(draw_)));
     return move(group, which, grain);
   }
   if (process_.welding > 0 && energy >= process_.welding_energy &&
-      grain.at >= grid_.per_octave() / 3 && draw_() < process_.welding) {
+      grain.size_class >= grid_.per_octave() / 3 && draw_() < process_.welding) {
     const double before = grain.size;
     grain.size *= std::cbrt(2.0);
-    if constexpr (Model::remembers)  // as strong for its size as it was
+    if constexpr (Model::tracks_strength)  // as strong for its size as it was
       grain.strength *= static_cast<float>(model.median(grain.size) / model.median(before));
     move(group, which, grain);
   }
 }
 
-void Sample::move(int group, std::size_t which, One grain) {
-  const auto finest = [&](const One& one) { return one.at + 1 == grid_.classes() ? 1 : 0; };
+void Sample::move(int group, std::size_t which, GrainState grain) {
+  const auto finest = [&](const GrainState& one) {
+    return one.size_class + 1 == grid_.classes() ? 1 : 0;
+  };
   finest_ -= finest(grain);
-  grain.at = grid_.class_of(grain.size);
+  grain.size_class = grid_.class_of(grain.size);
   finest_ += finest(grain);
-  const int to = group_of(grain.at);
-  std::vector<One>& old = groups_[static_cast<std::size_t>(group)];
+  const int to = group_of(grain.size_class);
+  std::vector<GrainState>& old = groups_[static_cast<std::size_t>(group)];
   if (to == group) {
     old[which] = grain;
     return;
@@ -189,27 +193,27 @@ void Sample::move(int group, std::size_t which, One grain) {
 }
 
 /// A mixed bed is as high as the powder's mean size, and what is caught goes with it (pbm.5).
-void Sample::refresh() {
+void Sample::update_mixed_bed() {
   constexpr double much = 0.02;
-  since_refresh_ = grain_hits_;
+  hits_at_update_ = grain_hits_;
   const double now = mean_size(grid_, shares());
   if (std::abs(std::log(now / mean_size_)) < much) return;
   mean_size_ = now;
-  for (Kind& kind : kinds_) work_out(kind);
+  for (CollisionKind& kind : kinds_) compute_class_hits(kind);
 }
 
 std::vector<double> Sample::shares() const {
   std::vector<double> found(static_cast<std::size_t>(grid_.classes()));
   for (const auto& some : groups_)
-    for (const One& grain : some)
-      found[static_cast<std::size_t>(grain.at)] += 1 / static_cast<double>(grains_);
+    for (const GrainState& grain : some)
+      found[static_cast<std::size_t>(grain.size_class)] += 1 / static_cast<double>(grains_);
   return found;
 }
 
 std::vector<double> Sample::sizes() const {
   std::vector<double> found;
   for (const auto& some : groups_)
-    for (const One& grain : some) found.push_back(grain.size);
+    for (const GrainState& grain : some) found.push_back(grain.size);
   return found;
 }
 

@@ -40,7 +40,7 @@ std::vector<double> SizeGrid::shares(const Feed& feed) const {
   }
   double above = 1;  // share finer than the upper edge; what is coarser still is in the first
   for (int i = 0; i < classes_; ++i) {
-    const double below = i + 1 < classes_ ? feed.finer(lower(i)) : 0;
+    const double below = i + 1 < classes_ ? feed.undersize(lower(i)) : 0;
     found[static_cast<std::size_t>(i)] = above - below;
     above = below;
   }
@@ -60,7 +60,7 @@ double quantile(const SizeGrid& grid, const std::vector<double>& shares, double 
   return grid.upper(0);
 }
 
-double finer(const SizeGrid& grid, const std::vector<double>& shares, double size) {
+double undersize(const SizeGrid& grid, const std::vector<double>& shares, double size) {
   double below = 0;
   for (int i = grid.classes() - 1; i >= 0 && size > grid.lower(i); --i) {
     const double part = std::min(1.0, std::log2(size / grid.lower(i)) * grid.per_octave());

@@ -34,7 +34,7 @@ class SizeGrid {
 /// within a class (siz.2).
 double quantile(const SizeGrid& grid, const std::vector<double>& shares, double share);
 /// [1] Share finer than `size` [m], likewise.
-double finer(const SizeGrid& grid, const std::vector<double>& shares, double size);
+double undersize(const SizeGrid& grid, const std::vector<double>& shares, double size);
 /// [m2/kg] Surface of spheres of these sizes over their mass (siz.3).
 double specific_surface(const SizeGrid& grid, const std::vector<double>& shares, double density);
 /// [m] Mean size by mass.

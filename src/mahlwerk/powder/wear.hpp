@@ -13,13 +13,13 @@ constexpr double hardness(double vickers) {
 /// [N m] Normal force times way slid of contacts that rubbed away `lost` [J] >= 0 at this friction,
 /// finite (wea.3). Losses of contacts that stuck count as slid under the limiting force. 0 without
 /// friction: what does not rub does not tell how far it slid.
-constexpr double force_slid(double lost, double friction) {
+constexpr double load_distance(double lost, double friction) {
   return friction > 0 ? lost / friction : 0;
 }
 
-/// [m3] Archard: `coefficient` K [1], `force_slid` [N m], `hardness` [Pa] (wea.1).
-constexpr double archard(double coefficient, double force_slid, double hardness) {
-  return coefficient * force_slid / hardness;
+/// [m3] Archard: `coefficient` K [1], `load_distance` [N m], `hardness` [Pa] (wea.1).
+constexpr double archard(double coefficient, double load_distance, double hardness) {
+  return coefficient * load_distance / hardness;
 }
 
 /// [1] Finnie's f of the angle at which an impact meets the surface, from its speeds along the

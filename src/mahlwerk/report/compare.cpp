@@ -31,8 +31,8 @@ constexpr std::array<std::string_view, 7> left_out{
     "tc_collision_share", "lasting_contacts_rate", "energy_residual", "energy_balance",
     "deepest_overlap",    "simulated_time",        "replicates"};
 
-std::vector<Compared> quantities(const Outcome& event, const Outcome& soft) {
-  std::vector<Compared> list;
+std::vector<ComparedQuantity> quantities(const Outcome& event, const Outcome& soft) {
+  std::vector<ComparedQuantity> list;
   const std::vector<Quantity>& others = soft.summary.quantities;
   for (const Quantity& q : event.summary.quantities) {
     if (std::find(left_out.begin(), left_out.end(), q.name) != left_out.end()) continue;
@@ -49,18 +49,18 @@ std::vector<Compared> quantities(const Outcome& event, const Outcome& soft) {
 }
 
 using Chosen = std::vector<const Replicate*>;
-using results::Histogram;
+using results::HistogramMember;
 
 /// The whole spectra of each replicate.
 struct Counted {
   explicit Counted(const Chosen& chosen) {
     for (const Replicate* r : chosen) {
-      spectra.push_back(r->tally.whole());
+      spectra.push_back(r->tally.total_spectra());
       times.push_back(r->time());
     }
   }
   /// Collisions per second in the bins `first` to `last` - 1.
-  observe::Estimate rate(Histogram part, int first, int last) const {
+  observe::Estimate rate(HistogramMember part, int first, int last) const {
     std::vector<double> each;
     for (std::size_t i = 0; i < spectra.size(); ++i) {
       std::int64_t count = 0;
@@ -76,11 +76,13 @@ struct Counted {
 /// What both engines filled, from the top bin down to a thousandth of the speed.
 class Spectra {
  public:
-  Spectra(const Outcome& event, const Outcome& soft, Histogram part)
-      : event_(results::averaged(event)), soft_(results::averaged(soft)), part_(part) {
+  Spectra(const Outcome& event, const Outcome& soft, HistogramMember part)
+      : event_(results::averaged_replicates(event)),
+        soft_(results::averaged_replicates(soft)),
+        part_(part) {
     for (const Counted* counted : {&event_, &soft_})
       for (const observe::Spectra& one : counted->spectra) {
-        const auto [low, high] = (one.*part).filled();
+        const auto [low, high] = (one.*part).occupied_range();
         if (low == high) continue;
         first_ = std::min(first_, low);
         last_ = std::max(last_, high);
@@ -105,7 +107,7 @@ class Spectra {
 
  private:
   Counted event_, soft_;
-  Histogram part_;
+  HistogramMember part_;
   int first_ = LogHistogram::bins, last_ = 0;
 };
 
@@ -124,33 +126,33 @@ std::string caution(const cases::Contact& contact) {
       std::isfinite(said->friction) ? "" : ", here without a limit: surfaces stick");
 }
 
-Side side(const Outcome& outcome) {
+EngineDiagnostics side(const Outcome& outcome) {
   return {outcome.cpu_seconds, outcome.notices};
 }
 
-double share_in_contact(const Comparison& c, observe::Estimate Beside::*engine) {
-  for (const Compared& q : c.quantities)
-    if (q.name == "contact_time_share") return (q.both.*engine).mean;
+double share_in_contact(const Comparison& c, observe::Estimate EnginePair::*engine) {
+  for (const ComparedQuantity& q : c.quantities)
+    if (q.name == "contact_time_share") return (q.estimates.*engine).mean;
   return nothing;
 }
 
-std::vector<std::string> cells(const Beside& b) {
+std::vector<std::string> cells(const EnginePair& b) {
   const bool told = std::isfinite(b.event.ci95) && std::isfinite(b.soft.ci95);
   std::vector<std::string> list;
   for (const double x :
        {b.event.mean, b.event.ci95, b.soft.mean, b.soft.ci95, b.ratio(), b.ratio_ci95()})
     list.push_back(results::csv_cell(x));
-  list.push_back(told ? (b.apart() ? "1" : "0") : "");
+  list.push_back(told ? (b.differs() ? "1" : "0") : "");
   return list;
 }
 
 }  // namespace
 
-double Beside::ratio_ci95() const {
+double EnginePair::ratio_ci95() const {
   return std::abs(ratio()) * std::hypot(event.ci95 / event.mean, soft.ci95 / soft.mean);
 }
 
-bool Beside::apart() const {
+bool EnginePair::differs() const {
   const double rounding = 1e-12 * (std::abs(event.mean) + std::abs(soft.mean));
   return std::abs(event.mean - soft.mean) > event.ci95 + soft.ci95 + rounding;
 }
@@ -173,8 +175,8 @@ Comparison compare(const Outcome& event, const Outcome& soft) {
 }
 
 std::string how_to_read(const Comparison& c) {
-  const double event = 100 * share_in_contact(c, &Beside::event);
-  const double soft = 100 * share_in_contact(c, &Beside::soft);
+  const double event = 100 * share_in_contact(c, &EnginePair::event);
+  const double soft = 100 * share_in_contact(c, &EnginePair::soft);
   std::string text =
       "How to read it: where balls fly freely most of the time the engines should agree in the "
       "rates and energies above the threshold and in the power. Where balls stay in touch or lie "
@@ -191,13 +193,13 @@ std::string compare_csv(const Comparison& c) {
   std::string text =
       results::csv_line({"quantity", "unit", "event", "event_ci95", "soft", "soft_ci95", "ratio",
                          "ratio_ci95", "apart", "bin_low", "bin_high", "bin_unit"});
-  const auto line = [&](std::string_view name, std::string_view unit, const Beside& both,
+  const auto line = [&](std::string_view name, std::string_view unit, const EnginePair& both,
                         const std::vector<std::string>& bin) {
     std::vector<std::string> all{results::csv_cell(name), results::csv_cell(unit)};
     for (const auto& part : {cells(both), bin}) all.insert(all.end(), part.begin(), part.end());
     text += results::csv_line(all);
   };
-  for (const Compared& q : c.quantities) line(q.name, q.unit, q.both, {"", "", ""});
+  for (const ComparedQuantity& q : c.quantities) line(q.name, q.unit, q.estimates, {"", "", ""});
   const auto spectrum = [&](const char* name, const char* unit, const auto& bins) {
     for (const ComparedBin& b : bins)
       line(name, "1/s", b.rate, {results::csv_cell(b.low), results::csv_cell(b.high), unit});

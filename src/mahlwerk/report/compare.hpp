@@ -12,28 +12,28 @@
 namespace mahlwerk::report {
 
 /// One number by both engines.
-struct Beside {
+struct EnginePair {
   observe::Estimate event, soft;
 
   double ratio() const { return soft.mean / event.mean; }  ///< NaN or infinite where event is 0
   double ratio_ci95() const;                               ///< half-width, to first order
   /// The 95 % intervals do not overlap; never without intervals.
-  bool apart() const;
+  bool differs() const;
 };
 
-struct Compared {
+struct ComparedQuantity {
   std::string name, unit, about;  ///< as in summary.json
-  Beside both;
+  EnginePair estimates;
 };
 
 /// Collisions per second within low <= value < high.
 struct ComparedBin {
   double low = 0, high = 0;
-  Beside rate;
+  EnginePair rate;
 };
 
 /// What one engine has to say besides its numbers.
-struct Side {
+struct EngineDiagnostics {
   double cpu_seconds = 0;
   Notices notices;
 };
@@ -42,9 +42,9 @@ struct Side {
 struct Comparison {
   std::string title;
   double threshold = 0;  ///< [m/s]
-  Side event, soft;
+  EngineDiagnostics event, soft;
   std::string caution;  ///< where the case means another thing to each engine; may be empty
-  std::vector<Compared> quantities;
+  std::vector<ComparedQuantity> quantities;
   /// By normal speed [m/s], an octave each, and by normal energy [J], two octaves each; the first
   /// bin holds all below it, too.
   std::vector<ComparedBin> speeds, energies;

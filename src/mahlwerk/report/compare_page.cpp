@@ -17,13 +17,13 @@ namespace {
 
 /// Both numbers in the same multiple of the unit, the ratio, and the sign.
 using CompareLine = std::array<std::string, 5>;
-CompareLine line_of(std::string title, const Beside& b, std::string_view unit) {
+CompareLine line_of(std::string title, const EnginePair& b, std::string_view unit) {
   const double size = std::fmax(std::abs(b.event.mean), std::abs(b.soft.mean));
   const double ratio = b.ratio();
   return {std::move(title), readable(b.event.mean, b.event.ci95, unit, size).text(),
           readable(b.soft.mean, b.soft.ci95, unit, size).text(),
           std::isfinite(ratio) ? readable(ratio, b.ratio_ci95(), "").text() : "-",
-          b.apart() ? "≠" : ""};
+          b.differs() ? "≠" : ""};
 }
 
 std::string bin_text(const ComparedBin& b, std::string_view unit) {
@@ -128,7 +128,7 @@ Plot ratios(const std::vector<ComparedBin>& bins) {
           .height = 280};
 }
 
-std::string boxes(const char* engine, const Side& side) {
+std::string boxes(const char* engine, const EngineDiagnostics& side) {
   std::string text;
   const auto box = [&](const std::string& words, const char* kind) {
     text += fmt::format("<section class=\"box{}\"><p><b>{} engine.</b> {}</p></section>\n", kind,
@@ -140,7 +140,8 @@ std::string boxes(const char* engine, const Side& side) {
 
 std::vector<CompareLine> quantity_lines(const Comparison& c) {
   std::vector<CompareLine> lines;
-  for (const Compared& q : c.quantities) lines.push_back(line_of(label(q.name), q.both, q.unit));
+  for (const ComparedQuantity& q : c.quantities)
+    lines.push_back(line_of(label(q.name), q.estimates, q.unit));
   return lines;
 }
 
@@ -160,7 +161,7 @@ std::string compare_table(const Comparison& c) {
 
 std::string compare_page(const Comparison& c, std::string_view version) {
   std::vector<std::string> abouts;  // those above the threshold are the rows over them again
-  for (const Compared& q : c.quantities)
+  for (const ComparedQuantity& q : c.quantities)
     abouts.push_back(q.name.ends_with("_above_threshold") ? "" : q.about);
   std::string body = fmt::format(
       "<p class=\"lead\">One case by both engines: <a href=\"event/report.html\">event</a> and <a "

@@ -26,11 +26,11 @@ int digits_for(double low, double high) {
 
 }  // namespace
 
-std::string FitNumber::value_text() const {
+std::string FitParameter::value_text() const {
   return show_rounded(value, unit, digits_for(low, high));
 }
 
-std::string FitNumber::interval_text() const {
+std::string FitParameter::interval_text() const {
   const int digits = digits_for(low, high);
   if (!determined) return "not determined";
   if (open_low) return "up to " + show_rounded(high, unit, digits);
@@ -39,7 +39,7 @@ std::string FitNumber::interval_text() const {
 }
 
 bool FitReport::all_determined() const {
-  return std::ranges::all_of(numbers, &FitNumber::determined);
+  return std::ranges::all_of(parameters, &FitParameter::determined);
 }
 
 std::string how_to_read(const FitReport& fit) {
@@ -57,16 +57,16 @@ std::string how_to_read(const FitReport& fit) {
 
 std::string fit_table(const FitReport& fit) {
   std::vector<std::array<std::string, 4>> lines{{"number", "value", "95 % interval", ""}};
-  for (const FitNumber& n : fit.numbers)
+  for (const FitParameter& n : fit.parameters)
     lines.push_back(
         {n.key, n.value_text(), n.interval_text(), n.determined ? "" : "NOT DETERMINED"});
   std::string text = aligned(lines) + '\n';
-  for (const FitNumber& n : fit.numbers)
+  for (const FitParameter& n : fit.parameters)
     for (const std::string& remark : n.remarks) text += fmt::format("{}: {}.\n", n.key, remark);
   for (const std::string& remark : fit.remarks) text += remark + ".\n";
   text += fmt::format("{} values under {} condition{}, {} degree{} of freedom", fit.points.size(),
-                      fit.conditions.size(), fit.conditions.size() == 1 ? "" : "s", fit.freedom,
-                      fit.freedom == 1 ? "" : "s");
+                      fit.conditions.size(), fit.conditions.size() == 1 ? "" : "s",
+                      fit.degrees_of_freedom, fit.degrees_of_freedom == 1 ? "" : "s");
   if (std::isfinite(fit.scatter))
     text += fit.errors_known ? fmt::format(", scatter {:.3g} errors", fit.scatter)
                              : fmt::format(", scatter {:.3g} %", 100 * fit.scatter);

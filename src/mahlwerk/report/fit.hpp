@@ -12,10 +12,10 @@
 namespace mahlwerk::report {
 
 /// A number of the case that was to be found.
-struct FitNumber {
+struct FitParameter {
   std::string key, unit, about;
   double value = 0, low = 0, high = 0;  ///< and 95 % interval
-  double by_mills = 0;                  ///< half-width due to the simulated mills; NaN: not known
+  double simulation_ci95 = 0;           ///< half-width due to the simulated mills; NaN: not known
   double least = 0, most = 0;           ///< where it was looked for
   bool open_low = false, open_high = false, determined = true;
   std::vector<std::string> remarks;  ///< sentences without a full stop
@@ -43,7 +43,7 @@ struct FitCurve {
 
 struct FitReport {
   std::string title, case_file, data_file;
-  std::vector<FitNumber> numbers = {};
+  std::vector<FitParameter> parameters = {};
   std::vector<std::vector<double>> correlation = {};
   std::vector<std::string> conditions = {};  ///< "mill.frequency = 16 Hz"; empty: as the case is
   std::vector<FitPoint> points = {};
@@ -51,7 +51,7 @@ struct FitReport {
   std::vector<std::string> remarks = {};  ///< on all of it
   results::NoticeCounts notices = {};     ///< of the mills, one of each condition
   double scatter = 0;                     ///< of the residuals; NaN without freedom
-  int freedom = 0, evaluations = 0;
+  int degrees_of_freedom = 0, evaluations = 0;
   bool errors_known = false;
 
   bool all_determined() const;

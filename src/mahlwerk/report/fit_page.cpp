@@ -19,14 +19,16 @@ namespace {
 
 std::string number_rows(const FitReport& fit) {
   std::string rows;
-  for (const FitNumber& n : fit.numbers)
+  for (const FitParameter& n : fit.parameters)
     rows += fmt::format(
         "<tr><th scope=\"row\"><code>{}</code><small>{}</small></th><td class=\"n\">{}</td><td "
         "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} to {}</td></tr>\n",
         escaped(n.key), escaped(n.about),
         n.determined ? escaped(n.value_text()) : "<s>" + escaped(n.value_text()) + "</s>",
         escaped(n.interval_text()),
-        std::isfinite(n.by_mills) ? "± " + escaped(show_rounded(n.by_mills, n.unit, 2)) : "-",
+        std::isfinite(n.simulation_ci95)
+            ? "± " + escaped(show_rounded(n.simulation_ci95, n.unit, 2))
+            : "-",
         escaped(show_rounded(n.least, n.unit)), escaped(show_rounded(n.most, n.unit)));
   return rows;
 }
@@ -37,7 +39,7 @@ std::string box(const std::string& words, bool warns) {
 
 std::string remarks(const FitReport& fit) {
   std::string text;
-  for (const FitNumber& n : fit.numbers) {
+  for (const FitParameter& n : fit.parameters) {
     std::string words;
     for (const std::string& remark : n.remarks)
       words += (words.empty() ? " " : "; ") + escaped(remark);
@@ -195,10 +197,10 @@ std::string point_rows(const FitReport& fit) {
 }
 
 std::string correlation(const FitReport& fit) {
-  if (fit.numbers.size() < 2) return "";
+  if (fit.parameters.size() < 2) return "";
   std::string head, rows;
-  for (std::size_t i = 0; i < fit.numbers.size(); ++i) {
-    const std::string key = escaped(fit.numbers[i].key);
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const std::string key = escaped(fit.parameters[i].key);
     head += fmt::format("<th class=\"n\"><code>{}</code></th>", key);
     rows += fmt::format("<tr><th scope=\"row\"><code>{}</code></th>", key);
     for (const double c : fit.correlation[i]) rows += fmt::format("<td class=\"n\">{:.3f}</td>", c);
@@ -237,8 +239,8 @@ std::string figures(const FitReport& fit) {
 std::string fit_page(const FitReport& fit, std::string_view version) {
   std::string body =
       fmt::format("<p class=\"lead\">{} number{} of {}, found from {} measured values of {}.</p>\n",
-                  fit.numbers.size(), fit.numbers.size() == 1 ? "" : "s", escaped(fit.case_file),
-                  fit.points.size(), escaped(fit.data_file));
+                  fit.parameters.size(), fit.parameters.size() == 1 ? "" : "s",
+                  escaped(fit.case_file), fit.points.size(), escaped(fit.data_file));
   body += remarks(fit);
   body += notice_boxes(fit.notices, fit.conditions.size(), "condition");
   body += fmt::format(

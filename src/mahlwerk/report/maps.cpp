@@ -180,7 +180,7 @@ std::string field(const PlaneField& f, double x0, double y0, double size, double
 
 std::string field_picture(const results::Outcome& outcome) {
   const observe::Charge charge = results::charge_of(outcome);
-  if (!(charge.of_all > 0)) return "";
+  if (!(charge.mass_total > 0)) return "";
   std::vector<double> found;
   double fastest = 0;
   for (const PlaneField* f : {&charge.in_carrier, &charge.in_jar})

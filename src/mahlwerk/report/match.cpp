@@ -19,7 +19,7 @@ namespace {
 using MatchRow = std::array<std::string, 4>;  // what, a, b, b over a
 
 std::vector<MatchRow> match_rows(const MatchReport& found) {
-  const auto text = [](const Told& t, const char* unit, double size) {
+  const auto text = [](const ValueCi95& t, const char* unit, double size) {
     return readable(t.value, t.ci95, unit, size).text();
   };
   const double dose = std::fmax(found.dose_a.value, found.dose_b.value);
@@ -58,18 +58,18 @@ std::string MatchedRatio::text() const {
 std::vector<std::string> sentences(const MatchReport& found) {
   std::vector<std::string> all;
   if (!found.search.best) return sentences(found.search);
-  if (!std::isfinite(found.chance))
+  if (!std::isfinite(found.p_value))
     all.push_back("With fewer than two replicates of each mill their scatter is not known");
   else if (found.within_scatter)
     all.push_back(
         fmt::format("The two mills cannot be told apart: dealt at random, their "
                     "replicates differ as much in {:.0f} of 100 deals",
-                    100 * found.chance));
+                    100 * found.p_value));
   else
     all.push_back(
         fmt::format("The two mills still differ by more than their scatter: dealt at "
                     "random, their replicates differ as much in {:.1f} of 100 deals",
-                    100 * found.chance));
+                    100 * found.p_value));
   for (std::string& sentence : validity_sentences(found.search)) all.push_back(std::move(sentence));
   for (const OptimumKey& k : found.search.keys)
     if (k.at_low_end || k.at_high_end)
@@ -91,7 +91,7 @@ std::string match_table(const MatchReport& found) {
   std::string text;
   if (found.search.best) {
     for (const OptimumKey& k : found.search.keys)
-      text += fmt::format("{} = {}   ({})\n", k.key, k.best, k.lies());
+      text += fmt::format("{} = {}   ({})\n", k.key, k.best, k.range_text());
     text += '\n';
     std::vector<MatchRow> lines = match_rows(found);
     lines.insert(lines.begin(), MatchRow{"", "A", "B as found", "B/A"});

@@ -15,11 +15,11 @@ struct MatchedRatio {
 
 struct MatchReport {
   std::string title_a, title_b, file_a, file_b;
-  bool by_powder = false;             ///< doses are by mass of powder, else powers
-  Told dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
-  Told energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
+  bool by_powder = false;                  ///< doses are by mass of powder, else powers
+  ValueCi95 dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
+  ValueCi95 energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
   MatchedRatio dose = {}, half_power = {};
-  double overlap = unknown, spectral = unknown, distance = unknown, chance = unknown;  ///< [1]
+  double overlap = unknown, spectral = unknown, distance = unknown, p_value = unknown;  ///< [1]
   bool within_scatter = false;
   std::vector<double> edges = {};                    ///< [J] of bins, one more than shares
   std::vector<double> shares_a = {}, shares_b = {};  ///< [1] of the power of collisions

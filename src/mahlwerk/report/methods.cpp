@@ -24,9 +24,9 @@ namespace {
 
 using cases::Case;
 
-class Writing {
+class MethodsText {
  public:
-  explicit Writing(const Case& c) : c_(c) {}
+  explicit MethodsText(const Case& c) : c_(c) {}
 
   /// A value as words, with its mark if the key was assumed.
   std::string marked(std::string_view key, std::string_view words) const {
@@ -179,8 +179,8 @@ std::string engine_words(const results::Outcome& outcome) {
 
 std::string methods(const results::Outcome& outcome, std::string_view version) {
   const Case& c = outcome.what;
-  const Writing say(c);
-  const auto chosen = results::averaged(outcome);
+  const MethodsText say(c);
+  const auto chosen = results::averaged_replicates(outcome);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(outcome));
   text += say.mill() + say.charge() + say.contact(outcome.engine) + say.powder() + say.kinetics();

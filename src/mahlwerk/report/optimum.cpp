@@ -17,7 +17,7 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-std::string text_of(const Told& t, const std::string& unit) {
+std::string text_of(const ValueCi95& t, const std::string& unit) {
   return readable(t.value, t.ci95, unit).text();
 }
 
@@ -28,7 +28,7 @@ std::string percent(double share) {
 }
 
 /// What there is to say of where the best lies along a key.
-void tell_key(const OptimumKey& k, const std::string& quantity, std::vector<std::string>& all) {
+void describe_key(const OptimumKey& k, const std::string& quantity, std::vector<std::string>& all) {
   if (k.flat)
     all.push_back(
         fmt::format("The optimum is flat in {}: anything from {} to {} gives {} within "
@@ -43,18 +43,18 @@ void tell_key(const OptimumKey& k, const std::string& quantity, std::vector<std:
 
 }  // namespace
 
-std::string OptimumKey::lies() const {
+std::string OptimumKey::range_text() const {
   if (low != high) return fmt::format("{} to {}", low, high);
   return at_low_end || at_high_end ? "at the end of its range" : low;
 }
 
 bool OptimumReport::certain() const {
-  return best && settings[*best].chance > told_from_all && !settings[*best].invalid;
+  return best && settings[*best].probability_best > told_from_all && !settings[*best].invalid;
 }
 
 bool OptimumReport::disagrees() const {
   if (!best || !check || !check->failure.empty()) return false;
-  const Told &found = settings[*best].seen, &other = check->value;
+  const ValueCi95 &found = settings[*best].observed, &other = check->value;
   const double apart = std::abs(found.value - other.value);
   if (std::isfinite(found.ci95) && std::isfinite(other.ci95))
     return apart > found.ci95 + other.ci95;
@@ -63,7 +63,7 @@ bool OptimumReport::disagrees() const {
 }
 
 std::string chance_sentence(const OptimumReport& found) {
-  const double chance = found.settings[*found.best].chance;
+  const double chance = found.settings[*found.best].probability_best;
   if (found.certain()) return "The best tried is told from all others that were tried";
   if (found.settings[*found.best].invalid)
     return fmt::format(
@@ -93,7 +93,7 @@ std::vector<std::string> validity_sentences(const OptimumReport& found) {
       "At the best setting the {} engine gives a {} of {} ({} replicate{}), the search gave {}: "
       "the two {}",
       name_of(check.engine), label(found.quantity), text_of(check.value, found.unit),
-      check.replicates, check.replicates == 1 ? "" : "s", text_of(best.seen, found.unit),
+      check.replicates, check.replicates == 1 ? "" : "s", text_of(best.observed, found.unit),
       found.disagrees() ? "disagree, and the search cannot be relied on there" : "agree"));
   return all;
 }
@@ -117,7 +117,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
     if (std::ranges::any_of(found.keys, [](const OptimumKey& k) { return k.model != k.best; }))
       all.push_back(fmt::format("The model's best, {} of {}, is a prediction: it was not run",
                                 quantity, text_of(found.model_value, found.unit)));
-    for (const OptimumKey& k : found.keys) tell_key(k, quantity, all);
+    for (const OptimumKey& k : found.keys) describe_key(k, quantity, all);
     for (const OptimumLimit& limit : found.limits)
       all.push_back(limit.binds ? fmt::format("The limit \"{} {}\" binds: without it the best "
                                               "would lie elsewhere",
@@ -128,7 +128,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
   if (found.failed > 0)
     all.push_back(fmt::format("{} of {} settings could not be run; their reasons are in the table",
                               found.failed, found.settings.size()));
-  if (!found.ended.empty()) all.push_back(found.ended);
+  if (!found.stop_reason.empty()) all.push_back(found.stop_reason);
   return all;
 }
 
@@ -136,15 +136,16 @@ std::string optimum_table(const OptimumReport& found) {
   std::string text;
   if (found.best) {
     Lines lines{{"key", "best tried", "the optimum lies (95 %)", "model's best"}};
-    for (const OptimumKey& k : found.keys) lines.push_back({k.key, k.best, k.lies(), k.model});
+    for (const OptimumKey& k : found.keys)
+      lines.push_back({k.key, k.best, k.range_text(), k.model});
     text = aligned(lines) + '\n';
     const OptimumSetting& best = found.settings[*found.best];
     Lines values{{label(found.quantity), text_of(best.model, found.unit),
                   fmt::format("by the model; of its own {} replicates {}", best.replicates,
-                              text_of(best.seen, found.unit))}};
+                              text_of(best.observed, found.unit))}};
     for (std::size_t i = 0; i < found.limits.size(); ++i)
       values.push_back({label(found.limits[i].quantity),
-                        text_of(best.limited[i], found.limits[i].unit),
+                        text_of(best.limit_values[i], found.limits[i].unit),
                         "to be " + found.limits[i].text});
     text += aligned(values) + '\n';
   }
@@ -172,15 +173,15 @@ std::string optimum_csv(const OptimumReport& found) {
                                    std::to_string(s.replicates)};
     for (const std::string& value : s.values)
       cells.push_back(results::csv_cell(std::string_view(value)));
-    for (const Told& t : {s.seen, s.model})
+    for (const ValueCi95& t : {s.observed, s.model})
       for (const double number : {t.value, t.ci95}) cells.push_back(results::csv_cell(number));
     for (std::size_t k = 0; k < found.limits.size(); ++k) {
-      const Told t = k < s.limited.size() ? s.limited[k] : Told{};
+      const ValueCi95 t = k < s.limit_values.size() ? s.limit_values[k] : ValueCi95{};
       cells.push_back(results::csv_cell(t.value));
       cells.push_back(results::csv_cell(t.ci95));
     }
-    cells.push_back(results::csv_cell(s.allowed));
-    cells.push_back(results::csv_cell(s.chance));
+    cells.push_back(results::csv_cell(s.probability_feasible));
+    cells.push_back(results::csv_cell(s.probability_best));
     cells.push_back(results::csv_cell(std::string_view(s.failure)));
     cells.push_back(results::csv_cell(std::string_view(s.warnings)));
     text += results::csv_line(cells);

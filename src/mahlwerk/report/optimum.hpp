@@ -18,7 +18,7 @@ namespace mahlwerk::report {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with its half-width.
-struct Told {
+struct ValueCi95 {
   double value = unknown, ci95 = unknown;
 };
 
@@ -32,10 +32,10 @@ struct OptimumKey {
   std::string good_low = {}, good_high = {};  ///< this key alone moved: within 2 %
   bool flat = false, at_low_end = false, at_high_end = false;
   std::vector<double> x = {};  ///< the model through its best, this key moved alone
-  std::vector<Told> model_at = {};
+  std::vector<ValueCi95> model_at = {};
 
   /// Where the optimum lies, in words: "12 Hz to 13 Hz", "at the end of its range".
-  std::string lies() const;
+  std::string range_text() const;
 };
 
 struct OptimumLimit {
@@ -48,18 +48,18 @@ struct OptimumSetting {
   std::vector<std::string> values = {};  ///< by key
   std::vector<double> x = {};            ///< the same as numbers, in the keys' units
   int round = 0, replicates = 0;
-  Told seen = {}, model = {};      ///< mean of its replicates; what all settings say of it
-  std::vector<Told> limited = {};  ///< by limit
-  double allowed = 1, chance = 0;  ///< [1]
-  std::string failure = {};        ///< why it gave nothing; empty: it did
-  std::string warnings = {};       ///< codes, separated by ";"
-  bool invalid = false;            ///< outside the validity of the engine that ran it
+  ValueCi95 observed = {}, model = {};  ///< mean of its replicates; what all settings say of it
+  std::vector<ValueCi95> limit_values = {};               ///< by limit
+  double probability_feasible = 1, probability_best = 0;  ///< [1]
+  std::string failure = {};                               ///< why it gave nothing; empty: it did
+  std::string warnings = {};                              ///< codes, separated by ";"
+  bool invalid = false;  ///< outside the validity of the engine that ran it
 };
 
 /// The best setting, run by the engine that is advised there.
 struct OptimumCheck {
   cases::EngineName engine = cases::EngineName::soft;
-  Told value = {};  ///< of what is to be best, by that engine
+  ValueCi95 value = {};  ///< of what is to be best, by that engine
   int replicates = 0;
   std::string failure = {};  ///< why there is no value; empty: there is
 };
@@ -71,10 +71,10 @@ struct OptimumReport {
   std::vector<OptimumLimit> limits = {};
   std::vector<OptimumSetting> settings = {};
   std::optional<std::size_t> best = std::nullopt;
-  Told model_value = {};
+  ValueCi95 model_value = {};
   double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
   int failed = 0;
-  std::string ended = {};                            ///< a sentence: why the search ended
+  std::string stop_reason = {};                      ///< a sentence: why the search ended
   results::NoticeCounts notices = {};                ///< of the settings
   std::optional<OptimumCheck> check = std::nullopt;  ///< where the best is invalid
 

@@ -20,7 +20,7 @@ namespace {
 Multiple multiple_of(const OptimumReport& found) {
   double most = 0;
   for (const OptimumSetting& s : found.settings)
-    if (std::isfinite(s.seen.value)) most = std::fmax(most, std::abs(s.seen.value));
+    if (std::isfinite(s.observed.value)) most = std::fmax(most, std::abs(s.observed.value));
   return multiple(most, found.unit);
 }
 
@@ -35,15 +35,15 @@ Plot history(const OptimumReport& found) {
   best.mark = Mark::line;
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
-    if (!s.failure.empty() || !std::isfinite(s.seen.value)) continue;
+    if (!s.failure.empty() || !std::isfinite(s.observed.value)) continue;
     tried.x.push_back(static_cast<double>(i + 1));
-    tried.y.push_back(s.seen.value / up.factor);
-    tried.error.push_back(std::isfinite(s.seen.ci95) ? s.seen.ci95 / up.factor : 0);
+    tried.y.push_back(s.observed.value / up.factor);
+    tried.error.push_back(std::isfinite(s.observed.ci95) ? s.observed.ci95 / up.factor : 0);
   }
   double until = NAN;
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
-    if (s.failure.empty() && s.allowed >= 0.5) {
+    if (s.failure.empty() && s.probability_feasible >= 0.5) {
       const double now = s.model.value / up.factor;
       until = found.maximise ? std::fmax(until, now) : std::fmin(until, now);
     }
@@ -72,9 +72,9 @@ Plot slice(const OptimumReport& found, std::size_t key) {
     high.y.push_back((k.model_at[i].value + k.model_at[i].ci95) / up.factor);
   }
   for (const OptimumSetting& s : found.settings) {
-    if (!s.failure.empty() || !std::isfinite(s.seen.value)) continue;
+    if (!s.failure.empty() || !std::isfinite(s.observed.value)) continue;
     tried.x.push_back(s.x[key]);
-    tried.y.push_back(s.seen.value / up.factor);
+    tried.y.push_back(s.observed.value / up.factor);
   }
   return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
           .x = {.label = with_unit(k.key, k.unit),
@@ -98,7 +98,7 @@ std::string key_rows(const OptimumReport& found) {
   for (const OptimumKey& k : found.keys)
     rows += fmt::format(
         "<tr><th scope=\"row\"><code>{}</code></th>{}{}{}{}{}</tr>\n", escaped(k.key),
-        key_cell(0, k.best), key_cell(1, k.lies()), key_cell(2, k.model),
+        key_cell(0, k.best), key_cell(1, k.range_text()), key_cell(2, k.model),
         key_cell(3, k.good_low == k.good_high ? k.good_low : k.good_low + " to " + k.good_high),
         key_cell(4, k.from + " to " + k.to));
   return rows;
@@ -114,7 +114,7 @@ std::string key_table(const OptimumReport& found) {
       heads, key_rows(found));
 }
 
-std::string cell(const Told& t, const std::string& unit) {
+std::string cell(const ValueCi95& t, const std::string& unit) {
   return fmt::format("<td class=\"n\">{}</td>", escaped(readable(t.value, t.ci95, unit).text()));
 }
 
@@ -128,11 +128,11 @@ std::string setting_row(const OptimumReport& found, std::size_t number) {
   if (!s.failure.empty())
     return row + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", 4 + found.limits.size(),
                              escaped(s.failure));
-  row += cell(s.seen, found.unit) + cell(s.model, found.unit);
+  row += cell(s.observed, found.unit) + cell(s.model, found.unit);
   for (std::size_t i = 0; i < found.limits.size(); ++i)
-    row += cell(i < s.limited.size() ? s.limited[i] : Told{}, found.limits[i].unit);
+    row += cell(i < s.limit_values.size() ? s.limit_values[i] : ValueCi95{}, found.limits[i].unit);
   return row + fmt::format("<td class=\"n\">{:.0f} %</td><td class=\"n\">{}</td></tr>\n",
-                           100 * s.chance, s.replicates);
+                           100 * s.probability_best, s.replicates);
 }
 
 std::string settings(const OptimumReport& found) {

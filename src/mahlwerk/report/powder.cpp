@@ -59,7 +59,7 @@ std::string energy_words(const cases::Capture& capture) {
       which, 100 * capture.energy_share);
 }
 
-std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
+std::string capture_section(const Outcome& outcome, const Quantities& list) {
   const cases::Case& what = outcome.what;
   const powder::AnyCapture& model = *what.capture->model;
   const Multiple size = multiple(*what.powder->size, "m");
@@ -84,7 +84,7 @@ std::string what_is_caught(const Outcome& outcome, const Quantities& list) {
                 "numbers.");
 }
 
-std::string how_fine(const Outcome& outcome, const Quantities& list) {
+std::string fineness_section(const Outcome& outcome, const Quantities& list) {
   const cases::Grinding& g = *outcome.what.grinding;
   using Method = cases::Grinding::Method;
   const std::string sample = fmt::format("a sample of {} grains", g.sample);
@@ -111,7 +111,7 @@ std::string how_fine(const Outcome& outcome, const Quantities& list) {
          figure(surface_plot(outcome), "Of spheres of these sizes; grinding.csv has the numbers.");
 }
 
-std::string by_dose(const Outcome& outcome, const Quantities& list) {
+std::string dose_section(const Outcome& outcome, const Quantities& list) {
   const cases::Kinetics& k = *outcome.what.kinetics;
   const std::string basis = fmt::format(
       "By energy {} by mass of powder, {} after {}; the constants are the case's.",
@@ -126,13 +126,14 @@ std::string by_dose(const Outcome& outcome, const Quantities& list) {
 }  // namespace
 
 std::string powder_sections(const Outcome& outcome) {
-  const std::vector<const results::Replicate*> chosen = results::averaged(outcome);
-  if (std::ranges::none_of(chosen, [](const auto* r) { return r->ground.has_value(); })) return "";
+  const std::vector<const results::Replicate*> chosen = results::averaged_replicates(outcome);
+  if (std::ranges::none_of(chosen, [](const auto* r) { return r->grinding.has_value(); }))
+    return "";
   const Quantities& list = outcome.summary.quantities;
   std::string text;
-  if (outcome.what.capture) text += what_is_caught(outcome, list);
-  if (outcome.what.grinding) text += how_fine(outcome, list);
-  if (outcome.what.kinetics) text += by_dose(outcome, list);
+  if (outcome.what.capture) text += capture_section(outcome, list);
+  if (outcome.what.grinding) text += fineness_section(outcome, list);
+  if (outcome.what.kinetics) text += dose_section(outcome, list);
   return text;
 }
 

@@ -133,7 +133,7 @@ std::vector<Moment> moments(const Table& table) {
 }
 
 /// The sizes between which there is something to see: all but a thousandth of the mass.
-void show_what_there_is(const Table& table, Axis& axis) {
+void limit_axis_to_data(const Table& table, Axis& axis) {
   constexpr double little = 1e-3;
   const auto passing = column(table, "passing"), upper = column(table, "size_high", micrometre),
              lower = column(table, "size_low", micrometre);
@@ -222,7 +222,7 @@ Plot passing_plot(const results::Outcome& outcome) {
             .x = {.label = "size (µm)", .logarithmic = true},
             .y = {.label = "finer (%)", .least = 0, .most = 100},
             .series = {}};
-  show_what_there_is(table, plot.x);
+  limit_axis_to_data(table, plot.x);
   for (const std::string_view method : method_prefixes) {
     std::size_t colour = grey;
     for (const Moment& moment : moments(table)) {
@@ -251,7 +251,7 @@ Plot density_plot(const results::Outcome& outcome) {
             .x = {.label = "size (µm)", .logarithmic = true},
             .y = {.label = "share per unit of ln(size)", .least = 0},
             .series = {}};
-  show_what_there_is(table, plot.x);
+  limit_axis_to_data(table, plot.x);
   double feed = 0, milled = 0;
   for (const std::string_view method : method_prefixes) {
     std::size_t colour = grey;

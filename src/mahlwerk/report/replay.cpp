@@ -72,23 +72,23 @@ void append(std::vector<float>& list, const Vec3& v) {
 }
 
 /// The jar's motion at the times of the frames.
-struct Ways {
+struct MotionSamples {
   std::vector<float> centre, turn, carrier, rotor;
 };
-Ways ways(const cases::Case& c, const std::vector<double>& times) {
+MotionSamples motion_samples(const cases::Case& c, const std::vector<double>& times) {
   const scene::Chamber mill = cases::chamber(c);
-  Ways w;
+  MotionSamples w;
   for (const double t : times) {
-    const Rotation turn = kinematics::turn(*mill.motion, t) * mill.mount;
-    append(w.centre, kinematics::ride(*mill.motion, t).centre);
+    const Rotation turn = kinematics::rotation(*mill.motion, t) * mill.mount;
+    append(w.centre, kinematics::frame_motion(*mill.motion, t).centre);
     append(w.turn, turn);
-    append(w.carrier, kinematics::carrier(*mill.motion, t).turn);
+    append(w.carrier, kinematics::carrier(*mill.motion, t).rotation);
     append(w.rotor, turn * results::rotor_turn(*mill.shape, t));
   }
   return w;
 }
 
-std::string meshes(const cases::Case& c, const Ways& w) {
+std::string meshes(const cases::Case& c, const MotionSamples& w) {
   std::string list;
   for (const results::JarMesh& mesh : results::jar_surface(*c.jar.shape)) {
     std::vector<float> vertices;
@@ -104,7 +104,7 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
   const std::vector<scene::Ball> balls = cases::starting_balls(c, 0);
   std::vector<float> radius;
   std::vector<std::uint8_t> species;
-  for (std::size_t i = 0; i < balls.size(); i += film.every()) {
+  for (std::size_t i = 0; i < balls.size(); i += film.ball_stride()) {
     radius.push_back(static_cast<float>(balls[i].radius));
     species.push_back(static_cast<std::uint8_t>(balls[i].kind));
   }
@@ -118,14 +118,14 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
   for (std::size_t i = 0; i < c.balls.size(); ++i)
     names += (i > 0 ? "," : "") + json_string(cases::set_name(c, i));
   const bool planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion) != nullptr;
-  const Ways w = ways(c, film.times());
+  const MotionSamples w = motion_samples(c, film.times());
   return fmt::format(
       "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
       "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
       "\"carrier_turn\":\"{}\",\"carrier\":{},\"meshes\":[{}]}}",
       json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
-      names, film.place_unit(), packed(film.places()), fastest / most, packed(speeds),
+      names, film.position_unit(), packed(film.positions()), fastest / most, packed(speeds),
       packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
       meshes(c, w));
 }

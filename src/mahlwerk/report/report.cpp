@@ -141,7 +141,7 @@ std::string picture(const std::string& drawing, std::string_view caption) {
                      escaped(caption));
 }
 
-std::string how_hard(const Outcome& outcome) {
+std::string spectra_section(const Outcome& outcome) {
   return "<h2>How hard</h2>\n" +
          figure(spectrum_plot(outcome),
                 "Collisions per second in each bin of energy (four bins an octave). The faintest "
@@ -154,7 +154,7 @@ std::string how_hard(const Outcome& outcome) {
          figure(angle_plot(outcome), "Between tangential and normal speed at first touch.");
 }
 
-std::string where(const Outcome& outcome) {
+std::string maps_section(const Outcome& outcome) {
   std::string text = picture(
       wall_picture(outcome),
       "Power that hits on the jar lose, over the wall's area. The jar's own axes, which turn with "
@@ -170,7 +170,7 @@ std::string where(const Outcome& outcome) {
   return "<h2>Where, and how it moves</h2>\n" + words + text;
 }
 
-std::string how_steady(const Outcome& outcome) {
+std::string time_section(const Outcome& outcome) {
   return "<h2>How steady</h2>\n" +
          figure(rate_plot(outcome),
                 "Each point is a mean over a stretch of time and the replicates.") +
@@ -179,7 +179,7 @@ std::string how_steady(const Outcome& outcome) {
                 "long run the two are equal.");
 }
 
-std::string wear_and_heat(const Outcome& outcome) {
+std::string wear_and_heat_section(const Outcome& outcome) {
   std::string text;
   if (const results::Table table = results::wear(outcome); !table.rows.empty()) {
     std::string body;
@@ -241,8 +241,9 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += tables.above;
   body += states_section(outcome);
   body += pairs_table(outcome);
-  if (!results::averaged(outcome).empty())
-    body += how_hard(outcome) + where(outcome) + how_steady(outcome) + wear_and_heat(outcome);
+  if (!results::averaged_replicates(outcome).empty())
+    body += spectra_section(outcome) + maps_section(outcome) + time_section(outcome) +
+            wear_and_heat_section(outcome);
   body += powder_sections(outcome);
   body += tables.below;
   body += methods_box(outcome, version);

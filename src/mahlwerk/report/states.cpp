@@ -56,7 +56,7 @@ std::string states_section(const results::Outcome& outcome) {
       "\n<p><small>Replicates by their dissipated power; ± is the 95 % confidence half-width over "
       "those of a state. One normal distribution splits as sharply with a chance of {:.2g} "
       "%.</small></p>\n",
-      escaped(all[0][1]), escaped(all[0][2]), rows, 100 * found->chance);
+      escaped(all[0][1]), escaped(all[0][2]), rows, 100 * found->p_value);
 }
 
 }  // namespace mahlwerk::report

@@ -10,11 +10,12 @@ namespace mahlwerk::results {
 double value_of(const Outcome& outcome, const Replicate& replicate, std::string_view quantity) {
   const std::vector<Quantity>& names = outcome.summary.quantities;
   const auto at = std::ranges::find(names, quantity, &Quantity::name) - names.begin();
-  const std::vector<double>& values = outcome.summary.each[number_of(outcome, replicate) - 1];
+  const std::vector<double>& values =
+      outcome.summary.by_replicate[number_of(outcome, replicate) - 1];
   return at < std::ssize(values) ? values[static_cast<std::size_t>(at)] : NAN;
 }
 
-std::vector<const Replicate*> averaged(const Outcome& outcome) {
+std::vector<const Replicate*> averaged_replicates(const Outcome& outcome) {
   std::vector<const Replicate*> whole, any;
   for (const Replicate& r : outcome.replicates) {
     if (!(r.time() > 0)) continue;
@@ -24,9 +25,9 @@ std::vector<const Replicate*> averaged(const Outcome& outcome) {
   return whole.size() >= 2 ? whole : any;
 }
 
-std::vector<const Replicate*> ground_replicates(const Outcome& outcome) {
-  std::vector<const Replicate*> chosen = averaged(outcome);
-  std::erase_if(chosen, [](const Replicate* r) { return !r->ground; });
+std::vector<const Replicate*> grinding_replicates(const Outcome& outcome) {
+  std::vector<const Replicate*> chosen = averaged_replicates(outcome);
+  std::erase_if(chosen, [](const Replicate* r) { return !r->grinding; });
   return chosen;
 }
 

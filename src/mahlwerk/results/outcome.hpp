@@ -11,13 +11,13 @@
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/charge.hpp"
+#include "mahlwerk/observe/collision_statistics.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/observe/stress_stream.hpp"
-#include "mahlwerk/observe/tally.hpp"
-#include "mahlwerk/powder/milling.hpp"
+#include "mahlwerk/powder/size_evolution.hpp"
 #include "mahlwerk/results/summary.hpp"
-#include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
+#include "mahlwerk/scene/energy_balance.hpp"
 
 namespace mahlwerk::results {
 
@@ -37,44 +37,45 @@ struct Window {
 };
 
 /// What collisions catch of grains of the median size of the feed, per second.
-struct CaughtRates {
+struct CaptureRates {
   double mass = 0;    ///< [kg/s]
   double power = 0;   ///< [W] that caught grains get
   double grains = 0;  ///< [1] in a collision, mean by energy
 };
 
 /// What a replicate's collisions do to the powder.
-struct Ground {
+struct GrindingOutcome {
   powder::StressSpectrum stresses;
-  CaughtRates caught;                      ///< with [capture]
-  double dose_rate = 0;                    ///< [W/kg] of [kinetics], or of what is caught
-  std::optional<powder::Milling> balance;  ///< with [grinding] method = "balance" or "both"
-  std::optional<powder::Milling> sample;   ///< with "statistical" or "both"
+  CaptureRates capture;                          ///< with [capture]
+  double dose_rate = 0;                          ///< [W/kg] of [kinetics], or of what is caught
+  std::optional<powder::SizeEvolution> balance;  ///< with [grinding] method = "balance" or "both"
+  std::optional<powder::SizeEvolution> sample;   ///< with "statistical" or "both"
 
   /// The one that counts where there are both.
-  const powder::Milling& milling() const { return balance ? *balance : *sample; }
-  bool grinds() const { return balance || sample; }
+  const powder::SizeEvolution& milling() const { return balance ? *balance : *sample; }
+  bool has_milling() const { return balance || sample; }
 };
 
-/// What one replicate gave. Sums are over the counted time; `account` is over the whole run.
+/// What one replicate gave. Sums are over the counted time; `energy_balance` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
                      const observe::WallGrid& wall = {})
       : tally(threshold, std::move(kinds), wall) {}
-  observe::Tally tally;
+  observe::CollisionStatistics tally;
   observe::Charge charge;        ///< how it lies in the jar
   observe::Replay replay;        ///< of the first replicate
   observe::StressStream stream;  ///< for a sample of the powder
-  std::optional<Ground> ground;  ///< with [capture] or [kinetics], once the run has ended
+  std::optional<GrindingOutcome>
+      grinding;  ///< with [capture] or [kinetics], once the run has ended
   std::vector<Window> windows;
-  scene::Account account;            ///< at the end
-  scene::Account at_settled;         ///< when counting began
-  bool complete = true;              ///< false if stopped early
-  bool sure = true;                  ///< false if a run that waits for certainty did not get it
-  std::string stopped;               ///< why, if physics stopped it
-  std::vector<scene::Ball> at_stop;  ///< the balls when physics stopped it, in the jar frame
+  scene::EnergyBalance energy_balance;  ///< at the end
+  scene::EnergyBalance at_settled;      ///< when counting began
+  bool complete = true;                 ///< false if stopped early
+  bool precision_reached = true;        ///< false if a run that waits for certainty did not get it
+  std::string stop_reason;              ///< why, if physics stopped it
+  std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
   double cpu_seconds = 0;
-  double time() const { return account.time - at_settled.time; }  ///< [s] counted
+  double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted
 };
 
 struct Outcome {
@@ -98,9 +99,9 @@ double value_of(const Outcome& outcome, const Replicate& replicate, std::string_
 
 /// The replicates that means are taken over: those that ran to their end if there are at least two,
 /// else all that counted any time.
-std::vector<const Replicate*> averaged(const Outcome& outcome);
+std::vector<const Replicate*> averaged_replicates(const Outcome& outcome);
 /// Those of them that have ground.
-std::vector<const Replicate*> ground_replicates(const Outcome& outcome);
+std::vector<const Replicate*> grinding_replicates(const Outcome& outcome);
 
 /// Mean of what `of` says of each replicate; NaN of none.
 template <class Of>

@@ -30,7 +30,7 @@ observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
 }
 
 /// (hea.7) and (hea.9) by bins of the normal energy, each at its middle.
-void know_flashes(observe::PairFactors& factors, const powder::FlashPair& pair) {
+void set_flash_factors(observe::PairFactors& factors, const powder::FlashPair& pair) {
   using observe::LogHistogram;
   for (int bin = 0; bin < LogHistogram::bins; ++bin) {
     const double middle = std::sqrt(LogHistogram::lower(bin) * LogHistogram::lower(bin + 1));
@@ -42,11 +42,12 @@ void know_flashes(observe::PairFactors& factors, const powder::FlashPair& pair) 
 observe::PairFactors factors(const cases::Case& what, const contact::BounceRule& rule, int one,
                              int other) {
   observe::PairFactors made;
-  made.slid_per_loss = powder::force_slid(1, cases::sliding_friction(what, rule));
+  made.load_distance_per_loss = powder::load_distance(1, cases::sliding_friction(what, rule));
   if (what.heat)
-    know_flashes(made, other < 0 ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
-                                 : cases::flash_pair(what, static_cast<std::size_t>(one),
-                                                     static_cast<std::size_t>(other)));
+    set_flash_factors(made, other < 0
+                                ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
+                                : cases::flash_pair(what, static_cast<std::size_t>(one),
+                                                    static_cast<std::size_t>(other)));
   return made;
 }
 
@@ -60,17 +61,17 @@ Replicate empty_replicate(const cases::Case& what) {
       static_cast<int>(what.balls.size()), faces > most_faces ? 1 : faces);
   Replicate made(what.observe.threshold, std::move(kinds), wall_grid(*what.jar.shape));
   const contact::BounceTable rules = cases::bounce_table(what);
-  observe::ByPair& pairs = made.tally.by_pair;
+  observe::StatisticsByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
     if (other < 0 && faces == 0) continue;
     const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
-    pairs.know(pair, factors(what, rule, one, other));
+    pairs.set_factors(pair, factors(what, rule, one, other));
   }
   return made;
 }
 
-std::vector<Window> joined_in_twos(const std::vector<Window>& windows) {
+std::vector<Window> merge_window_pairs(const std::vector<Window>& windows) {
   std::vector<Window> joined;
   for (std::size_t i = 0; i + 1 < windows.size(); i += 2) {
     const Window &a = windows[i], &b = windows[i + 1];

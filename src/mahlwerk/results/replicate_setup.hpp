@@ -14,6 +14,6 @@ namespace mahlwerk::results {
 Replicate empty_replicate(const cases::Case& what);
 
 /// Each two neighbouring windows as one; an odd one at the end is left out.
-std::vector<Window> joined_in_twos(const std::vector<Window>& windows);
+std::vector<Window> merge_window_pairs(const std::vector<Window>& windows);
 
 }  // namespace mahlwerk::results

@@ -19,7 +19,7 @@ namespace {
 std::vector<double> values_of(const std::vector<Measure>& measures, const cases::Case& what,
                               const Replicate& replicate) {
   std::vector<double> values;
-  for (const Measure& m : measures) values.push_back(m.of(what, replicate));
+  for (const Measure& m : measures) values.push_back(m.compute(what, replicate));
   return values;
 }
 
@@ -44,27 +44,27 @@ const Quantity& named(const std::vector<Quantity>& list, std::string_view name) 
 
 Summary summarise(const Outcome& outcome) {
   const std::vector<Measure> all = measures(outcome.what);
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   std::vector<std::size_t> numbers;
   for (const Replicate* r : chosen) numbers.push_back(number_of(outcome, *r));
   Summary made;
   for (const Replicate& r : outcome.replicates)
-    made.each.push_back(values_of(all, outcome.what, r));
-  made.quantities = means(all, made.each, numbers);
+    made.by_replicate.push_back(values_of(all, outcome.what, r));
+  made.quantities = means(all, made.by_replicate, numbers);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Quantity& q = made.quantities[i];
     q.ci95_time = ci95_over_time(chosen, q.name);
     if (!all[i].worst) continue;
-    q.value = worst(made.each, i);
-    q.ci95 = nothing;
+    q.value = worst(made.by_replicate, i);
+    q.ci95 = undefined;
   }
   made.quantities.push_back(
-      {"settling_time", settling_time(chosen), nothing, "s",
+      {"settling_time", settling_time(chosen), undefined, "s",
        "of the counted time, what the dissipated power shows to belong to the start"});
-  made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), nothing, "1",
+  made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), undefined, "1",
                              "independent replicates that the means are taken over"});
   made.pairs = by_pair(outcome);
-  made.two_states = two_states(outcome, all, made.each);
+  made.two_states = two_states(outcome, all, made.by_replicate);
   made.regime = regime(outcome);
   if (!made.regime.empty()) made.regime_reason = regime_reason(outcome);
   return made;

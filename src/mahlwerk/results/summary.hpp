@@ -47,7 +47,7 @@ struct State {
 /// (docs/theory/statistics.md, "Two states").
 struct TwoStates {
   std::array<State, 2> states;  ///< less power first
-  double chance = 0;            ///< (sta.7)
+  double p_value = 0;           ///< (sta.7)
 
   /// [1] of the replicates that means are taken over.
   double share(const State& state) const;
@@ -57,7 +57,7 @@ struct TwoStates {
 struct Summary {
   std::vector<Quantity> quantities;  ///< of summary.json, in their order (docs/formats.md)
   /// Their values in each replicate, but for the last ones, which only all together have.
-  std::vector<std::vector<double>> each;
+  std::vector<std::vector<double>> by_replicate;
   std::vector<PairSummary> pairs;  ///< none where there is one kind of pair only
   std::optional<TwoStates> two_states;
   std::string regime, regime_reason;  ///< (results/quantities/regime.hpp)

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
-#include "mahlwerk/scene/account.hpp"
 #include "mahlwerk/scene/balls.hpp"
+#include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
 namespace mahlwerk::scene {
@@ -22,12 +22,12 @@ class Engine {
   /// collisions up to then handed over.
   virtual void advance(double time, Observer& observer) = 0;
 
-  /// Once `*stop` is set `advance` ends early, between two events or steps; account().time says
-  /// how far it came. Null: it never does.
+  /// Once `*stop` is set `advance` ends early, between two events or steps; energy_balance().time
+  /// says how far it came. Null: it never does.
   void stop_on(const std::atomic<bool>* stop) { stop_ = stop; }
 
   /// The energy account at the time reached.
-  virtual Account account() const = 0;
+  virtual EnergyBalance energy_balance() const = 0;
 
   /// The balls at the time reached, in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
@@ -38,7 +38,7 @@ class Engine {
 
   /// Writes the state reached to `archive`, or takes it from there; an engine made from the same
   /// case then goes on as if nothing had happened, to the bit.
-  virtual void carry(Archive& archive) = 0;
+  virtual void serialize(Archive& archive) = 0;
 
  protected:
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }

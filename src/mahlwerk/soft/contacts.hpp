@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mahlwerk/contact/any_law.hpp"
-#include "mahlwerk/scene/account.hpp"
+#include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
 #include "mahlwerk/soft/rules.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
@@ -17,23 +17,26 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
 
 /// A contact's law, R* of a ball at `position` taken from both principal curvatures of the face
 /// (dem.4).
-void bend(PairParameters& parameters, int lane, const MovingWall& jar, int face,
-          const Vec3& position, double t, const SpeciesPair& pair, const contact::AnyLaw& law);
+void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
+                          const Vec3& position, double t, const SpeciesPair& pair,
+                          const contact::AnyLaw& law);
 
 /// How the contact of a lane begins at `step`.
-Beginning beginning(std::int64_t step, const ContactGeometry& m, const Bodies& b, int lane);
+ContactOnset contact_onset(std::int64_t step, const ContactGeometry& m, const PairMotion& b,
+                           int lane);
 /// What the law remembers of a contact that begins.
-void begin_memory(Lanes (&memory)[contact::law_memories], const PairParameters& parameters,
-                  int lane, double approach, const contact::AnyLaw& law);
+void begin_law_history(Lanes (&law_history)[contact::law_history_size],
+                       const PairParameters& parameters, int lane, double approach,
+                       const contact::AnyLaw& law);
 
 /// What the contact of a lane has done, into the energy account.
-void add_work(scene::Account& account, const ContactWork& work, int lane);
+void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int lane);
 
 /// A contact that outlives its collision five times has come to last.
-bool outlasts(double duration, const Beginning& began, const SpeciesPair& pair,
-              const contact::AnyLaw& law);
+bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& pair,
+                const contact::AnyLaw& law);
 
 /// What is the same for all packets of all steps; the jar's speed changes.
-Frame frame_of(const Rules& rules, const Vec3& periods);
+StepConstants step_constants(const Rules& rules, const Vec3& periods);
 
 }  // namespace mahlwerk::soft

@@ -6,8 +6,8 @@
 
 namespace mahlwerk::soft {
 
-RunError unstable_run(double time, std::size_t ball, const char* why, const Vec3& position,
-                      const Vec3& velocity) {
+RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
+                            const Vec3& velocity) {
   return RunError(fmt::format(
       "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
       "centre, with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer "
@@ -15,7 +15,7 @@ RunError unstable_run(double time, std::size_t ball, const char* why, const Vec3
       time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z));
 }
 
-InputError overlapping(std::size_t ball, const std::string& with, double overlap) {
+InputError overlap_error(std::size_t ball, const std::string& with, double overlap) {
   return InputError(Fault{"balls",
                           fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
                                       ball + 1, with, overlap),

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/scene/account.hpp"
+#include "mahlwerk/scene/energy_balance.hpp"
 
 namespace mahlwerk::soft {
 
@@ -13,10 +13,10 @@ namespace mahlwerk::soft {
 struct EnergyWatch {
   double last_residual = 0, most_energy = 0;  ///< [J] at the last check; ever
 
-  void begin(const scene::Account& a) { most_energy = a.kinetic + a.elastic; }
+  void begin(const scene::EnergyBalance& a) { most_energy = a.kinetic + a.elastic; }
   /// `wall_energy` is what the wall would give the balls if they moved with it, `least` an energy
   /// that is nothing, both in J.
-  bool jumped(const scene::Account& a, double wall_energy, double least) {
+  bool jumped(const scene::EnergyBalance& a, double wall_energy, double least) {
     const double jump = std::abs(a.residual() - last_residual);
     last_residual = a.residual();
     // A charge may come to rest, or be at rest where the wall moves; what it once had, and what the

@@ -17,12 +17,12 @@ std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls, const Rules& rules,
                                       const contact::PairTable& pairs, double start) {
   auto jar = moving_wall(chamber);
-  if (balls.size() > rules.few)
+  if (balls.size() > rules.few_body_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, rules, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, rules, pairs, start);
 }
 
-double TimeSteps::usual(double fraction) const {
+double TimeSteps::recommended(double fraction) const {
   return std::min({fraction * rayleigh, contact / 50, damper / 5});
 }
 
@@ -30,8 +30,8 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
                      const contact::PairTable& pairs, double speed) {
   const SpeciesPairs species_pairs(balls, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
-  const auto look = [&](std::int32_t pair, double radius) {
-    const contact::Touching& t = species_pairs[pair].touching;
+  const auto include_pair = [&](std::int32_t pair, double radius) {
+    const contact::EffectivePair& t = species_pairs[pair].effective;
     std::visit(
         [&](const auto& l) {
           found.contact = std::min(found.contact, l.shortest_time(t, speed));
@@ -44,10 +44,10 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
   const auto species = static_cast<std::int32_t>(species_pairs.all_species().size());
   for (std::int32_t a = 0; a < species; ++a) {
     for (std::int32_t b = 0; b < species; ++b)
-      look(species_pairs.balls(a, b),
-           std::min(species_pairs.species(a).radius, species_pairs.species(b).radius));
+      include_pair(species_pairs.balls(a, b),
+                   std::min(species_pairs.species(a).radius, species_pairs.species(b).radius));
     for (int face = 0; face < pairs.faces(); ++face)
-      look(species_pairs.wall(a, face), species_pairs.species(a).radius);
+      include_pair(species_pairs.wall(a, face), species_pairs.species(a).radius);
   }
   for (const scene::Ball& ball : balls) {
     // Of the softest it meets: G* and E* give the wave speed of the pair (dem.28).

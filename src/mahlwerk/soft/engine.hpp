@@ -30,7 +30,7 @@ struct TimeSteps {
   double limit = 0;     ///< steps above this are unstable
   double overlap = 0;   ///< [1] largest overlap over the radius
   /// A fraction of rayleigh, at most contact / 50 and damper / 5.
-  double usual(double fraction) const;
+  double recommended(double fraction) const;
 };
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed);

@@ -27,9 +27,9 @@ SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact:
           const auto [at, fresh] = dampings.try_emplace(pair.restitution);
           if (fresh) at->second = l.damping(pair.restitution);
           made.damping = at->second;
-          made.numbers = l.numbers(made.touching, made.damping);
-          made.reach = l.reach(made.touching);
-          made.secant = l.secant(made.touching);
+          made.coefficients = l.coefficients(made.effective, made.damping);
+          made.pull_off_distance = l.pull_off_distance(made.effective);
+          made.stiffness_ratio = l.stiffness_ratio(made.effective);
           return made;
         },
         law);

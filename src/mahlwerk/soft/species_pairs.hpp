@@ -13,14 +13,14 @@ namespace mahlwerk::soft {
 
 /// Two species of balls that may touch, or one and a face of the jar.
 struct SpeciesPair {
-  contact::Touching touching;
+  contact::EffectivePair effective;
   double damping = 0;  ///< of the law (contact::Law)
-  contact::LawNumbers numbers{};
-  double reach = 0;   ///< [m]
-  double secant = 0;  ///< [1]
+  contact::LawCoefficients coefficients{};
+  double pull_off_distance = 0;  ///< [m]
+  double stiffness_ratio = 0;    ///< [1]
 
   /// [m/N] of the tangential spring in steps of so long (dem.37).
-  double lag(double step) const { return 7.0 / 6.0 * step * step / touching.mass; }
+  double lag(double step) const { return 7.0 / 6.0 * step * step / effective.mass; }
 };
 
 /// Balls that are alike: one size, density and kind.

@@ -8,9 +8,9 @@ namespace mahlwerk::soft {
 
 /// What a time step leaves a collision off by at most, whatever its angle.
 struct StepError {
-  double rebound = 0;  ///< [1] of the speed along the normal, relative
-  double across = 0;   ///< [1] of the speed across it, of what it was
-  double spin = 0;     ///< [1] of the spin, of that which rolling or gross slip would give
+  double rebound = 0;     ///< [1] of the speed along the normal, relative
+  double tangential = 0;  ///< [1] of the speed across it, of what it was
+  double spin = 0;        ///< [1] of the spin, of that which rolling or gross slip would give
 };
 
 /// By law and restitution, from the law's table at fifty steps a collision (contact::StepErrors),

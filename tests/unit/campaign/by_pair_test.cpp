@@ -39,9 +39,9 @@ cases::Case mixed(const std::string& engine) {
   c.powder->grain_size = 1.5e-3;
   c.contact.rule.restitution = 0.7;
   c.contact.rule.friction = 0.3;
-  c.contact.lasting = cases::Lasting::tc;
+  c.contact.lasting = cases::SustainedContactModel::tc;
   c.contact.contact_time = 1e-4;
-  c.run.engine = cases::word_of<cases::EngineName>(engine, cases::engines());
+  c.run.engine = cases::to_enum<cases::EngineName>(engine, cases::engines());
   c.run.time = 0.2;
   c.run.replicates = 2;
   c.observe.threshold = 0.1;
@@ -51,7 +51,7 @@ cases::Case mixed(const std::string& engine) {
 class ByPairOfARun : public testing::TestWithParam<const char*> {};
 
 TEST_P(ByPairOfARun, sums_to_the_totals) {
-  Options options;
+  RunOptions options;
   options.threads = 2;
   const results::Outcome outcome = run(mixed(GetParam()), options);
   for (const results::Replicate& r : outcome.replicates) {
@@ -81,15 +81,15 @@ TEST_P(ByPairOfARun, sums_to_the_totals) {
 
 TEST_P(ByPairOfARun, is_the_same_after_a_state_was_written_and_read) {
   const cases::Case what = mixed(GetParam());
-  Replica whole(what, 0), first(what, 0), second(what, 0);
-  while (!whole.done()) whole.go_on();
-  for (int i = 0; i < 5 && !first.done(); ++i) first.go_on();
+  ReplicateRun whole(what, 0), first(what, 0), second(what, 0);
+  while (!whole.done()) whole.run_slice();
+  for (int i = 0; i < 5 && !first.done(); ++i) first.run_slice();
   Archive out;
-  first.carry(out);
+  first.serialize(out);
   Archive in(out.bytes());
-  second.carry(in);
+  second.serialize(in);
   in.finish();
-  while (!second.done()) second.go_on();
+  while (!second.done()) second.run_slice();
   const results::Replicate one = whole.result(), other = second.result();
   for (int i = 0; i < one.tally.by_pair.pairs(); ++i) {
     EXPECT_EQ(one.tally.by_pair[i].all().count, other.tally.by_pair[i].all().count);
@@ -105,7 +105,7 @@ TEST(ByPairOfARun, a_single_ball_has_no_table) {
   cases::Case c = mixed("event");
   c.powder.reset();
   c.balls = {{1, 8e-3, 7850, ""}};
-  c.contact.lasting = cases::Lasting::roll;
+  c.contact.lasting = cases::SustainedContactModel::roll;
   EXPECT_TRUE(results::by_pair(run(c)).empty());
 }
 

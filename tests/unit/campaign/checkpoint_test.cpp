@@ -22,20 +22,20 @@ TEST(Checkpoint, one_that_cannot_be_written_is_told_once_until_it_can_be_again) 
   const Folder folder;
   const fs::path file = folder.path() / "states";
   fs::create_directories(file / "in the way");
-  Replica replica(read_sample(vial), 0);
+  ReplicateRun replica(read_sample(vial), 0);
   int told = 0;
   Checkpoint states(file, "a run", 1, always, [&](const Fault& why) {
     ++told;
     EXPECT_EQ(why.code, "bad-checkpoint");
     EXPECT_EQ(why.where, file.generic_string());
   });
-  for (int i = 0; i < 3; ++i) states.keep(0, replica, true);
+  for (int i = 0; i < 3; ++i) states.save(0, replica, true);
   EXPECT_EQ(told, 1);
-  EXPECT_TRUE(states.trouble());
+  EXPECT_TRUE(states.write_error());
   EXPECT_FALSE(fs::exists(file.string() + ".part")) << "nothing half written stays";
   fs::remove_all(file);
-  states.keep(0, replica, true);
-  EXPECT_FALSE(states.trouble());
+  states.save(0, replica, true);
+  EXPECT_FALSE(states.write_error());
   EXPECT_TRUE(fs::is_regular_file(file));
 }
 

@@ -19,7 +19,7 @@ using tests::states;
 using tests::stays_below;
 
 /// How many rows have `key` in each of `parts` equal parts of its range.
-std::vector<int> met(const Places& rows, std::size_t key, std::size_t parts) {
+std::vector<int> met(const DesignMatrix& rows, std::size_t key, std::size_t parts) {
   std::vector<int> count(parts);
   for (const auto& row : rows)
     ++count[static_cast<std::size_t>(row[key] * static_cast<double>(parts))];
@@ -28,7 +28,7 @@ std::vector<int> met(const Places& rows, std::size_t key, std::size_t parts) {
 
 /// The square of how unevenly rows lie: the mean square difference of the share of rows in a box at
 /// the corner 0, and its volume (Warnock 1972).
-double unevenness(const Places& rows) {
+double unevenness(const DesignMatrix& rows) {
   const auto n = static_cast<double>(rows.size());
   const auto keys = static_cast<double>(rows.front().size());
   double volumes = 0, pairs = 0;
@@ -53,7 +53,7 @@ double random_unevenness(std::size_t keys, std::size_t n) {
 
 template <class Design>
 void begins_alike(const Design& design, std::size_t few, std::size_t many, std::size_t rows_each) {
-  const Places short_one = design(few), long_one = design(many);
+  const DesignMatrix short_one = design(few), long_one = design(many);
   ASSERT_EQ(short_one.size(), few * rows_each);
   ASSERT_EQ(long_one.size(), many * rows_each);
   EXPECT_TRUE(std::equal(short_one.begin(), short_one.end(), long_one.begin()));
@@ -61,7 +61,7 @@ void begins_alike(const Design& design, std::size_t few, std::size_t many, std::
 
 TEST(LatinHypercube, meets_each_part_of_each_range_once) {
   for (const std::size_t samples : {1U, 2U, 7U, 100U}) {
-    const Places rows = latin_hypercube(5, samples, 3);
+    const DesignMatrix rows = latin_hypercube(5, samples, 3);
     ASSERT_EQ(rows.size(), samples);
     for (std::size_t key = 0; key < 5; ++key)
       EXPECT_EQ(met(rows, key, samples), std::vector<int>(samples, 1));
@@ -71,7 +71,7 @@ TEST(LatinHypercube, meets_each_part_of_each_range_once) {
 TEST(LatinHypercube, pairs_parts_of_two_keys_at_random) {
   // The correlation of two independent orders of n has the variance 1/(n - 1).
   constexpr std::size_t n = 1000;
-  const Places rows = latin_hypercube(3, n, 1);
+  const DesignMatrix rows = latin_hypercube(3, n, 1);
   for (const auto& [i, k] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
     double sum = 0;
     for (const auto& row : rows)
@@ -85,14 +85,14 @@ TEST(LatinHypercube, pairs_parts_of_two_keys_at_random) {
 
 TEST(SobolPoints, are_those_of_joe_and_kuo) {
   // The first rows of new-joe-kuo-6.21201, in the order of Gray's code.
-  const Places expected{{0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},    {0.25, 0.75, 0.75},
-                        {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875},
-                        {0.125, 0.625, 0.375}};
+  const DesignMatrix expected{{0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},    {0.25, 0.75, 0.75},
+                              {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875},
+                              {0.125, 0.625, 0.375}};
   EXPECT_EQ(sobol_points(3, 7), expected);
 }
 
 TEST(SobolPoints, leave_out_only_the_part_of_the_corner) {
-  const Places rows = sobol_points(40, 255);
+  const DesignMatrix rows = sobol_points(40, 255);
   std::vector<int> once(256, 1);
   once.front() = 0;
   for (std::size_t key = 0; key < 40; ++key) EXPECT_EQ(met(rows, key, 256), once);
@@ -111,7 +111,7 @@ TEST(RandomPoints, are_as_uneven_as_they_should) {  // so that the sums above ar
   constexpr int times = 200;
   for (std::uint32_t t = 0; t < times; ++t) {
     Random random(7, t);
-    Places rows(40, std::vector<double>(3));
+    DesignMatrix rows(40, std::vector<double>(3));
     for (auto& row : rows)
       for (double& x : row) x = random.uniform();
     const double u = unevenness(rows);
@@ -123,14 +123,14 @@ TEST(RandomPoints, are_as_uneven_as_they_should) {  // so that the sums above ar
 }
 
 TEST(OneAtATime, moves_one_key_to_both_ends) {
-  const Places expected{{0.5, 0.5}, {0, 0.5}, {1, 0.5}, {0.5, 0}, {0.5, 1}};
+  const DesignMatrix expected{{0.5, 0.5}, {0, 0.5}, {1, 0.5}, {0.5, 0}, {0.5, 1}};
   EXPECT_EQ(one_at_a_time_design(2), expected);
   EXPECT_EQ(one_at_a_time_design(2, 0.25).front(), (std::vector{0.25, 0.25}));
 }
 
 TEST(MorrisDesign, moves_each_key_once_a_way_by_two_thirds) {
   constexpr std::size_t keys = 6, ways = 50;
-  const Places rows = morris_design(keys, ways, 5);
+  const DesignMatrix rows = morris_design(keys, ways, 5);
   ASSERT_EQ(rows.size(), ways * (keys + 1));
   for (std::size_t way = 0; way < ways; ++way) {
     std::vector<int> moved(keys);
@@ -149,7 +149,7 @@ TEST(MorrisDesign, moves_each_key_once_a_way_by_two_thirds) {
 
 TEST(MorrisDesign, begins_at_all_levels_and_moves_keys_in_any_order) {
   constexpr std::size_t keys = 4, ways = 2000;
-  const Places rows = morris_design(keys, ways, 1);
+  const DesignMatrix rows = morris_design(keys, ways, 1);
   const double tolerance =
       3.5 * std::sqrt(ways * 0.25 * 0.75);  // 32 counts: 1.5 % of a false alarm
   for (std::size_t key = 0; key < keys; ++key) {
@@ -169,7 +169,7 @@ TEST(MorrisDesign, begins_at_all_levels_and_moves_keys_in_any_order) {
 
 TEST(SaltelliDesign, takes_one_key_from_the_other_half) {
   constexpr std::size_t keys = 3, base = 16;
-  const Places rows = saltelli_design(keys, base);
+  const DesignMatrix rows = saltelli_design(keys, base);
   ASSERT_EQ(rows.size(), base * (keys + 2));
   for (std::size_t j = 0; j < base; ++j) {
     const auto group = rows.begin() + static_cast<std::ptrdiff_t>(j * (keys + 2));
@@ -185,8 +185,8 @@ TEST(SaltelliDesign, takes_one_key_from_the_other_half) {
 
 TEST(SaltelliDesign, spreads_both_halves_evenly) {
   constexpr std::size_t keys = 20, base = 64;
-  const Places rows = saltelli_design(keys, base, 9);
-  Places a, b;
+  const DesignMatrix rows = saltelli_design(keys, base, 9);
+  DesignMatrix a, b;
   for (std::size_t i = 0; i < rows.size(); i += keys + 2) {
     a.push_back(rows[i]);
     b.push_back(rows[i + keys + 1]);

@@ -30,17 +30,17 @@ constexpr const char* sticky = "law = \"jkr\"\nsurface_energy = \"1 J/m2\"\nrest
 constexpr const char* dry = "law = \"jkr\"\nsurface_energy = \"0 J/m2\"\nrestitution = 0.5";
 
 TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
-  const Choice c = choose(with_engine("auto", sticky));
+  const EngineChoice c = choose_engine(with_engine("auto", sticky));
   EXPECT_EQ(c.engine, cases::EngineName::soft);
   EXPECT_NE(joined(c.reason).find("jkr"), std::string::npos);
-  EXPECT_EQ(joined(choose(with_engine("auto", dry)).reason).find("jkr"), std::string::npos);
+  EXPECT_EQ(joined(choose_engine(with_engine("auto", dry)).reason).find("jkr"), std::string::npos);
 }
 
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
   const auto notes = [](const cases::Case& what) {
     results::Outcome outcome{.what = what, .replicates = {}};
     outcome.engine = cases::EngineName::event;
-    return texts(notes_on(outcome, {cases::EngineName::event, {}}));
+    return texts(engine_notices(outcome, {cases::EngineName::event, {}}));
   };
   EXPECT_NE(notes(with_engine("event", sticky)).find("part without a pull"), std::string::npos);
   EXPECT_EQ(notes(with_engine("event", dry)).find("part without a pull"), std::string::npos);

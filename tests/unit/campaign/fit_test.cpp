@@ -79,15 +79,15 @@ Measurements data(const std::string& text) {
 
 TEST(Fit, looks_for_what_the_case_leaves_open_and_nobody_holds) {
   const cases::Case what = read(mill + grinding);
-  const std::vector<FreeParameter> both = free_numbers(what);
+  const std::vector<FreeParameter> both = free_parameters(what);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].name, "breakage.f_mat");
   EXPECT_EQ(both[0].least, 0.01);
   EXPECT_EQ(both[0].most, 100);
-  EXPECT_FALSE(both[0].ends_least);
-  EXPECT_TRUE(both[1].ends_least) << "no energy is below 0";
-  EXPECT_FALSE(both[1].ends_most);
-  const std::vector<FreeParameter> one = free_numbers(what, {"breakage.f_mat"});
+  EXPECT_FALSE(both[0].least_is_natural);
+  EXPECT_TRUE(both[1].least_is_natural) << "no energy is below 0";
+  EXPECT_FALSE(both[1].most_is_natural);
+  const std::vector<FreeParameter> one = free_parameters(what, {"breakage.f_mat"});
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].name, "breakage.x_w_min");
 }
@@ -96,7 +96,7 @@ TEST(Fit, needs_a_case_that_tells_what_was_measured_and_leaves_something_open) {
   const auto fault = [](const std::string& text, const std::string& table,
                         const std::vector<std::string>& held = {}) {
     const cases::Case what = read(text);
-    const auto found = fit_faults(what, data(table), free_numbers(what, held), "data.csv");
+    const auto found = fit_faults(what, data(table), free_parameters(what, held), "data.csv");
     return found.empty() ? "" : found[0].where + "|" + found[0].what + "|" + found[0].code;
   };
   EXPECT_EQ(fault(mill + grinding, "D90 (um)\n900\n"), "");
@@ -112,17 +112,17 @@ TEST(Fit, needs_a_case_that_tells_what_was_measured_and_leaves_something_open) {
 }
 
 TEST(Fit, residuals_are_relative_for_sizes_and_differences_for_shares) {
-  Measurement size{.what = Measured::quantile, .value = 200e-6};
+  Measurement size{.what = MeasuredQuantity::quantile, .value = 200e-6};
   EXPECT_DOUBLE_EQ(residual(size, 220e-6), std::log(1.1));
   size.error = 10e-6;
   EXPECT_DOUBLE_EQ(residual(size, 220e-6), 20 * std::log(1.1));
-  size.what = Measured::specific_surface;
+  size.what = MeasuredQuantity::specific_surface;
   EXPECT_DOUBLE_EQ(residual(size, 220e-6), 20 * std::log(1.1));
-  Measurement share{.what = Measured::passing, .value = 0.5};
+  Measurement share{.what = MeasuredQuantity::passing, .value = 0.5};
   EXPECT_NEAR(residual(share, 0.53), 0.03, 1e-15);
   share.error = 0.01;
   EXPECT_NEAR(residual(share, 0.53), 3, 1e-13);
-  share.what = Measured::conversion;
+  share.what = MeasuredQuantity::conversion;
   EXPECT_NEAR(residual(share, 0.53), 3, 1e-13);
   EXPECT_TRUE(std::isnan(residual(size, std::nan(""))));
 }
@@ -134,25 +134,27 @@ TEST(Fit, mills_as_long_as_was_measured_under_each_condition) {
       data("mill.frequency (Hz),time (s),D90 (um)\n16,5,900\n16,30,700\n22,,600\n22,7,800\n");
   fill_times(all, {what, what});
   EXPECT_EQ(all.values[2].time, 20) << "as the case says";
-  const std::vector<FreeParameter> numbers = free_numbers(what);
-  const cases::Case first = for_fit(what, 0, all, numbers), second = for_fit(what, 1, all, numbers);
+  const std::vector<FreeParameter> numbers = free_parameters(what);
+  const cases::Case first = case_for_fit(what, 0, all, numbers),
+                    second = case_for_fit(what, 1, all, numbers);
   EXPECT_EQ(first.grinding->time, 30);
   EXPECT_EQ(second.grinding->time, 20);
   EXPECT_EQ(first.grinding->method, cases::Grinding::Method::balance);
   EXPECT_FALSE(first.observe.frames);
-  EXPECT_NEAR(cases::adjusted(first, "breakage.f_mat"), 1, 1e-12) << "middle of the logarithm";
+  EXPECT_NEAR(cases::fit_parameter_value(first, "breakage.f_mat"), 1, 1e-12)
+      << "middle of the logarithm";
 }
 
 /// What a run with these numbers in the case says of all that may be measured.
 std::vector<double> run_says(const std::vector<cases::Override>& set) {
   const results::Outcome outcome = run(read(mill + grinding, set));
-  std::vector<double> told;
+  std::vector<double> predicted;
   for (const char* name : {"d10", "d50", "d90", "specific_surface"})
     for (const results::Quantity& q : results::summarise(outcome).quantities)
-      if (q.name == name) told.push_back(q.value);
-  const powder::Milling& milling = outcome.replicates[0].ground->milling();
-  told.push_back(powder::finer(milling.grid, milling.shares.back(), 400e-6));
-  return told;
+      if (q.name == name) predicted.push_back(q.value);
+  const powder::SizeEvolution& milling = outcome.replicates[0].grinding->milling();
+  predicted.push_back(powder::undersize(milling.grid, milling.shares.back(), 400e-6));
+  return predicted;
 }
 
 TEST(Fit, predicts_what_a_run_with_these_numbers_says) {
@@ -160,14 +162,15 @@ TEST(Fit, predicts_what_a_run_with_these_numbers_says) {
       "time (s),D10 (um),D50 (um),D90 (um),specific_surface (m2/kg),size (um),passing\n"
       "20,100,500,900,10,400,0.5\n");
   const std::vector<results::Outcome> mills{run(read(mill + grinding))};
-  const Predictor predict(mills, free_numbers(mills[0].what), asked.values);
+  const Predictor predict(mills, free_parameters(mills[0].what), asked.values);
   for (const auto& [f_mat, x_w_min] : {std::pair{0.3, 0.01}, std::pair{2.0, 0.2}}) {
-    const std::vector<double> told = predict({f_mat, x_w_min});
+    const std::vector<double> predicted = predict({f_mat, x_w_min});
     const std::vector<double> expected =
         run_says({{"breakage.f_mat", std::to_string(f_mat) + " kg/J/m"},
                   {"breakage.x_w_min", std::to_string(x_w_min) + " J m/kg"}});
-    ASSERT_EQ(told.size(), expected.size());
-    for (std::size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], expected[i]) << i;
+    ASSERT_EQ(predicted.size(), expected.size());
+    for (std::size_t i = 0; i < predicted.size(); ++i)
+      EXPECT_DOUBLE_EQ(predicted[i], expected[i]) << i;
   }
 }
 
@@ -175,7 +178,7 @@ TEST(Fit, ends_when_it_is_told_to) {
   const std::vector<results::Outcome> mills{run(read(mill + kinetics))};
   const std::atomic<bool> stop{true};
   Measurements all = data("time (s),conversion\n60,0.2\n600,0.8\n");
-  EXPECT_THROW(fit(mills, all, free_numbers(mills[0].what), {.stop = &stop}), Interrupted);
+  EXPECT_THROW(fit(mills, all, free_parameters(mills[0].what), {.stop = &stop}), Interrupted);
 }
 
 TEST(Fit, of_a_dose_constant_has_the_closed_form) {
@@ -183,16 +186,16 @@ TEST(Fit, of_a_dose_constant_has_the_closed_form) {
   const std::vector<results::Outcome> mills{run(read(mill + kinetics))};
   const double rate = results::dissipated_power(mills[0].replicates[0]) / 0.15e-3;
   const Measurements all = data("time (s),conversion,conversion_error\n600,0.7,0.01\n");
-  const Fit found = fit(mills, all, free_numbers(mills[0].what));
+  const Fit found = fit(mills, all, free_parameters(mills[0].what));
   const double expected = -rate * 600 / std::log1p(-0.7);
-  const FittedParameter& p = found.found.parameters[0];
+  const FittedParameter& p = found.result.parameters[0];
   states("D_0", p.value, expected, 1e-9 * expected, "closed form");
   // Ends of the interval: where the value is 1.96 errors away; sought to 1 % of the half-width.
   const double low = -rate * 600 / std::log1p(-0.7 - 0.0196);
   const double high = -rate * 600 / std::log1p(-0.7 + 0.0196);
   states("lower end", p.low, low, 0.01 * (expected - low), "closed form");
   states("upper end", p.high, high, 0.01 * (high - expected), "closed form");
-  EXPECT_TRUE(std::isnan(found.by_mills[0])) << "one replicate tells no scatter";
+  EXPECT_TRUE(std::isnan(found.simulation_ci95[0])) << "one replicate tells no scatter";
 }
 
 /// Normal numbers (Box and Muller 1958).
@@ -227,13 +230,13 @@ TEST(Fit, intervals_allow_for_the_scatter_of_the_mill) {
       m.value = -std::expm1(-rate * m.time / true_dose) + noise * normal(random);
       m.error = noise;
     }
-    const std::vector<FreeParameter> numbers = free_numbers(mills[0].what);
-    const FittedParameter p = fit(mills, all, numbers).found.parameters[0];
+    const std::vector<FreeParameter> numbers = free_parameters(mills[0].what);
+    const FittedParameter p = fit(mills, all, numbers).result.parameters[0];
     held += p.low <= true_dose && true_dose <= p.high ? 1 : 0;
     // A mill whose replicates are all alike seems to be known exactly.
     std::vector<results::Outcome> sure = mills;
     for (results::Replicate& r : sure[0].replicates) r = mills[0].replicates[0];
-    const FittedParameter q = fit(sure, all, numbers).found.parameters[0];
+    const FittedParameter q = fit(sure, all, numbers).result.parameters[0];
     held_without += q.low <= true_dose && true_dose <= q.high ? 1 : 0;
   }
   // Binomial: 200 trials of 0.95, standard deviation 3.1; beyond 3.3 of them one in a thousand.

@@ -60,7 +60,7 @@ double column_sum(const results::Table& table, std::string_view name, std::strin
   return sum;
 }
 
-class Ground : public ::testing::Test {
+class GrindingRun : public ::testing::Test {
  protected:
   static const Outcome& outcome() {
     static const Outcome made = run(grinding_case());
@@ -68,9 +68,9 @@ class Ground : public ::testing::Test {
   }
 };
 
-TEST_F(Ground, stresses_are_the_collisions_of_the_run) {
-  const auto chosen = results::averaged(outcome());
-  const powder::StressSpectrum all = results::stresses(outcome().what, chosen);
+TEST_F(GrindingRun, stresses_are_the_collisions_of_the_run) {
+  const auto chosen = results::averaged_replicates(outcome());
+  const powder::StressSpectrum all = results::stress_spectrum(outcome().what, chosen);
   double rate = 0, power = 0, expected_rate = 0, expected_power = 0;
   for (const powder::Stress& s : all.stresses) rate += s.rate, power += s.rate * s.energy;
   for (const auto* r : chosen) {
@@ -82,7 +82,7 @@ TEST_F(Ground, stresses_are_the_collisions_of_the_run) {
   states("power [W]", power, expected_power, 1e-12 * expected_power, "the tally's sum of energies");
 }
 
-TEST_F(Ground, table_of_the_catch_adds_up_to_the_summary) {
+TEST_F(GrindingRun, table_of_the_catch_adds_up_to_the_summary) {
   const results::Table table = results::capture(outcome());
   const double rate = named(outcome(), "captured_mass_rate");
   // The table takes bins of all replicates together, the summary each alone: a catch is not linear
@@ -92,24 +92,24 @@ TEST_F(Ground, table_of_the_catch_adds_up_to_the_summary) {
          named(outcome(), "captured_share_rate") / rate, 1e3, 1e-9, "a gram");
 }
 
-TEST_F(Ground, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum) {
+TEST_F(GrindingRun, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum) {
   const results::Table table = results::grinding(outcome());
-  const auto chosen = results::averaged(outcome());
+  const auto chosen = results::averaged_replicates(outcome());
   for (const double share : {0.1, 0.5, 0.9}) {
     std::vector<double> apart;
     for (const auto* r : chosen) {
-      const auto size = [&](const powder::Milling& m) {
+      const auto size = [&](const powder::SizeEvolution& m) {
         return powder::quantile(m.grid, m.shares.back(), share);
       };
-      apart.push_back(std::log(size(*r->ground->sample) / size(*r->ground->balance)));
+      apart.push_back(std::log(size(*r->grinding->sample) / size(*r->grinding->balance)));
     }
     const observe::Estimate e = observe::estimate(apart);
     // Standard errors, and what halving the width of classes changes in the balance.
     cases::Case finer = outcome().what;
     finer.grinding->classes_per_octave = 12;
-    const auto spectrum = results::stresses(finer, {chosen.front()});
-    const powder::Milling twelve = results::milled(finer, spectrum);
-    const powder::Milling& six = *chosen.front()->ground->balance;
+    const auto spectrum = results::stress_spectrum(finer, {chosen.front()});
+    const powder::SizeEvolution twelve = results::milling_by_balance(finer, spectrum);
+    const powder::SizeEvolution& six = *chosen.front()->grinding->balance;
     const double classes =
         std::abs(std::log(powder::quantile(twelve.grid, twelve.shares.back(), share) /
                           powder::quantile(six.grid, six.shares.back(), share)));
@@ -119,7 +119,7 @@ TEST_F(Ground, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum) {
   }
 }
 
-TEST_F(Ground, more_power_than_the_mill_dissipates_is_warned_of) {
+TEST_F(GrindingRun, more_power_than_the_mill_dissipates_is_warned_of) {
   const auto warned = [](const Outcome& of) {
     for (const Notice& one : results::grinding_warnings(of))
       if (one.code == "more-than-dissipated") return true;
@@ -131,9 +131,9 @@ TEST_F(Ground, more_power_than_the_mill_dissipates_is_warned_of) {
   EXPECT_FALSE(warned(run(what)));
 }
 
-TEST_F(Ground, mass_is_kept_and_sizes_fall_with_time) {
+TEST_F(GrindingRun, mass_is_kept_and_sizes_fall_with_time) {
   for (const auto& r : outcome().replicates)
-    for (const auto* m : {&*r.ground->balance, &*r.ground->sample}) {
+    for (const auto* m : {&*r.grinding->balance, &*r.grinding->sample}) {
       double last = 1;
       for (const auto& shares : m->shares) {
         EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
@@ -144,11 +144,11 @@ TEST_F(Ground, mass_is_kept_and_sizes_fall_with_time) {
     }
 }
 
-TEST_F(Ground, conversion_is_that_of_the_dissipated_dose) {
+TEST_F(GrindingRun, conversion_is_that_of_the_dissipated_dose) {
   const double dose = named(outcome(), "dissipated_power") / 1e-3 * 600;  // [J/kg]
   states("dose [J/g]", named(outcome(), "milling_dose"), dose / 1000, 1e-9 * dose, "P t/m");
   double expected = 0;
-  for (const auto* r : results::averaged(outcome()))
+  for (const auto* r : results::averaged_replicates(outcome()))
     expected += -std::expm1(-results::dissipated_power(*r) / 1e-3 * 600 / 2e3) / 6;
   states("conversion", named(outcome(), "conversion"), expected, 1e-12, "1 - exp(-D/D_0)");
 }
@@ -156,27 +156,27 @@ TEST_F(Ground, conversion_is_that_of_the_dissipated_dose) {
 TEST(GroundAnew, same_case_gives_the_same_sample_on_any_number_of_threads) {
   cases::Case what = grinding_case();
   what.run.replicates = 2;
-  Options one, two;
+  RunOptions one, two;
   one.threads = 1;
   two.threads = 2;
   const Outcome a = run(what, one), b = run(what, two);
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(a.replicates[i].ground->sample->shares, b.replicates[i].ground->sample->shares);
+    EXPECT_EQ(a.replicates[i].grinding->sample->shares, b.replicates[i].grinding->sample->shares);
 }
 
 TEST(GroundAnew, run_that_was_saved_and_gone_on_with_grinds_the_same) {
   cases::Case what = grinding_case();
-  Replica whole(what, 0), first(what, 0);
-  while (!whole.done()) whole.go_on();
-  for (int i = 0; i < 5; ++i) first.go_on();
+  ReplicateRun whole(what, 0), first(what, 0);
+  while (!whole.done()) whole.run_slice();
+  for (int i = 0; i < 5; ++i) first.run_slice();
   Archive out;
-  first.carry(out);
+  first.serialize(out);
   Archive in(out.bytes());
-  Replica second(what, 0);
-  second.carry(in);
-  while (!second.done()) second.go_on();
-  EXPECT_EQ(whole.result().ground->sample->shares, second.result().ground->sample->shares);
-  EXPECT_EQ(whole.result().ground->balance->shares, second.result().ground->balance->shares);
+  ReplicateRun second(what, 0);
+  second.serialize(in);
+  while (!second.done()) second.run_slice();
+  EXPECT_EQ(whole.result().grinding->sample->shares, second.result().grinding->sample->shares);
+  EXPECT_EQ(whole.result().grinding->balance->shares, second.result().grinding->balance->shares);
 }
 
 }  // namespace

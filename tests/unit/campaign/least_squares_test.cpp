@@ -54,8 +54,8 @@ Values decay_data(std::size_t count, double noise, std::uint32_t stream) {
 }
 
 TEST(LeastSquares, find_what_perfect_data_were_made_with) {
-  const Fitted fit =
-      least_squares(decay(decay_data(8, 0, 0), 1), decay_parameters, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(decay(decay_data(8, 0, 0), 1), decay_parameters, ErrorScale::estimated);
   // Data of norm 20 are rounded to eps; the slopes by places are as large, or a few times smaller.
   const double rounding = 10 * std::sqrt(8 * 49.0) * std::numeric_limits<double>::epsilon();
   states("a", fit.parameters[0].value, true_a, true_a * std::log(1000.0) * rounding, "as put in");
@@ -67,7 +67,7 @@ TEST(LeastSquares, find_what_perfect_data_were_made_with) {
     EXPECT_GE(p.high, p.value);
     stays_below("width of the interval of " + p.name, p.high - p.low, 1e-7, "no scatter, no width");
   }
-  EXPECT_EQ(fit.freedom, 6);
+  EXPECT_EQ(fit.degrees_of_freedom, 6);
 }
 
 TEST(LeastSquares, find_the_lower_of_two_valleys) {
@@ -75,18 +75,18 @@ TEST(LeastSquares, find_the_lower_of_two_valleys) {
   const Residuals valleys = [](const Values& p) {
     return Values{p[0] * p[0] - 1, 0.3 * (p[0] + 2)};
   };
-  const Fitted fit = least_squares(valleys, {{"x", -2, 2, 1}}, Scatter::estimated);
+  const LeastSquaresResult fit = least_squares(valleys, {{"x", -2, 2, 1}}, ErrorScale::estimated);
   EXPECT_LT(fit.parameters[0].value, -0.9);
   EXPECT_GT(fit.parameters[0].value, -1.1);
 }
 
 /// In how many of `sets` the interval of each parameter holds the truth.
-std::array<int, 2> covered(int sets, std::size_t count, double noise, Scatter scatter) {
+std::array<int, 2> covered(int sets, std::size_t count, double noise, ErrorScale scatter) {
   std::array<int, 2> held{};
   for (int set = 0; set < sets; ++set) {
     const Values data = decay_data(count, noise, static_cast<std::uint32_t>(set + 1));
-    const Residuals residuals = decay(data, scatter == Scatter::known ? noise : 1);
-    const Fitted fit = least_squares(residuals, decay_parameters, scatter);
+    const Residuals residuals = decay(data, scatter == ErrorScale::known ? noise : 1);
+    const LeastSquaresResult fit = least_squares(residuals, decay_parameters, scatter);
     const std::array truth{true_a, true_b};
     for (std::size_t i = 0; i < 2; ++i)
       held[i] += fit.parameters[i].low <= truth[i] && truth[i] <= fit.parameters[i].high ? 1 : 0;
@@ -100,21 +100,21 @@ constexpr int trials = 400;
 const double spread = 3.3 * std::sqrt(trials * 0.95 * 0.05);
 
 TEST(LeastSquares, intervals_hold_the_truth_in_nineteen_of_twenty_data_sets) {
-  const std::array held = covered(trials, 8, 0.2, Scatter::estimated);
+  const std::array held = covered(trials, 8, 0.2, ErrorScale::estimated);
   states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
   states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
 }
 
 TEST(LeastSquares, intervals_hold_the_truth_where_noise_is_strong_and_data_are_few) {
   // Slopes at the best place alone would say too little here: the curve bends within the noise.
-  const std::array held = covered(trials, 4, 0.8, Scatter::estimated);
+  const std::array held = covered(trials, 4, 0.8, ErrorScale::estimated);
   states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
   states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
 }
 
 TEST(LeastSquares, known_errors_give_intervals_that_hold_no_less_often) {
   // They take the wider of the known and the seen scatter, so they hold more often than 95 %.
-  for (const int held : covered(trials, 8, 0.2, Scatter::known))
+  for (const int held : covered(trials, 8, 0.2, ErrorScale::known))
     EXPECT_GE(held, 0.95 * trials - spread);
 }
 
@@ -127,7 +127,7 @@ TEST(LeastSquares, known_errors_give_the_width_of_a_mean) {
     for (const double d : data) r.push_back((p[0] - d) / error);
     return r;
   };
-  const Fitted fit = least_squares(residuals, {{"mean", 0, 9}}, Scatter::known);
+  const LeastSquaresResult fit = least_squares(residuals, {{"mean", 0, 9}}, ErrorScale::known);
   const double width = 1.959964 * error / 2;
   const double tolerance = 0.01 * width;  // to which the ends of an interval are sought
   states("mean", fit.parameters[0].value, 4.05, 1e-9, "arithmetic");
@@ -143,7 +143,7 @@ TEST(LeastSquares, scatter_gives_the_width_of_a_mean) {
     for (const double d : data) r.push_back(p[0] - d);
     return r;
   };
-  const Fitted fit = least_squares(residuals, {{"mean", 0, 9}}, Scatter::estimated);
+  const LeastSquaresResult fit = least_squares(residuals, {{"mean", 0, 9}}, ErrorScale::estimated);
   const double width = 2.77644511 * std::sqrt(0.093 / 5);  // t_95(4), variance of the data 0.093
   states("lower end", fit.parameters[0].low, 4.04 - width, 0.01 * width, "Student's t");
   states("upper end", fit.parameters[0].high, 4.04 + width, 0.01 * width, "Student's t");
@@ -152,8 +152,10 @@ TEST(LeastSquares, scatter_gives_the_width_of_a_mean) {
 
 TEST(LeastSquares, errors_that_are_too_small_are_told) {
   const Values data = decay_data(12, 0.2, 5);
-  const Fitted honest = least_squares(decay(data, 0.2), decay_parameters, Scatter::known);
-  const Fitted vain = least_squares(decay(data, 0.02), decay_parameters, Scatter::known);
+  const LeastSquaresResult honest =
+      least_squares(decay(data, 0.2), decay_parameters, ErrorScale::known);
+  const LeastSquaresResult vain =
+      least_squares(decay(data, 0.02), decay_parameters, ErrorScale::known);
   EXPECT_TRUE(honest.remarks.empty());
   EXPECT_TRUE(says(vain.remarks, "times as far from the fit as their errors say"));
   EXPECT_LT(vain.parameters[0].low, honest.parameters[0].value);
@@ -166,8 +168,8 @@ TEST(LeastSquares, a_product_is_all_that_is_found_of_two_factors) {
     const Residuals product = [=, decay = decay(decay_data(8, noise, 3), 1)](const Values& p) {
       return decay({p[0] * p[2], p[1]});
     };
-    const Fitted fit =
-        least_squares(product, {{"a", 0.1, 100}, {"b", 0, 2}, {"c", 0.01, 10}}, Scatter::estimated);
+    const LeastSquaresResult fit = least_squares(
+        product, {{"a", 0.1, 100}, {"b", 0, 2}, {"c", 0.01, 10}}, ErrorScale::estimated);
     EXPECT_FALSE(fit.parameters[0].determined);
     EXPECT_TRUE(fit.parameters[1].determined);
     EXPECT_FALSE(fit.parameters[2].determined);
@@ -181,8 +183,8 @@ TEST(LeastSquares, a_parameter_that_does_nothing_is_named) {
   const Residuals idle = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
     return decay({p[1], p[2]});
   };
-  const Fitted fit =
-      least_squares(idle, {{"idle", 1, 2}, {"a", 0.1, 100}, {"b", 0, 2}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(idle, {{"idle", 1, 2}, {"a", 0.1, 100}, {"b", 0, 2}}, ErrorScale::estimated);
   EXPECT_FALSE(fit.parameters[0].determined);
   EXPECT_TRUE(says(fit.parameters[0].remarks, "nothing that was measured depends on it"));
   EXPECT_TRUE(fit.parameters[1].determined);
@@ -198,7 +200,8 @@ TEST(LeastSquares, what_drowns_in_the_scatter_is_not_determined) {
     r[2] += 2e-4 * p[1];
     return r;
   };
-  const Fitted fit = least_squares(weak, {{"a", 0.1, 100}, {"weak", 0, 1}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(weak, {{"a", 0.1, 100}, {"weak", 0, 1}}, ErrorScale::estimated);
   EXPECT_TRUE(fit.parameters[0].determined);
   EXPECT_FALSE(fit.parameters[1].determined);
   EXPECT_TRUE(says(fit.parameters[1].remarks, "any value of its range fits"));
@@ -212,7 +215,8 @@ TEST(LeastSquares, one_sided_data_give_one_limit) {
       r.push_back(10 * (std::max(0.0, x - p[0] * p[0]) - x) + 0.3 * std::sin(7 * x));
     return r;
   };
-  const Fitted fit = least_squares(threshold, {{"threshold", 0, 2}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(threshold, {{"threshold", 0, 2}}, ErrorScale::estimated);
   const FittedParameter& p = fit.parameters[0];
   EXPECT_TRUE(p.open_low);
   EXPECT_FALSE(p.open_high);
@@ -221,8 +225,9 @@ TEST(LeastSquares, one_sided_data_give_one_limit) {
 }
 
 TEST(LeastSquares, fewer_data_than_parameters_are_told) {
-  const Fitted fit = least_squares([](const Values& p) { return Values{p[0] + p[1] - 1}; },
-                                   {{"a", 0, 2}, {"b", 0, 2}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares([](const Values& p) { return Values{p[0] + p[1] - 1}; },
+                    {{"a", 0, 2}, {"b", 0, 2}}, ErrorScale::estimated);
   EXPECT_TRUE(says(fit.remarks, "fewer measured values than parameters: 1 and 2"));
   for (const FittedParameter& p : fit.parameters) EXPECT_FALSE(p.determined) << p.name;
   stays_below("sum of squares", fit.sum_of_squares, 1e-12, "many sets fit");
@@ -230,12 +235,14 @@ TEST(LeastSquares, fewer_data_than_parameters_are_told) {
 
 TEST(LeastSquares, as_many_data_as_parameters_leave_nothing_to_tell_the_scatter) {
   const Values data = decay_data(2, 0, 1);
-  const Fitted guess = least_squares(decay(data, 1), decay_parameters, Scatter::estimated);
+  const LeastSquaresResult guess =
+      least_squares(decay(data, 1), decay_parameters, ErrorScale::estimated);
   EXPECT_TRUE(says(guess.remarks, "no interval can be given"));
   EXPECT_FALSE(guess.parameters[0].determined);
   EXPECT_TRUE(std::isnan(guess.scatter));
   states("a", guess.parameters[0].value, true_a, 1e-6, "as put in");
-  const Fitted known = least_squares(decay(data, 0.1), decay_parameters, Scatter::known);
+  const LeastSquaresResult known =
+      least_squares(decay(data, 0.1), decay_parameters, ErrorScale::known);
   const double width = 1.959964 * 0.1;  // a is measured at t = 0, b is free to follow
   EXPECT_TRUE(known.parameters[0].determined);
   states("lower end", known.parameters[0].low, true_a - width, 0.01 * width, "normal distribution");
@@ -243,12 +250,14 @@ TEST(LeastSquares, as_many_data_as_parameters_leave_nothing_to_tell_the_scatter)
 
 TEST(LeastSquares, a_best_value_at_a_bound_is_told) {
   const Residuals residuals = decay(decay_data(8, 0.01, 2), 1);
-  const Fitted fit = least_squares(residuals, {{"a", 0.1, 100}, {"b", 0.5, 2}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(residuals, {{"a", 0.1, 100}, {"b", 0.5, 2}}, ErrorScale::estimated);
   EXPECT_EQ(fit.parameters[1].value, 0.5);
   EXPECT_TRUE(says(fit.parameters[1].remarks, "a wider range may fit better"));
-  const Fitted hard = least_squares(
-      residuals, {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .ends_least = true}},
-      Scatter::estimated);
+  const LeastSquaresResult hard = least_squares(
+      residuals,
+      {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .least_is_natural = true}},
+      ErrorScale::estimated);
   EXPECT_TRUE(says(hard.parameters[1].remarks, "beyond which it makes no sense"));
   EXPECT_TRUE(says(fit.parameters[1].remarks, "at the lower end of its range"));
   EXPECT_TRUE(fit.parameters[1].open_low);
@@ -263,7 +272,8 @@ TEST(LeastSquares, parameters_that_are_hard_to_tell_apart_are_told) {
                   2 * std::exp(-0.315 * t) + 0.002 * std::sin(5.0 * t));
     return r;
   };
-  const Fitted fit = least_squares(twins, {{"a", -5, 5}, {"b", -5, 5}}, Scatter::estimated);
+  const LeastSquaresResult fit =
+      least_squares(twins, {{"a", -5, 5}, {"b", -5, 5}}, ErrorScale::estimated);
   EXPECT_TRUE(says(fit.parameters[0].remarks, "hard to tell from b"));
   EXPECT_LT(fit.correlation[0][1], -0.98);
   EXPECT_EQ(fit.correlation[0][0], 1);
@@ -274,16 +284,16 @@ TEST(LeastSquares, sets_that_fail_count_as_very_bad) {
   const Residuals half = [decay = decay(decay_data(8, 0, 1), 1)](const Values& p) {
     return p[0] > 30 || p[1] < 0.2 ? Values(8, nan) : decay(p);
   };
-  const Fitted fit = least_squares(half, decay_parameters, Scatter::estimated);
+  const LeastSquaresResult fit = least_squares(half, decay_parameters, ErrorScale::estimated);
   states("a", fit.parameters[0].value, true_a, 1e-6, "as put in");
   states("b", fit.parameters[1].value, true_b, 1e-7, "as put in");
 }
 
 TEST(LeastSquares, a_model_that_always_fails_is_an_error) {
   const Residuals never = [](const Values&) { return Values(3, nan); };
-  EXPECT_THROW(least_squares(never, decay_parameters, Scatter::estimated), RunError);
+  EXPECT_THROW(least_squares(never, decay_parameters, ErrorScale::estimated), RunError);
   const Residuals thrower = [](const Values&) -> Values { throw std::domain_error("mine"); };
-  EXPECT_THROW(least_squares(thrower, decay_parameters, Scatter::estimated), std::domain_error);
+  EXPECT_THROW(least_squares(thrower, decay_parameters, ErrorScale::estimated), std::domain_error);
 }
 
 TEST(LeastSquares, an_error_during_the_search_comes_through_as_it_is) {
@@ -292,20 +302,20 @@ TEST(LeastSquares, an_error_during_the_search_comes_through_as_it_is) {
     if (--left == 0) throw std::domain_error("mine");
     return decay(decay_data(8, 0.2, 1), 1)(p);
   };
-  EXPECT_THROW(least_squares(later, decay_parameters, Scatter::estimated), std::domain_error);
+  EXPECT_THROW(least_squares(later, decay_parameters, ErrorScale::estimated), std::domain_error);
 }
 
 TEST(LeastSquares, bounds_must_hold_an_interval) {
   const Residuals any = decay(decay_data(8, 0, 1), 1);
-  EXPECT_THROW(least_squares(any, {{"a", 2, 2}, {"b", 0, 1}}, Scatter::known),
+  EXPECT_THROW(least_squares(any, {{"a", 2, 2}, {"b", 0, 1}}, ErrorScale::known),
                std::invalid_argument);
-  EXPECT_THROW(least_squares(any, {{"a", 1, nan}, {"b", 0, 1}}, Scatter::known),
+  EXPECT_THROW(least_squares(any, {{"a", 1, nan}, {"b", 0, 1}}, ErrorScale::known),
                std::invalid_argument);
 }
 
 TEST(LeastSquares, take_some_hundred_evaluations_a_parameter) {
-  const Fitted fit =
-      least_squares(decay(decay_data(12, 0.2, 5), 0.2), decay_parameters, Scatter::known);
+  const LeastSquaresResult fit =
+      least_squares(decay(decay_data(12, 0.2, 5), 0.2), decay_parameters, ErrorScale::known);
   std::printf("    %d evaluations\n", fit.evaluations);
   EXPECT_LT(fit.evaluations, 500);
 }

@@ -26,8 +26,9 @@ constexpr std::size_t one_joule = -LogHistogram::lowest_octave * LogHistogram::p
 const double bin = std::numbers::ln2 / 4;
 
 /// All power in the bins `first` to `last` of above one joule, evenly.
-Milled even(double dose, int first, int last) {
-  Milled m{.dose = dose, .shares = std::vector<double>(LogHistogram::bins, 0), .energy = 1};
+DoseSpectrum even(double dose, int first, int last) {
+  DoseSpectrum m{
+      .dose = dose, .shares = std::vector<double>(LogHistogram::bins, 0), .mean_energy = 1};
   for (int i = first; i <= last; ++i)
     m.shares[one_joule + static_cast<std::size_t>(i)] = 1.0 / (last - first + 1);
   return m;
@@ -63,13 +64,13 @@ TEST(HalfPowerEnergy, lies_in_the_middle_of_an_even_spectrum) {
 }
 
 /// Doses scatter by a share of their mean.
-MillMark some(double dose, int count, double scatter, std::uint32_t stream) {
+MillSpectra some(double dose, int count, double scatter, std::uint32_t stream) {
   Random random(4, stream);
-  MillMark made;
+  MillSpectra made;
   for (int i = 0; i < count; ++i)
-    made.replicates.push_back(even(dose * std::exp(scatter * normal_number(random)), 0, 3));
+    made.replicates.push_back(even(dose * std::exp(scatter * standard_normal(random)), 0, 3));
   made.mean = even(0, 0, 3);
-  for (const Milled& m : made.replicates) made.mean.dose += m.dose / count;
+  for (const DoseSpectrum& m : made.replicates) made.mean.dose += m.dose / count;
   return made;
 }
 
@@ -97,7 +98,7 @@ TEST(Difference, is_seen_where_it_is_larger_than_the_scatter) {
 
 TEST(Difference, is_not_said_to_be_scatter_without_replicates) {
   const Difference d = difference(some(7, 1, 0.02, 1), some(7, 1, 0.02, 2));
-  EXPECT_TRUE(std::isnan(d.chance));
+  EXPECT_TRUE(std::isnan(d.p_value));
   EXPECT_FALSE(d.within_scatter());
   EXPECT_TRUE(std::isnan(d.dose.low));
   EXPECT_TRUE(std::isnan(difference(some(7, 5, 0.02, 1), {}).distance));
@@ -114,16 +115,16 @@ results::Outcome shaken_mill(double frequency, std::uint64_t seed) {
 
 TEST(MillMark, is_what_the_summary_says) {
   const results::Outcome outcome = shaken_mill(20, 1);
-  const MillMark mark = mill_mark(outcome, false);
-  ASSERT_EQ(mark.replicates.size(), 6U);
+  const MillSpectra spectra = mill_spectra(outcome, false);
+  ASSERT_EQ(spectra.replicates.size(), 6U);
   for (const results::Quantity& q : results::summarise(outcome).quantities) {
     if (q.name == "dissipated_power")
-      states("power", mark.mean.dose, q.value, 1e-12 * q.value, "summary.json");
+      states("power", spectra.mean.dose, q.value, 1e-12 * q.value, "summary.json");
     if (q.name == "energy_lost_mean")
-      states("energy", mark.mean.energy, q.value, 1e-9 * q.value, "summary.json");
+      states("energy", spectra.mean.mean_energy, q.value, 1e-9 * q.value, "summary.json");
   }
   double all = 0;
-  for (const double share : mark.mean.shares) all += share;
+  for (const double share : spectra.mean.shares) all += share;
   states("shares", all, 1, 1e-12, "all of the power");
 }
 
@@ -131,8 +132,8 @@ TEST(MillMark, of_the_same_mill_from_other_starts_differs_by_scatter) {
   constexpr int times = 40;
   int within = 0, held = 0;
   for (std::uint64_t t = 0; t < times; ++t) {
-    const Difference d = difference(mill_mark(shaken_mill(20, 2 * t), false),
-                                    mill_mark(shaken_mill(20, 2 * t + 1), false), t);
+    const Difference d = difference(mill_spectra(shaken_mill(20, 2 * t), false),
+                                    mill_spectra(shaken_mill(20, 2 * t + 1), false), t);
     within += d.within_scatter();
     held += d.dose.low <= 1 && 1 <= d.dose.high;
     EXPECT_GT(d.overlap, 0.8);
@@ -145,7 +146,7 @@ TEST(MillMark, of_the_same_mill_from_other_starts_differs_by_scatter) {
 
 TEST(MillMark, of_a_faster_mill_has_more_dose_and_harder_impacts) {
   const Difference d =
-      difference(mill_mark(shaken_mill(20, 1), false), mill_mark(shaken_mill(40, 2), false));
+      difference(mill_spectra(shaken_mill(20, 1), false), mill_spectra(shaken_mill(40, 2), false));
   EXPECT_FALSE(d.within_scatter());
   EXPECT_GT(d.dose.low, 1);
   EXPECT_GT(d.half_power.low, 1);
@@ -158,9 +159,9 @@ TEST(MillMark, without_collisions_is_nothing) {
   c.mill.motion = kinematics::Still{};
   c.run.time = 1e-6;
   c.run.settle = 0;
-  const MillMark mark = mill_mark(run(c), false);
-  EXPECT_TRUE(mark.replicates.empty());
-  EXPECT_TRUE(std::isnan(mark.mean.dose));
+  const MillSpectra spectra = mill_spectra(run(c), false);
+  EXPECT_TRUE(spectra.replicates.empty());
+  EXPECT_TRUE(std::isnan(spectra.mean.dose));
 }
 
 }  // namespace

@@ -47,14 +47,14 @@ TEST(Measurements, are_read_in_the_units_of_their_headings) {
     EXPECT_EQ(m.condition, 0U);
     EXPECT_TRUE(std::isnan(m.error));
   }
-  EXPECT_EQ(all.values[0].what, Measured::quantile);
+  EXPECT_EQ(all.values[0].what, MeasuredQuantity::quantile);
   EXPECT_EQ(all.values[0].percent, 50);
   EXPECT_EQ(all.values[0].value, 0.25e-3);
   EXPECT_EQ(all.values[1].percent, 90);
   EXPECT_EQ(all.values[1].value, 800e-6);
-  EXPECT_EQ(all.values[2].what, Measured::specific_surface);
+  EXPECT_EQ(all.values[2].what, MeasuredQuantity::specific_surface);
   EXPECT_EQ(all.values[2].value, 12.5);
-  EXPECT_EQ(all.values[3].what, Measured::conversion);
+  EXPECT_EQ(all.values[3].what, MeasuredQuantity::conversion);
   EXPECT_EQ(all.values[3].value, 0.4);
   EXPECT_FALSE(all.errors_known());
   ASSERT_EQ(all.conditions.size(), 1U);
@@ -68,7 +68,7 @@ TEST(Measurements, may_be_whole_distributions_with_errors) {
          "200;60;2\n"
          "400;60;2\n");
   ASSERT_EQ(all.values.size(), 3U);
-  EXPECT_EQ(all.values[0].what, Measured::passing);
+  EXPECT_EQ(all.values[0].what, MeasuredQuantity::passing);
   EXPECT_EQ(all.values[0].size, 100e-6);
   EXPECT_EQ(all.values[0].value, 0.125) << "a decimal comma, as spreadsheets may write it";
   EXPECT_EQ(all.values[0].error, 0.02);
@@ -192,11 +192,11 @@ TEST(Measurements, all_faults_are_told_together_up_to_twenty) {
 }
 
 TEST(Measurements, know_their_names_and_units) {
-  EXPECT_EQ(name_of(Measured::quantile, 90), "D90");
-  EXPECT_EQ(name_of(Measured::specific_surface, 0), "specific_surface");
-  EXPECT_EQ(unit_of(Measured::quantile), "m");
-  EXPECT_EQ(unit_of(Measured::specific_surface), "m2/kg");
-  EXPECT_EQ(unit_of(Measured::passing), "");
+  EXPECT_EQ(name_of(MeasuredQuantity::quantile, 90), "D90");
+  EXPECT_EQ(name_of(MeasuredQuantity::specific_surface, 0), "specific_surface");
+  EXPECT_EQ(unit_of(MeasuredQuantity::quantile), "m");
+  EXPECT_EQ(unit_of(MeasuredQuantity::specific_surface), "m2/kg");
+  EXPECT_EQ(unit_of(MeasuredQuantity::passing), "");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ cases::Case drum(std::int64_t balls, std::int64_t replicates) {
   c.mill.motion = kinematics::Tumbling{};
   c.jar.shape = geometry::Cylinder{0.2, 0.2};
   c.balls = {{balls, 2e-3, 7850, ""}};
-  c.contact.lasting = cases::Lasting::tc;
+  c.contact.lasting = cases::SustainedContactModel::tc;
   c.run.time = 1e-4;
   c.run.replicates = replicates;
   return c;
@@ -84,7 +84,7 @@ TEST(Memory, that_does_not_suffice_is_told_with_its_remedy) {
 }
 
 TEST(Memory, is_looked_at_before_a_run_starts) {
-  Options options;
+  RunOptions options;
   options.threads = 1;
   options.memory = 1e6;
   EXPECT_THROW(run(drum(50, 1), options), InputError);

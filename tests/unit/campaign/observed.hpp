@@ -35,8 +35,8 @@ inline cases::Case shaken(const std::string& engine, std::int64_t count) {
   c.contact.rolling_friction = 0.02;
   c.contact.lasting_speed = 1e-4;
   c.contact.contact_time = 1e-4;
-  if (count > 1) c.contact.lasting = cases::Lasting::tc;
-  c.run.engine = cases::word_of<cases::EngineName>(engine, cases::engines());
+  if (count > 1) c.contact.lasting = cases::SustainedContactModel::tc;
+  c.run.engine = cases::to_enum<cases::EngineName>(engine, cases::engines());
   c.run.settle = 0.05;
   c.run.time = 0.2;
   c.observe.threshold = 0.1;
@@ -79,8 +79,8 @@ inline std::vector<Kind> kinds() {
           {"soft, crowd of 40", shaken("soft", 40)}};
 }
 
-inline Replica& to_the_end(Replica& replica) {
-  while (!replica.done()) replica.go_on();
+inline ReplicateRun& to_the_end(ReplicateRun& replica) {
+  while (!replica.done()) replica.run_slice();
   return replica;
 }
 

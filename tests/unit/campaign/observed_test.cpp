@@ -32,11 +32,11 @@ struct Passed final : scene::Observer {
 
 TEST(Ledger, spectrum_lasting_and_open_contacts_are_all_that_is_dissipated) {
   for (const auto& [name, what] : kinds()) {
-    Replica replica(what, 0);
+    ReplicateRun replica(what, 0);
     const results::Replicate r = to_the_end(replica).result();
     ASSERT_TRUE(r.complete) << name;
-    const scene::Account &a = r.at_settled, &b = r.account;
-    const double spectrum = r.tally.whole().energy_lost.sum(), lost = b.lost() - a.lost();
+    const scene::EnergyBalance &a = r.at_settled, &b = r.energy_balance;
+    const double spectrum = r.tally.total_spectra().energy_lost.sum(), lost = b.lost() - a.lost();
     const double lasting = b.lost_lasting - a.lost_lasting, open = b.lost_open - a.lost_open;
     EXPECT_GT(r.tally.all.count, 20) << name;
     if (what.run.engine == cases::EngineName::soft) {
@@ -56,7 +56,7 @@ std::unique_ptr<scene::Engine> restored(const cases::Case& what, const std::stri
                                         std::size_t size) {
   auto made = engine(what, 0);
   Archive in(state.substr(state.size() - size));
-  made->carry(in);
+  made->serialize(in);
   in.finish();
   return made;
 }
@@ -80,9 +80,9 @@ TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bi
     alone->advance(what.run.settle, silent);
     silent.all.clear();
     alone->advance(what.run.settle + what.run.time, silent);
-    alone->carry(bare);
-    Replica replica(what, 0, std::make_unique<Passed>(kept));
-    to_the_end(replica).carry(seen);
+    alone->serialize(bare);
+    ReplicateRun replica(what, 0, std::make_unique<Passed>(kept));
+    to_the_end(replica).serialize(seen);
     const auto looked_at = restored(what, seen.bytes(), bare.bytes().size());
     EXPECT_TRUE(same(looked_at->balls(), alone->balls())) << name;
     alone->advance(later(what), silent);
@@ -102,17 +102,18 @@ using ObservedFrames = results::ScratchTest;
 TEST_F(ObservedFrames, frames_change_no_bit_of_a_run) {
   for (auto [name, what] : kinds()) {
     Archive plain, filmed;
-    Replica without(what, 0);
+    ReplicateRun without(what, 0);
     to_the_end(without);
     what.observe.frames = 0.0037;
-    Replica with(what, 0, nullptr, std::make_unique<results::FrameFiles>(scratch() / name, what));
+    ReplicateRun with(what, 0, nullptr,
+                      std::make_unique<results::FrameFiles>(scratch() / name, what));
     to_the_end(with);
     const results::Replicate one = without.result(), other = with.result();
     EXPECT_EQ(one.tally.all.count, other.tally.all.count) << name;
     EXPECT_EQ(one.tally.all.lost, other.tally.all.lost) << name;
-    EXPECT_EQ(one.account.kinetic, other.account.kinetic) << name;
+    EXPECT_EQ(one.energy_balance.kinetic, other.energy_balance.kinetic) << name;
     EXPECT_EQ(one.charge.wall_slip, other.charge.wall_slip) << name;
-    EXPECT_EQ(one.replay.places(), other.replay.places()) << name;
+    EXPECT_EQ(one.replay.positions(), other.replay.positions()) << name;
   }
   EXPECT_GT(std::distance(std::filesystem::directory_iterator(scratch()), {}), 3);
 }
@@ -129,7 +130,7 @@ std::vector<std::uint64_t> bits(const results::Outcome& outcome) {
 TEST(Replicates, are_merged_to_the_same_bits_by_any_number_of_threads) {
   for (auto [name, what] : kinds()) {
     what.run.replicates = name == "soft, crowd of 40" ? 2 : 5;
-    Options options;
+    RunOptions options;
     options.threads = 1;
     const results::Outcome alone = run(what, options);
     const std::string spectrum = results::csv(results::spectrum(alone));

@@ -134,7 +134,7 @@ TEST(Plan, a_key_that_stays_as_the_case_has_it_is_not_put_into_it) {
   ASSERT_EQ(last.size(), 1U);
   EXPECT_EQ(last[0].key, "b");
   EXPECT_EQ(last[0].value, "7 mm");
-  EXPECT_EQ(last[0].by, cases::Giver::sweep);
+  EXPECT_EQ(last[0].source, cases::ValueSource::sweep);
 }
 
 TEST(Plan, designs_have_as_many_points_as_they_say) {

@@ -28,7 +28,7 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
     std::atomic<int>& alive;
   };
   std::atomic<int> alive = 0, failed = 0, done = 0, at_work = -1;
-  Queue queue;
+  RunQueue queue;
   queue.size = 1;
   queue.open = [](std::size_t) {  // far longer than a test: only the failure ends it
     return read_sample(with(vial, "time", "time = \"1 Ms\"\nreplicates = 6"));
@@ -38,7 +38,7 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
     ++failed;
     at_work = alive.load();
   };
-  Options options;
+  RunOptions options;
   options.threads = 4;
   options.records = [&](std::size_t, int replicate) {
     if (replicate == 3) {  // fails while the first three are at work
@@ -47,41 +47,41 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
     }
     return std::make_unique<Watch>(alive);
   };
-  work_off(queue, options);
+  run_queue(queue, options);
   EXPECT_EQ(failed, 1);
   EXPECT_EQ(done, 0);
   EXPECT_EQ(at_work, 0);
 }
 
 TEST(Queue, what_cannot_be_opened_ends_all_threads_where_nobody_takes_failures) {
-  Queue queue;
+  RunQueue queue;
   queue.size = 40;
   queue.open = [](std::size_t i) {
     if (i == 7) throw InputError(Fault{"case", "this one is wrong", "", ""});
     return read_sample(with(vial, "time", "time = \"0.1 s\""));
   };
   queue.done = [](std::size_t, results::Outcome&&) {};
-  Options options;
+  RunOptions options;
   options.threads = 4;
-  EXPECT_THROW(work_off(queue, options), InputError);
+  EXPECT_THROW(run_queue(queue, options), InputError);
 }
 
 TEST(Queue, trouble_with_files_is_no_failure_of_a_point) {
   int failed = 0;
-  Queue queue;
+  RunQueue queue;
   queue.size = 3;
   queue.done = [](std::size_t, results::Outcome&&) {};
   queue.failed = [&](std::size_t, const std::exception&) { ++failed; };
-  Options options;
+  RunOptions options;
   options.threads = 2;
   queue.open = [](std::size_t) -> cases::Case {
     throw InputError(Fault{"out", "the disk is full", "make room", "cannot-write"});
   };
-  EXPECT_THROW(work_off(queue, options), InputError);
+  EXPECT_THROW(run_queue(queue, options), InputError);
   queue.open = [](std::size_t) -> cases::Case {
     throw std::filesystem::filesystem_error("no folder", std::make_error_code(std::errc::io_error));
   };
-  EXPECT_THROW(work_off(queue, options), std::filesystem::filesystem_error);
+  EXPECT_THROW(run_queue(queue, options), std::filesystem::filesystem_error);
   EXPECT_EQ(failed, 0);
 }
 
@@ -91,18 +91,20 @@ TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop)
   std::atomic<bool> stop = false;
   results::Outcome whole, again;
   const auto run = [&](Checkpoint& states, bool no_further, results::Outcome& outcome) {
-    Queue queue;
+    RunQueue queue;
     queue.size = 1;
     queue.open = [&](std::size_t) {
       stop = no_further;  // nothing more is computed
       return what;
     };
     queue.done = [&](std::size_t, results::Outcome&& ended) { outcome = std::move(ended); };
-    queue.kept = [&](std::size_t) { return Kept{.in = &states, .ended = Kept::Ended::noted}; };
-    Options options;
+    queue.checkpoint_slot = [&](std::size_t) {
+      return CheckpointSlot{.checkpoint = &states, .on_end = CheckpointSlot::OnEnd::write_when_due};
+    };
+    RunOptions options;
     options.threads = 1;
     options.stop = &stop;
-    work_off(queue, options);
+    run_queue(queue, options);
   };
   constexpr double never = 1e9;  // [s]
   Checkpoint first(folder.path() / "states", "a run", 3, never);
@@ -114,8 +116,9 @@ TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop)
   run(second, true, again);
   ASSERT_EQ(again.replicates.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(again.replicates[i].account.collisions, whole.replicates[i].account.collisions);
-    EXPECT_GT(again.replicates[i].account.collisions, 0);
+    EXPECT_EQ(again.replicates[i].energy_balance.collisions,
+              whole.replicates[i].energy_balance.collisions);
+    EXPECT_GT(again.replicates[i].energy_balance.collisions, 0);
   }
 }
 

@@ -36,9 +36,9 @@ time = "1 s"
 )";
 
 Notices notices(const std::string& text, const std::vector<cases::Override>& set = {}) {
-  Options options;
+  RunOptions options;
   options.threads = 1;
-  return rolling_notes(run(read_sample(text, set), options));
+  return rolling_notices(run(read_sample(text, set), options));
 }
 
 TEST(Rolling, a_ball_that_rolls_by_default_is_told_with_what_the_tc_rule_gives) {
@@ -60,7 +60,7 @@ TEST(Rolling, is_not_told_where_the_case_asked_for_it_or_the_ball_flies) {
 }
 
 TEST(Rolling, is_part_of_the_outcome_once) {
-  Options options;
+  RunOptions options;
   options.threads = 1;
   const results::Outcome outcome = run(read_sample(drum, {{"run.time", "0.2 s"}}), options);
   EXPECT_EQ(std::ranges::count(outcome.notices, "mostly-rolling", &Notice::code), 1);

@@ -25,13 +25,13 @@ inline double normal(Random& random) {
   return size * std::cos(random.uniform(0, 2 * std::numbers::pi));
 }
 
-inline Values outcomes(const Places& rows, const Function& f) {
+inline Values outcomes(const DesignMatrix& rows, const Function& f) {
   Values y;
   for (const Values& row : rows) y.push_back(f(row));
   return y;
 }
 
-inline double half_width(const Sure& s) {
+inline double half_width(const IntervalEstimate& s) {
   return std::max(s.high - s.value, s.value - s.low);
 }
 

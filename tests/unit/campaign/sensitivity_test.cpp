@@ -17,17 +17,17 @@ using tests::states;
 using tests::stays_below;
 
 TEST(ElementaryEffects, are_exact_for_a_line) {
-  const Places rows = morris_design(3, 10, 1);
+  const DesignMatrix rows = morris_design(3, 10, 1);
   const auto found = elementary_effects(
       rows, outcomes(rows, [](const Values& x) { return 5 + 2 * x[0] - 3 * x[1]; }), {});
   const std::array slope{2.0, -3.0, 0.0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Effects& key = found.keys[i];
+    const KeyEffects& key = found.keys[i];
     const double rounding = 1e-14;  // outcomes of 10 are rounded to 2e-15, steps are 2/3
     states("mu", key.mean.value, slope[i], rounding, "slope");
-    states("mu*", key.mean_size.value, std::abs(slope[i]), rounding, "slope");
-    states("sigma", key.spread.value, 0, rounding, "a line does not bend");
-    stays_below("half-width", half_width(key.mean_size), rounding, "nothing scatters");
+    states("mu*", key.mean_absolute.value, std::abs(slope[i]), rounding, "slope");
+    states("sigma", key.deviation.value, 0, rounding, "a line does not bend");
+    stays_below("half-width", half_width(key.mean_absolute), rounding, "nothing scatters");
     EXPECT_EQ(key.count, 10U);
     EXPECT_TRUE(std::isnan(key.of_noise));
   }
@@ -40,16 +40,16 @@ TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
   const double sigma = std::sqrt(5.0 / 36);
   std::array<int, 4> held{};
   for (std::uint64_t seed = 0; seed < times; ++seed) {
-    const Places rows = morris_design(2, ways, seed);
+    const DesignMatrix rows = morris_design(2, ways, seed);
     const auto found = elementary_effects(
         rows, outcomes(rows, [](const Values& x) { return (x[0] - 0.5) * x[1]; }), {});
-    const auto holds = [](const Sure& s, double truth) {
+    const auto holds = [](const IntervalEstimate& s, double truth) {
       return s.low <= truth && truth <= s.high;
     };
     held[0] += holds(found.keys[0].mean, 0.5);
-    held[1] += holds(found.keys[0].spread, sigma);
+    held[1] += holds(found.keys[0].deviation, sigma);
     held[2] += holds(found.keys[1].mean, 0);
-    held[3] += holds(found.keys[1].mean_size, 1.0 / 3);
+    held[3] += holds(found.keys[1].mean_absolute, 1.0 / 3);
   }
   const double tolerance = 3.3 * std::sqrt(times * 0.95 * 0.05);
   for (const int h : held)
@@ -58,14 +58,14 @@ TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
 
 TEST(ElementaryEffects, of_noise_alone_are_what_errors_give) {
   constexpr std::size_t ways = 4000;
-  const Places rows = morris_design(1, ways, 3);
+  const DesignMatrix rows = morris_design(1, ways, 3);
   Random random(5, 1);
   const Values y = outcomes(rows, [&](const Values&) { return 0.3 * normal(random); });
   const auto found = elementary_effects(rows, y, Values(y.size(), 0.3));
-  const Effects& key = found.keys[0];
+  const KeyEffects& key = found.keys[0];
   states("mu* of errors", key.of_noise, 0.3 * 1.5 * 2 / std::sqrt(std::numbers::pi), 4000 * 1e-16,
          "mean size of a normal number");
-  states("mu*", key.mean_size.value, key.of_noise, half_width(key.mean_size) * 3.3 / 1.96,
+  states("mu*", key.mean_absolute.value, key.of_noise, half_width(key.mean_absolute) * 3.3 / 1.96,
          "3.3 standard errors");
 }
 
@@ -73,7 +73,7 @@ TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates
   // The error of a mean of two is half their difference. On the mean it is smaller than the true
   // one, by sqrt(2/pi); its square is not.
   constexpr std::size_t ways = 4000;
-  const Places rows = morris_design(1, ways, 3);
+  const DesignMatrix rows = morris_design(1, ways, 3);
   Random random(5, 4);
   Values y, ci95;
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -85,41 +85,41 @@ TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates
   const auto found = elementary_effects(rows, y, errors);
   // Squares of one degree of freedom scatter by sqrt(2) of their mean, a root by half of that.
   const double alone = 3.3 * found.keys[0].of_noise * std::sqrt(2.0 / (2 * ways)) / 2;
-  states("mu*", found.keys[0].mean_size.value, found.keys[0].of_noise,
-         std::hypot(alone, half_width(found.keys[0].mean_size) * 3.3 / 1.96),
+  states("mu*", found.keys[0].mean_absolute.value, found.keys[0].of_noise,
+         std::hypot(alone, half_width(found.keys[0].mean_absolute) * 3.3 / 1.96),
          "3.3 standard errors");
 }
 
 TEST(ElementaryEffects, are_told_if_surely_more_than_noise_makes) {
-  const Places rows = morris_design(3, 10, 1);
+  const DesignMatrix rows = morris_design(3, 10, 1);
   Random random(5, 5);
   const Values y = outcomes(rows, [&](const Values& x) { return 100 * x[0] + normal(random); });
   const auto found = elementary_effects(rows, y, Values(y.size(), 1.0)),
              errors_unknown = elementary_effects(rows, y, {});
-  EXPECT_EQ(found.keys[0].told, std::optional(true));
-  EXPECT_EQ(found.keys[1].told, std::optional(false));
-  EXPECT_EQ(errors_unknown.keys[0].told, std::nullopt);
+  EXPECT_EQ(found.keys[0].significant, std::optional(true));
+  EXPECT_EQ(found.keys[1].significant, std::optional(false));
+  EXPECT_EQ(errors_unknown.keys[0].significant, std::nullopt);
 
   // One way has no interval: what is below noise is not told, of what is above nothing is known.
   const auto one = elementary_effects({{0}, {2.0 / 3}}, {1, 5}, {1, 1});
-  EXPECT_TRUE(std::isnan(one.keys[0].mean_size.low));
-  EXPECT_EQ(one.keys[0].told, std::nullopt);
-  EXPECT_EQ(elementary_effects({{0}, {2.0 / 3}}, {1, 1.1}, {1, 1}).keys[0].told,
+  EXPECT_TRUE(std::isnan(one.keys[0].mean_absolute.low));
+  EXPECT_EQ(one.keys[0].significant, std::nullopt);
+  EXPECT_EQ(elementary_effects({{0}, {2.0 / 3}}, {1, 1.1}, {1, 1}).keys[0].significant,
             std::optional(false));
 }
 
 TEST(ElementaryEffects, say_which_key_changes_nothing) {
-  const Places rows = morris_design(2, 5, 1);
+  const DesignMatrix rows = morris_design(2, 5, 1);
   const Values y = outcomes(rows, [](const Values& x) { return std::exp(x[0]); });
   const auto found = elementary_effects(rows, y, {});
-  EXPECT_FALSE(found.keys[0].idle);
-  EXPECT_TRUE(found.keys[1].idle);
-  EXPECT_EQ(found.keys[1].told, std::optional(false));
-  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).keys[1].idle) << "not known";
+  EXPECT_FALSE(found.keys[0].inactive);
+  EXPECT_TRUE(found.keys[1].inactive);
+  EXPECT_EQ(found.keys[1].significant, std::optional(false));
+  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).keys[1].inactive) << "not known";
 }
 
 TEST(ElementaryEffects, leave_out_steps_that_failed) {
-  const Places rows = morris_design(2, 4, 1);
+  const DesignMatrix rows = morris_design(2, 4, 1);
   Values y = outcomes(rows, [](const Values& x) { return x[0]; });
   y[1] = nan;  // the middle of the first way: both of its steps
   y[3] = nan;  // the start of the second: its first step
@@ -138,33 +138,36 @@ TEST(Swings, are_what_each_key_does_alone) {
   ASSERT_EQ(found.keys.size(), 2U);
   EXPECT_EQ(found.keys[0].at_low.value, 4);
   EXPECT_DOUBLE_EQ(found.keys[0].at_high.high, 6.2);
-  EXPECT_EQ(found.keys[0].told, std::optional(true));
-  EXPECT_EQ(found.keys[1].told, std::optional(false));  // 0.3 is less than sqrt(0.1^2 + 0.3^2)
+  EXPECT_EQ(found.keys[0].significant, std::optional(true));
+  EXPECT_EQ(found.keys[1].significant,
+            std::optional(false));  // 0.3 is less than sqrt(0.1^2 + 0.3^2)
   const Swings failed = swings({5, nan, 6}, {});
   EXPECT_EQ(failed.failed, 1);
   EXPECT_TRUE(std::isnan(failed.keys[0].at_low.value));
-  EXPECT_EQ(failed.keys[0].told, std::nullopt);
+  EXPECT_EQ(failed.keys[0].significant, std::nullopt);
   EXPECT_THROW(swings({1, 2}, {}), std::invalid_argument);
 }
 
 TEST(Swings, are_compared_with_the_case_itself) {
   // The ends differ by 2, more than sqrt(1 + 1); from the case both by 1, which is less.
-  EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].told, std::optional(false));
-  EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].told, std::optional(true)) << "the high end";
+  EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].significant, std::optional(false));
+  EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].significant, std::optional(true))
+      << "the high end";
 }
 
 TEST(Swings, are_not_judged_without_intervals) {
-  EXPECT_EQ(swings({5, 4, 6}, {}).keys[0].told, std::nullopt);
-  EXPECT_EQ(swings({5, 4, 6}, {nan, 0.1, 0.1}).keys[0].told, std::nullopt);
-  EXPECT_EQ(swings({5, 5.1, 6}, {1, 1, nan}).keys[0].told, std::nullopt) << "the other may differ";
-  EXPECT_EQ(swings({5, 9, 6}, {1, 1, nan}).keys[0].told, std::optional(true));
+  EXPECT_EQ(swings({5, 4, 6}, {}).keys[0].significant, std::nullopt);
+  EXPECT_EQ(swings({5, 4, 6}, {nan, 0.1, 0.1}).keys[0].significant, std::nullopt);
+  EXPECT_EQ(swings({5, 5.1, 6}, {1, 1, nan}).keys[0].significant, std::nullopt)
+      << "the other may differ";
+  EXPECT_EQ(swings({5, 9, 6}, {1, 1, nan}).keys[0].significant, std::optional(true));
 }
 
 TEST(Swings, say_which_key_changes_nothing) {
   const Swings found = swings({5, 5, 5, 5, 5.1, 5, nan}, {});
-  EXPECT_TRUE(found.keys[0].idle);
-  EXPECT_FALSE(found.keys[1].idle);
-  EXPECT_FALSE(found.keys[2].idle) << "a failed run tells nothing";
+  EXPECT_TRUE(found.keys[0].inactive);
+  EXPECT_FALSE(found.keys[1].inactive);
+  EXPECT_FALSE(found.keys[2].inactive) << "a failed run tells nothing";
 }
 
 TEST(StandardErrors, are_half_widths_over_students_quantile) {

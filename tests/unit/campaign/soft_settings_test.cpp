@@ -30,7 +30,7 @@ std::string faults_with_step(const char* step) {
   return codes(soft_case("restitution = 0.5", {{"run.time_step", step}}));
 }
 bool says(const cases::Case& what, const std::string& words) {
-  for (const Notice& one : soft_notes(what))
+  for (const Notice& one : soft_notices(what))
     if (one.text.find(words) != std::string::npos) return true;
   return false;
 }
@@ -44,7 +44,7 @@ TEST(SoftSettings, paper_b_s_time_step_is_an_eighth_of_the_rayleigh_time) {
   // 1 us for 15 mm steel balls, E = 200 GPa, nu = 0.265; a fiftieth of the collision is less.
   const SoftSettings s = soft_settings(soft_case("restitution = 0.5"));
   EXPECT_NEAR(s.steps.rayleigh, 8.1e-6, 0.2e-6);
-  EXPECT_NEAR(s.steps.usual(1) * 50, s.steps.contact, 1e-12);
+  EXPECT_NEAR(s.steps.recommended(1) * 50, s.steps.contact, 1e-12);
   EXPECT_EQ(faults_with_step("1 us"), "");
 }
 

@@ -32,7 +32,7 @@ cases::Case dropped(int bounces) {
   c.balls = {{1, 0.01, 7850, ""}};
   c.balls[0].positions = {{0, 0, -0.1 + 0.005 + high}};
   c.contact.rule = {.restitution = e, .tangential_restitution = 1, .friction = 0};
-  c.contact.lasting = cases::Lasting::none;
+  c.contact.lasting = cases::SustainedContactModel::none;
   const double fall = std::sqrt(2 * high / gravity);
   c.run.time = fall;  // up to half of the flight after the last
   for (int n = 1; n < bounces; ++n) c.run.time += 2 * fall * std::pow(e, n);
@@ -97,7 +97,7 @@ TEST_P(Dropped, spectrum_is_that_written_by_hand) {
 
 TEST_P(Dropped, histograms_sum_to_the_geometric_series) {
   const cases::Case what = dropped(GetParam());
-  const observe::Spectra whole = run(what).replicates[0].tally.whole();
+  const observe::Spectra whole = run(what).replicates[0].tally.total_spectra();
   const double first = mass(what) * gravity * high, q = std::pow(e * e, GetParam());
   const std::string why = "m g h (1 - e^(2N))/(1 - e^2)";
   const double all = first * (1 - q) / (1 - e * e);

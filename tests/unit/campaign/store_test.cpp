@@ -29,8 +29,8 @@ class StoreTest : public ::testing::Test {
 };
 
 /// Points whose runs have these numbers.
-Planned planned(std::vector<RunHash> runs, const std::string& unit = " rpm") {
-  Planned p;
+CampaignPlan planned(std::vector<RunHash> runs, const std::string& unit = " rpm") {
+  CampaignPlan p;
   p.title = "A \"campaign\"; DROP TABLE runs";
   p.version = "1";
   p.case_file = "/somewhere/case.toml";
@@ -43,8 +43,8 @@ Planned planned(std::vector<RunHash> runs, const std::string& unit = " rpm") {
   return p;
 }
 
-Finished finished(RunHash hash, double rate) {
-  Finished f;
+RunRecord finished(RunHash hash, double rate) {
+  RunRecord f;
   f.hash = hash;
   f.resolved = "title = \"x\"\n";
   f.engine = "event";
@@ -70,7 +70,7 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
   EXPECT_EQ(store.title(), "A \"campaign\"; DROP TABLE runs");
   EXPECT_EQ(store.case_file(), "/somewhere/case.toml");
   EXPECT_EQ(store.overrides().at(0).value, "3 s");
-  const Counts counts = store.counts();
+  const RunCounts counts = store.counts();
   EXPECT_EQ(counts.points, 3U);
   EXPECT_EQ(counts.waiting, 1U);
   EXPECT_EQ(counts.done, 1U);
@@ -91,7 +91,7 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
 TEST_F(StoreTest, notices_are_kept_and_counted_by_points_of_the_plan) {
   Store store(file(), Store::Access::write);
   store.plan(planned({1, 2, 3, 2}));
-  Finished f = finished(1, 5);
+  RunRecord f = finished(1, 5);
   f.notices = {note("engine-chosen", "Engine: event.")};
   store.keep(f);
   f = finished(2, 6);
@@ -118,7 +118,7 @@ TEST_F(StoreTest, notices_of_a_shard_are_taken_over) {
   {
     Store shard(file("other.sqlite"), Store::Access::shard);
     shard.plan(planned({1, 2}));
-    Finished f = finished(2, 6);
+    RunRecord f = finished(2, 6);
     f.notices = {warning("stopped", "It stopped.")};
     shard.keep(f);
   }
@@ -146,8 +146,8 @@ TEST_F(StoreTest, a_new_plan_keeps_the_runs_it_shares_with_the_old_one) {
 }
 
 /// Of runs by two engines, one of them with powder whose property has a name of its own.
-std::vector<Finished> three_forms() {
-  std::vector<Finished> list{finished(1, 5), finished(2, 6), finished(3, 7)};
+std::vector<RunRecord> three_forms() {
+  std::vector<RunRecord> list{finished(1, 5), finished(2, 6), finished(3, 7)};
   auto& soft = list[1].quantities;
   soft.insert(soft.begin() + 1, {"overlap", 0.01, NAN, "1", "how deep"});
   list[1].quantities.push_back({"property", 1, NAN, "1", "colour, after milling"});
@@ -183,7 +183,7 @@ TEST_F(StoreTest, columns_are_in_one_order_whichever_run_ends_first) {
 TEST_F(StoreTest, columns_of_shards_are_in_the_order_of_the_whole) {
   Store whole(file("whole"), Store::Access::write);
   whole.plan(planned({1, 2, 3}));
-  for (const Finished& one : three_forms()) whole.keep(one);
+  for (const RunRecord& one : three_forms()) whole.keep(one);
   {
     Store first(file("first"), Store::Access::shard), second(file("second"), Store::Access::shard);
     for (Store* shard : {&first, &second}) shard->plan(planned({1, 2, 3}));
@@ -201,7 +201,7 @@ TEST_F(StoreTest, a_quantity_that_comes_later_gets_a_column) {
   Store store(file(), Store::Access::write);
   store.plan(planned({1, 2}));
   store.keep(finished(1, 5));
-  Finished more = finished(2, 6);
+  RunRecord more = finished(2, 6);
   more.quantities.push_back({"d50", 1e-6, 1e-7, "m", "median"});
   store.keep(more);
   const auto list = points(store, {"d50", "rate"});
@@ -270,7 +270,7 @@ TEST_F(StoreTest, a_transaction_that_is_not_committed_leaves_nothing) {
     throw 1;
   } catch (int) {
   }
-  EXPECT_EQ(database.word("SELECT count(*) FROM t"), "0");
+  EXPECT_EQ(database.query_text("SELECT count(*) FROM t"), "0");
 }
 
 TEST_F(StoreTest, one_process_at_a_time_holds_a_campaign) {

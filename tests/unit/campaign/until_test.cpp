@@ -24,13 +24,14 @@ using tests::stays_below;
 cases::Case waiting(double within, double longest) {
   cases::Case c = shaken("event", 1);
   c.contact.rule.restitution = 0.9;
-  c.run.until = cases::Until{within, "dissipated_power"};
+  c.run.until = cases::StopCriterion{within, "dissipated_power"};
   c.run.time = longest;
   return c;
 }
 
 double found(const results::Replicate& r) {
-  const observe::Estimate e = observe::over_time(results::series(r.windows, "dissipated_power"));
+  const observe::Estimate e =
+      observe::time_series_estimate(results::series(r.windows, "dissipated_power"));
   return e.ci95 / e.mean;
 }
 
@@ -49,10 +50,10 @@ TEST(Until, a_run_ends_with_the_certainty_asked_for) {
   double shorter = 0;
   for (const double within : {0.08, 0.04, 0.02}) {
     const cases::Case what = waiting(within, 2000);
-    Replica replica(what, 0);
+    ReplicateRun replica(what, 0);
     const results::Replicate r = to_the_end(replica).result();
     EXPECT_TRUE(r.complete);
-    EXPECT_TRUE(r.sure);
+    EXPECT_TRUE(r.precision_reached);
     EXPECT_FALSE(warned(what, r));
     stays_below("half-width over mean", found(r), within, "over_time() of the windows");
     EXPECT_GT(r.time(), shorter) << "more certainty takes longer";
@@ -66,10 +67,10 @@ TEST(Until, a_run_ends_with_the_certainty_asked_for) {
 
 TEST(Until, goes_on_to_the_longest_time_otherwise_and_says_so) {
   const cases::Case what = waiting(0.001, 7);
-  Replica replica(what, 0);
+  ReplicateRun replica(what, 0);
   const results::Replicate r = to_the_end(replica).result();
   EXPECT_TRUE(r.complete);
-  EXPECT_FALSE(r.sure);
+  EXPECT_FALSE(r.precision_reached);
   EXPECT_GT(found(r), 0.001);
   EXPECT_TRUE(warned(what, r));
   states("time [s]", r.time(), 7, 0.05 + 1e-9, "a window of one period");
@@ -77,22 +78,23 @@ TEST(Until, goes_on_to_the_longest_time_otherwise_and_says_so) {
 
 TEST(Until, goes_on_from_a_saved_state_to_the_same_bits) {
   const cases::Case what = waiting(0.03, 1000);
-  Replica whole(what, 0);
+  ReplicateRun whole(what, 0);
   const results::Replicate one = to_the_end(whole).result();
   for (const double share : {0.1, 0.5, 0.9}) {
-    Replica first(what, 0), second(what, 0);
-    while (first.account().time < share * one.account.time && !first.done()) first.go_on();
+    ReplicateRun first(what, 0), second(what, 0);
+    while (first.energy_balance().time < share * one.energy_balance.time && !first.done())
+      first.run_slice();
     ASSERT_FALSE(first.done());
     Archive out;
-    first.carry(out);
+    first.serialize(out);
     Archive in(out.bytes());
-    second.carry(in);
+    second.serialize(in);
     in.finish();
     const results::Replicate other = to_the_end(second).result();
-    EXPECT_EQ(other.account.time, one.account.time);
-    EXPECT_EQ(other.account.lost_normal, one.account.lost_normal);
+    EXPECT_EQ(other.energy_balance.time, one.energy_balance.time);
+    EXPECT_EQ(other.energy_balance.lost_normal, one.energy_balance.lost_normal);
     EXPECT_EQ(other.tally.all.energy_centre, one.tally.all.energy_centre);
-    EXPECT_EQ(other.charge.of_all, one.charge.of_all);
+    EXPECT_EQ(other.charge.mass_total, one.charge.mass_total);
     EXPECT_EQ(results::series(other.windows, "drawn_power"),
               results::series(one.windows, "drawn_power"));
   }
@@ -101,16 +103,16 @@ TEST(Until, goes_on_from_a_saved_state_to_the_same_bits) {
 /// A state holds all that a replicate keeps; what grows in it is the list of windows.
 TEST(Until, windows_stay_between_100_and_200_and_memory_does_not_grow) {
   const cases::Case what = waiting(1e-6, 90);  // 1800 periods
-  Replica replica(what, 0);
+  ReplicateRun replica(what, 0);
   std::size_t most = 0, least = 1000, early = 0, late = 0;
   while (!replica.done()) {
-    replica.go_on();
+    replica.run_slice();
     const std::size_t windows = replica.result().windows.size();
-    if (replica.account().time < 12) continue;  // 200 periods
+    if (replica.energy_balance().time < 12) continue;  // 200 periods
     most = tests::max_or_nan(most, windows);
     least = std::min(least, windows);
     Archive state;
-    replica.carry(state);
+    replica.serialize(state);
     const std::size_t size = state.bytes().size() - windows * sizeof(results::Window);
     if (early == 0) early = size;
     late = size;

@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 double value(const std::string& text, std::string_view name,
              const std::vector<Override>& overrides = {}) {
-  for (const Consequence& c : consequences(read_sample(text, overrides)))
+  for (const DerivedQuantity& c : derived_quantities(read_sample(text, overrides)))
     if (c.name == name) return c.value;
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -62,7 +62,7 @@ TEST(Consequences, of_a_drum) {
 
 TEST(Consequences, every_name_has_a_sentence) {
   for (const std::string& text : {vial, planetary, drum})
-    for (const Consequence& c : consequences(read_sample(text))) {
+    for (const DerivedQuantity& c : derived_quantities(read_sample(text))) {
       EXPECT_FALSE(c.about.empty()) << c.name;
       EXPECT_TRUE(std::isfinite(c.value)) << c.name;
     }
@@ -81,13 +81,13 @@ TEST(Build, the_chamber_is_the_case_s) {
 void expect_free(const Case& c, int replicate) {
   const scene::Chamber chamber = cases::chamber(c);
   const auto balls = starting_balls(c, replicate);
-  const Rotation turn = kinematics::turn(*chamber.motion, 0);
+  const Rotation turn = kinematics::rotation(*chamber.motion, 0);
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const Vec3 p = chamber.mount.back(turn.back(balls[i].position));
+    const Vec3 p = chamber.mount.apply_inverse(turn.apply_inverse(balls[i].position));
     std::visit(
         [&](const auto& shape) {
           for (int face = 0; face < shape.faces; ++face)
-            if (shape.meets(face, balls[i].radius)) {
+            if (shape.can_touch(face, balls[i].radius)) {
               EXPECT_GT(shape.gap(face, p).distance, balls[i].radius);
             }
         },
@@ -130,7 +130,7 @@ TEST(Build, starting_balls_are_uniform_over_the_free_volume) {
 
 TEST(Build, starting_speeds_are_paper_a_s_in_the_laboratory) {
   const Case c = read_sample(vial);
-  const Vec3 jar = kinematics::ride(*c.mill.motion, 0).velocity;
+  const Vec3 jar = kinematics::frame_motion(*c.mill.motion, 0).velocity;
   double speed = 0, spin = 0;
   const int n = 5000;
   for (int i = 0; i < n; ++i) {

@@ -27,11 +27,11 @@ const Catalogue& shipped() {
 
 template <class Visit>
 void for_each_entry(Visit visit) {
-  for (const std::string_view room : Catalogue::rooms) {
-    for (const std::string& name : shipped().names(room)) {
-      SCOPED_TRACE(std::string(room) + "/" + name);
+  for (const std::string_view category : Catalogue::categories) {
+    for (const std::string& name : shipped().names(category)) {
+      SCOPED_TRACE(std::string(category) + "/" + name);
       CatalogueEntry entry;
-      ASSERT_NO_THROW(entry = shipped().find(room, name));
+      ASSERT_NO_THROW(entry = shipped().find(category, name));
       visit(entry);
     }
   }
@@ -42,9 +42,9 @@ bool has(const std::vector<std::string>& list, const std::string& word) {
 }
 
 /// All faults of a file's text, as a user reads them.
-std::string complaint(const std::string& text, std::string_view room = "mills") {
+std::string complaint(const std::string& text, std::string_view category = "mills") {
   try {
-    read_entry(text, room, "trial", "trial.toml");
+    read_entry(text, category, "trial", "trial.toml");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -65,8 +65,8 @@ TEST(Catalogue, every_room_is_filled) {
   EXPECT_GE(shipped().names("jars").size(), 7u);
   EXPECT_GE(shipped().names("materials").size(), 16u);
   EXPECT_GE(shipped().names("media").size(), 15u);
-  for (const std::string_view room : Catalogue::rooms)
-    EXPECT_TRUE(std::ranges::is_sorted(shipped().names(room))) << room;
+  for (const std::string_view category : Catalogue::categories)
+    EXPECT_TRUE(std::ranges::is_sorted(shipped().names(category))) << category;
 }
 
 TEST(Catalogue, every_check_in_every_file_holds) {
@@ -87,7 +87,7 @@ TEST(Catalogue, every_check_in_every_file_holds) {
 TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
   for_each_entry([&](const CatalogueEntry& entry) {
     EXPECT_FALSE(entry.values.empty());
-    const auto keys = catalogue_keys(entry.room, entry.kind);
+    const auto keys = catalogue_keys(entry.category, entry.kind);
     for (const auto& [key, value] : entry.values) {
       SCOPED_TRACE(key + " = " + value.text);
       EXPECT_FALSE(value.source.empty());
@@ -107,7 +107,7 @@ TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
 /// Between polymers and metals heat capacity by volume differs little: what is far off is a slip.
 TEST(Catalogue, every_material_conducts_and_stores_heat_as_solids_do) {
   for_each_entry([&](const CatalogueEntry& entry) {
-    if (entry.room != "materials") return;
+    if (entry.category != "materials") return;
     const auto number = [&](const char* key, const char* unit) {
       return parse_in(entry.values.at(key).text, unit);
     };
@@ -132,14 +132,14 @@ TEST(Catalogue, every_mill_is_a_known_motion_and_its_jars_exist) {
   const auto motions = catalogue_kinds("mills");
   const auto jars = shipped().names("jars");
   for_each_entry([&](const CatalogueEntry& entry) {
-    if (entry.room != "mills") return;
+    if (entry.category != "mills") return;
     EXPECT_TRUE(has(motions, entry.kind)) << entry.kind;
     for (const std::string& jar : entry.jars) EXPECT_TRUE(has(jars, jar)) << jar;
     for (const auto& [key, value] : entry.values) {  // least <= most
       if (!key.ends_with("_least")) continue;
       const auto most = entry.values.find(key.substr(0, key.size() - 5) + "most");
       if (most == entry.values.end()) continue;
-      const auto keys = catalogue_keys(entry.room, entry.kind);
+      const auto keys = catalogue_keys(entry.category, entry.kind);
       const auto known = *std::ranges::find(keys, key, &CatalogueKey::key);
       EXPECT_LE(number_of(value.text, known), number_of(most->second.text, known)) << key;
     }
@@ -148,7 +148,7 @@ TEST(Catalogue, every_mill_is_a_known_motion_and_its_jars_exist) {
 
 TEST(Catalogue, every_jar_can_be_built_and_every_planetary_g_figure_is_checked) {
   for_each_entry([&](const CatalogueEntry& entry) {
-    if (entry.room == "jars") {
+    if (entry.category == "jars") {
       EXPECT_GT(derived(entry, "jar_volume"), 0);
     }
     if (entry.kind != "planetary" || !entry.values.contains("speed_most")) return;
@@ -161,7 +161,7 @@ TEST(Catalogue, every_jar_can_be_built_and_every_planetary_g_figure_is_checked) 
 
 TEST(Catalogue, ball_sets_give_diameter_and_a_whole_number_of_balls) {
   for_each_entry([&](const CatalogueEntry& entry) {
-    if (entry.room != "media") return;
+    if (entry.category != "media") return;
     EXPECT_GT(parse_in(entry.values.at("diameter").text, "m"), 0);
     const double count = parse_in(entry.values.at("count").text, "");
     EXPECT_EQ(count, std::round(count));
@@ -189,9 +189,9 @@ TEST(Catalogue, a_ratio_is_jar_over_disc) {
 }
 
 TEST(Catalogue, an_unknown_name_gets_the_nearest_ones) {
-  const auto said = [](std::string_view room, std::string_view name) -> Fault {
+  const auto said = [](std::string_view category, std::string_view name) -> Fault {
     try {
-      shipped().find(room, name, "case.toml:4");
+      shipped().find(category, name, "case.toml:4");
     } catch (const InputError& error) {
       return error.faults().at(0);
     }
@@ -324,8 +324,8 @@ TEST(Derived, quantities_match_hand_calculation) {
 }
 
 TEST(Nearest, is_empty_if_nothing_is_near) {
-  EXPECT_EQ(nearest("steal", {"steel", "stone"}), "steel");
-  EXPECT_EQ(nearest("xyzzy", {"steel", "stone"}), "");
+  EXPECT_EQ(nearest_name("steal", {"steel", "stone"}), "steel");
+  EXPECT_EQ(nearest_name("xyzzy", {"steel", "stone"}), "");
 }
 
 }  // namespace

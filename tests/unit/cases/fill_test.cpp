@@ -44,7 +44,7 @@ double smallest_wall_gap(const std::vector<scene::Ball>& balls, const geometry::
       [&](const auto& s) {
         for (const scene::Ball& b : balls)
           for (int face = 0; face < s.faces; ++face)
-            if (s.meets(face, b.radius))
+            if (s.can_touch(face, b.radius))
               least = std::min(least, s.gap(face, b.position).distance / b.radius - 1);
       },
       shape);
@@ -105,7 +105,7 @@ BallSet spread(std::int64_t count, double diameter) {
   const Distribution d{
       .law = Distribution::Law::lognormal, .diameter = diameter, .spread = 1.26, .classes = 12};
   const std::vector<SizeShare> shares = size_shares(d);
-  const std::vector<std::int64_t> counts = counted_out(count, shares);
+  const std::vector<std::int64_t> counts = apportion(count, shares);
   for (std::size_t i = 0; i < shares.size(); ++i)
     set.classes.push_back({shares[i].diameter, counts[i]});
   set.diameter = mean_volume_diameter(set.classes);
@@ -192,46 +192,48 @@ TEST(Fill, what_does_not_fit_is_a_fault_that_says_what_would) {
 
 TEST(PushApart, in_a_room_without_walls_images_count) {
   const double radius = 0.05, filling = 0.6;
-  const Room room{{0.5, 0.5, 0.5}, {1, 1, 1}};
+  const Domain domain{{0.5, 0.5, 0.5}, {1, 1, 1}};
   const auto count = static_cast<std::size_t>(filling / (4.0 / 3 * pi * std::pow(radius, 3)));
   Random random(5, 0);
-  std::vector<Placed> balls(count);
-  for (Placed& b : balls)
+  std::vector<PlacedBall> balls(count);
+  for (PlacedBall& b : balls)
     b = {{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)}, radius};
-  EXPECT_TRUE(push_apart(balls, geometry::Sphere{100}, room, 1e-3, 100'000'000).free);
+  EXPECT_TRUE(push_apart(balls, geometry::Sphere{100}, domain, 1e-3, 100'000'000).free);
   double least = INFINITY;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = 0; j < i; ++j)
       for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
           for (int z = -1; z <= 1; ++z)
-            least = std::min(least, norm(balls[i].place - balls[j].place +
+            least = std::min(least, norm(balls[i].position - balls[j].position +
                                          Vec3{double(x), double(y), double(z)}));
   EXPECT_GT(least, 2 * radius);
 }
 
 TEST(Grid, finds_every_neighbour_once_and_none_is_missed) {
-  const Room open{{1, 0.5, 0.1}, {INFINITY, INFINITY, INFINITY}};
-  const Room mixed{{1, 0.5, 0.1}, {2, INFINITY, 0.2}};
-  const Room round{{1, 1, 1}, {2, 2, 2}};
-  for (const Room& room : {open, mixed, round})
+  const Domain open{{1, 0.5, 0.1}, {INFINITY, INFINITY, INFINITY}};
+  const Domain mixed{{1, 0.5, 0.1}, {2, INFINITY, 0.2}};
+  const Domain round{{1, 1, 1}, {2, 2, 2}};
+  for (const Domain& domain : {open, mixed, round})
     for (const double reach : {0.05, 0.3, 0.9}) {
       Random random(7, 0);
-      Grid grid(room, reach, 300);
+      Grid grid(domain, reach, 300);
       std::vector<Vec3> at;
       for (int i = 0; i < 300; ++i) {
-        at.push_back({random.uniform(-1, 1) * room.half.x, random.uniform(-1, 1) * room.half.y,
-                      random.uniform(-1, 1) * room.half.z});
+        at.push_back({random.uniform(-1, 1) * domain.half.x, random.uniform(-1, 1) * domain.half.y,
+                      random.uniform(-1, 1) * domain.half.z});
         grid.add(i, at.back());
       }
       for (const Vec3& p : at) {
         std::multiset<int> found, near;
-        grid.around(p, [&](int j) {
-          if (norm(room.between(p, at[static_cast<std::size_t>(j)])) < reach) found.insert(j);
+        grid.for_each_near(p, [&](int j) {
+          if (norm(domain.minimum_image(p, at[static_cast<std::size_t>(j)])) < reach)
+            found.insert(j);
           return true;
         });
         for (int j = 0; j < 300; ++j)
-          if (norm(room.between(p, at[static_cast<std::size_t>(j)])) < reach) near.insert(j);
+          if (norm(domain.minimum_image(p, at[static_cast<std::size_t>(j)])) < reach)
+            near.insert(j);
         EXPECT_EQ(found, near);
       }
     }

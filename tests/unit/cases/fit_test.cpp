@@ -53,7 +53,7 @@ TEST(Fit, a_case_that_only_fit_gives_a_value_is_not_read) {
 
 TEST(Fit, with_a_value_for_each_key_the_case_is_read) {
   const Case c = read_sample(unfitted + f_mat, {{"breakage.f_mat", "2 kg/J/m"}});
-  EXPECT_EQ(adjusted(c, "breakage.f_mat"), 2);
+  EXPECT_EQ(fit_parameter_value(c, "breakage.f_mat"), 2);
   EXPECT_EQ(c.fit,
             (std::map<std::string, FitRange>{{"breakage.f_mat", {"0.01 kg/J/m", "100 kg/J/m"}}}));
   EXPECT_TRUE(read_sample(write(c)) == c) << write(c);
@@ -111,36 +111,36 @@ TEST(Fit, avramis_exponent_needs_avramis_law) {
   EXPECT_NE(fault_of(kinetics + fit).find("|unfitted"), std::string::npos);
   EXPECT_NE(fault_of(kinetics + fit, start).find("|too-much"), std::string::npos);
   const Case c = read_sample(kinetics + "law = \"avrami\"\n" + fit, start);
-  EXPECT_EQ(adjusted(c, "kinetics.exponent"), 1);
+  EXPECT_EQ(fit_parameter_value(c, "kinetics.exponent"), 1);
 }
 
 TEST(Adjustables, are_the_numbers_of_the_chosen_models_and_a_few_more) {
   const Case c = read_sample(unfitted + "[kinetics]\ndose_constant = \"5 kJ/g\"\n",
                              {{"breakage.f_mat", "2 kg/J/m"}});
   std::vector<std::string> keys;
-  for (const Adjustable& one : adjustables(c)) keys.push_back(one.key);
+  for (const FitParameter& one : fit_parameters(c)) keys.push_back(one.key);
   EXPECT_EQ(keys, (std::vector<std::string>{
                       "capture.thickness", "capture.packing", "capture.energy_share",
                       "breakage.f_mat", "breakage.x_w_min", "grinding.sticking", "grinding.welding",
                       "grinding.welding_energy", "kinetics.dose_constant", "kinetics.exponent",
                       "kinetics.onset"}));
-  EXPECT_TRUE(adjustables(read_sample(vial)).empty());
+  EXPECT_TRUE(fit_parameters(read_sample(vial)).empty());
 }
 
 TEST(Adjustables, are_set_in_their_units_as_if_the_case_said_so) {
   Case c = read_sample(unfitted, {{"breakage.f_mat", "2 kg/J/m"}});
-  for (const Adjustable& one : adjustables(c)) {
+  for (const FitParameter& one : fit_parameters(c)) {
     const double value = one.range.most < 1 ? 0.25 * one.range.most : 0.25;
     ASSERT_TRUE(one.range.holds(value)) << one.key;
-    adjust(c, one.key, value);
-    EXPECT_EQ(adjusted(c, one.key), value) << one.key;
+    set_fit_parameter(c, one.key, value);
+    EXPECT_EQ(fit_parameter_value(c, one.key), value) << one.key;
   }
   EXPECT_EQ(std::get<powder::TrappedVolume>(*c.capture->model).thickness, 0.25);
   EXPECT_EQ(c.capture->energy_share, 0.25);
   EXPECT_EQ(std::get<powder::VogelPeukert>(*c.grinding->breakage).f_mat, 0.25);
   EXPECT_EQ(c.grinding->welding_energy, 0.25);
-  EXPECT_THROW(adjust(c, "breakage.phi", 1), std::invalid_argument);
-  EXPECT_THROW(adjusted(c, "grinding.time"), std::invalid_argument);
+  EXPECT_THROW(set_fit_parameter(c, "breakage.phi", 1), std::invalid_argument);
+  EXPECT_THROW(fit_parameter_value(c, "grinding.time"), std::invalid_argument);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ constexpr const char* follows =
 TEST(Formula, a_key_follows_from_what_varies) {
   const Case base = read_sample(vial + follows);
   EXPECT_DOUBLE_EQ(base.balls[0].diameter, 0.006);  // the case's own jar has 12 mm
-  const Case point = read_sample(vial + follows, {{"jar.diameter", "14 mm", Giver::sweep}});
+  const Case point = read_sample(vial + follows, {{"jar.diameter", "14 mm", ValueSource::sweep}});
   EXPECT_DOUBLE_EQ(point.balls[0].diameter, 0.007);
   EXPECT_EQ(point.sweep.derived.at("balls.diameter"), " jar.diameter / 2");
 }

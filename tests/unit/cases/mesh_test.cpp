@@ -72,7 +72,7 @@ std::string as_text(const Triangles& t) {
   Triangles mm = t;
   for (geometry::Corners& c : mm)
     for (Vec3& p : c) p *= 1000;
-  return stl_text(geometry::joined(mm));
+  return stl_text(geometry::weld(mm));
 }
 
 Triangles moved(Triangles t, const Vec3& way) {
@@ -99,8 +99,8 @@ TEST(MeshFile, binary_and_text_are_the_same_jar) {
   EXPECT_EQ(text.jar.mesh, (MeshFile{"jar.stl", "mm", false}));
   EXPECT_EQ(face_names(*text.jar.shape).front(), "1");
   const std::string last = "jar.6";
-  EXPECT_EQ(party(last, text).faces, std::vector<int>{5});
-  EXPECT_EQ(party("jar", text).faces.size(), 6U);
+  EXPECT_EQ(pair_selector(last, text).faces, std::vector<int>{5});
+  EXPECT_EQ(pair_selector("jar", text).faces.size(), 6U);
   std::string loud = as_text(brick);
   for (char& c : loud) c = static_cast<char>(std::toupper(c));
   EXPECT_EQ(mesh_in(read_with(loud)), mesh_in(text));
@@ -240,8 +240,8 @@ TEST(MeshFile, more_triangles_than_there_is_memory_for_are_refused) {
 TEST(MeshFile, another_surface_under_the_same_name_is_another_case) {
   const std::string other = binary_stl(tests::box(0.03, 0.03, 0.03));
   const Case one = read_with(binary_stl(brick)), two = read_with(other);
-  EXPECT_EQ(contents_of_files(one), contents_of_files(read_with(binary_stl(brick))));
-  EXPECT_NE(contents_of_files(one), contents_of_files(two));
+  EXPECT_EQ(input_files_fingerprint(one), input_files_fingerprint(read_with(binary_stl(brick))));
+  EXPECT_NE(input_files_fingerprint(one), input_files_fingerprint(two));
 }
 
 TEST(MeshFile, the_event_engine_takes_no_mesh) {
@@ -306,9 +306,9 @@ TEST(MeshFile, balls_fill_a_jar_of_any_form) {
 
 TEST(MeshFile, a_check_tells_what_the_mesh_is) {
   const Case c = read_with(binary_stl(brick));
-  const auto follows = consequences(c);
+  const auto follows = derived_quantities(c);
   const auto named = [&](std::string_view name) {
-    return std::ranges::find(follows, name, &Consequence::name)->value;
+    return std::ranges::find(follows, name, &DerivedQuantity::name)->value;
   };
   EXPECT_EQ(named("jar_triangles"), 16);
   EXPECT_EQ(named("jar_faces"), 6);

@@ -252,11 +252,12 @@ TEST(ReadPairs, pairs_that_mean_nobody_are_faults) {
 
 TEST(ReadContact, several_balls_have_the_tc_rule_unless_said_otherwise) {
   const Case one = read_sample(vial), many = read_sample(planetary);
-  EXPECT_EQ(one.contact.lasting, Lasting::roll);
-  EXPECT_EQ(many.contact.lasting, Lasting::tc);
+  EXPECT_EQ(one.contact.lasting, SustainedContactModel::roll);
+  EXPECT_EQ(many.contact.lasting, SustainedContactModel::tc);
   EXPECT_EQ(source_of(many, "contact.lasting"),
             "default: with several balls lasting contacts are carried by the TC rule");
-  EXPECT_EQ(read_sample(planetary, {{"contact.lasting", "none"}}).contact.lasting, Lasting::none);
+  EXPECT_EQ(read_sample(planetary, {{"contact.lasting", "none"}}).contact.lasting,
+            SustainedContactModel::none);
 }
 
 }  // namespace

@@ -90,8 +90,9 @@ TEST(Positions, balls_start_there_and_the_rest_around_them) {
     ASSERT_EQ(balls.size(), static_cast<std::size_t>(count) + 2);
     const Rotation mount = scene::mounted_along(c.mill.jar_axis);
     for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_LT(norm(mount.back(balls[balls.size() - 2 + i].position) - c.balls[1].positions[i]),
-                1e-15);
+      EXPECT_LT(
+          norm(mount.apply_inverse(balls[balls.size() - 2 + i].position) - c.balls[1].positions[i]),
+          1e-15);
     double least = 1;
     for (std::size_t i = 0; i < balls.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -106,9 +107,9 @@ TEST(StartFrame, a_ball_without_speed_rides_with_the_jar_or_stands_in_the_labora
   const Case lab = read_sample(vial, still);
   Case jar = lab;
   jar.run.start_frame = StartFrame::jar;
-  const Vec3 ride = kinematics::ride(*lab.mill.motion, 0).velocity;
-  EXPECT_GT(norm(ride), 1);
-  EXPECT_EQ(starting_balls(lab, 0)[0].velocity, -1 * ride);
+  const Vec3 frame_velocity = kinematics::frame_motion(*lab.mill.motion, 0).velocity;
+  EXPECT_GT(norm(frame_velocity), 1);
+  EXPECT_EQ(starting_balls(lab, 0)[0].velocity, -1 * frame_velocity);
   EXPECT_EQ(norm(starting_balls(jar, 0)[0].velocity), 0);
   EXPECT_EQ(starting_balls(jar, 0)[0].position, starting_balls(lab, 0)[0].position);
 }

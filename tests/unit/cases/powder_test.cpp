@@ -23,7 +23,7 @@ std::string with_grains(const std::string& lines) {
 const std::string grains = with_grains("as = \"grains\"\ngrain_size = \"1 mm\"");
 
 double number(const Case& c, const std::string& name) {
-  for (const Consequence& one : consequences(c))
+  for (const DerivedQuantity& one : derived_quantities(c))
     if (one.name == name) return one.value;
   return NAN;
 }

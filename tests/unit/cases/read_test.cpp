@@ -40,7 +40,7 @@ TEST(ReadCase, the_vial_of_paper_a) {
   EXPECT_EQ(c.contact.rule.restitution, 0.9);
   EXPECT_EQ(c.contact.rule.tangential_restitution, 0.9);
   EXPECT_TRUE(std::isinf(c.contact.rule.friction));
-  EXPECT_EQ(c.contact.lasting, Lasting::roll);
+  EXPECT_EQ(c.contact.lasting, SustainedContactModel::roll);
   EXPECT_EQ(c.run.time, 60);
   EXPECT_EQ(c.run.replicates, 5);
   EXPECT_EQ(c.run.start_speed, 0.1);
@@ -227,7 +227,7 @@ TEST(ReadCase, other_choices) {
                                                             {"mill.tilt", "90 deg"},
                                                             {"gravity", "0 m/s2"},
                                                             {"seed", "18446744073709551615"}});
-  EXPECT_EQ(c.contact.lasting, Lasting::tc);
+  EXPECT_EQ(c.contact.lasting, SustainedContactModel::tc);
   EXPECT_EQ(c.mill.jar_axis, kinematics::lying);
   EXPECT_EQ(c.gravity, 0);
   EXPECT_EQ(c.seed, 18446744073709551615U);

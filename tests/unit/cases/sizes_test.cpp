@@ -111,7 +111,7 @@ TEST(Sizes, counts_sum_to_the_whole_and_are_within_one_of_their_share) {
   for (const std::int64_t count : {1, 7, 30, 1001, 99999})
     for (const std::int64_t classes : {1, 5, 32}) {
       const std::vector<SizeShare> shares = size_shares(of(Law::lognormal, 1, 1.4, classes));
-      const std::vector<std::int64_t> counts = counted_out(count, shares);
+      const std::vector<std::int64_t> counts = apportion(count, shares);
       EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}), count);
       for (std::size_t i = 0; i < shares.size(); ++i)
         EXPECT_LT(

@@ -14,7 +14,7 @@ namespace mahlwerk::cases::soft_test {
 namespace {
 
 using namespace sample;
-using contact::Elastic;
+using contact::ElasticConstants;
 using contact::Rolling;
 
 /// The planetary mill with these lines in place of its restitution, in line 15 of the file.
@@ -37,21 +37,21 @@ bool assumed(const Case& c, std::string_view key) {
 
 TEST(ReadModuli, from_the_case_the_material_or_steel) {
   const Case c = read_sample(planetary);
-  EXPECT_EQ(c.balls[0].elastic, (Elastic{200e9, 0.265}));
-  EXPECT_EQ(c.jar.elastic, (Elastic{200e9, 0.265}));
+  EXPECT_EQ(c.balls[0].elastic, (ElasticConstants{200e9, 0.265}));
+  EXPECT_EQ(c.jar.elastic, (ElasticConstants{200e9, 0.265}));
   EXPECT_EQ(source_of(c, "jar.youngs_modulus"), "catalogue materials/steel: test sheet");
   EXPECT_FALSE(assumed(c, "jar.youngs_modulus"));
   const Case own =
       read_sample(with(planetary, "material", "material = \"steel\"\nyoungs_modulus = \"70 GPa\""));
-  EXPECT_EQ(own.balls[0].elastic, (Elastic{70e9, 0.265}));
+  EXPECT_EQ(own.balls[0].elastic, (ElasticConstants{70e9, 0.265}));
   EXPECT_EQ(source_of(own, "balls.1.youngs_modulus"), "case.toml:10");
   const Case tic = read_sample(planetary, {{"balls.material", "tic"}, {"jar.material", "glass"}});
-  EXPECT_EQ(tic.balls[0].elastic, (Elastic{210e9, 0.3}));
+  EXPECT_EQ(tic.balls[0].elastic, (ElasticConstants{210e9, 0.3}));
   EXPECT_EQ(source_of(tic, "balls.1.youngs_modulus"),
             "default: steel, handbook; uncalibrated; the catalogue gives none for tic");
-  EXPECT_EQ(tic.jar.elastic, (Elastic{210e9, 0.3}));  // a name the catalogue need not know
+  EXPECT_EQ(tic.jar.elastic, (ElasticConstants{210e9, 0.3}));  // a name the catalogue need not know
   const Case none = read_sample(drum, {{"balls.2.poisson_ratio", "0.5"}});
-  EXPECT_EQ(none.balls[1].elastic, (Elastic{210e9, 0.5}));
+  EXPECT_EQ(none.balls[1].elastic, (ElasticConstants{210e9, 0.5}));
   EXPECT_EQ(source_of(none, "jar.poisson_ratio"), "default: steel, handbook; uncalibrated");
 }
 
@@ -175,10 +175,10 @@ TEST(ReadStep, a_time_or_a_share) {
   };
   EXPECT_FALSE(run("").time_step.has_value());
   EXPECT_EQ(run("").time_step_fraction, 0.125);
-  EXPECT_TRUE(run("").hop);
+  EXPECT_TRUE(run("").free_flight_skip);
   EXPECT_EQ(run("time_step = \"1 us\"").time_step, 1e-6);
   EXPECT_EQ(run("time_step_fraction = \"10 %\"").time_step_fraction, 0.1);
-  EXPECT_FALSE(run("hop = false").hop);
+  EXPECT_FALSE(run("hop = false").free_flight_skip);
   EXPECT_EQ(run("start_frame = \"jar\"").start_frame, StartFrame::jar);
   const auto bad = [](const std::string& lines) { return fault(with(planetary, "settle", lines)); };
   EXPECT_EQ(bad("time_step = \"0 s\""), "20 out-of-range");

@@ -12,7 +12,7 @@ TEST(Table, keeps_the_place_of_every_value) {
       parse_tree("a = 1\n[b]\nc = \"x\"\n[[balls]]\nd = 2.5\n[[balls]]\nd = true\n", "dir/f.toml");
   EXPECT_EQ(root.find("a")->where, "dir/f.toml:1");
   EXPECT_EQ(root.find("a")->source, "f.toml:1");
-  EXPECT_TRUE(root.find("a")->whole);
+  EXPECT_TRUE(root.find("a")->is_integer);
   EXPECT_EQ(root.find("b")->find("c")->text, "x");
   ASSERT_EQ(root.find("balls")->items.size(), 2U);
   EXPECT_EQ(root.find("balls")->items[0].find("d")->text, "2.5");
@@ -35,14 +35,16 @@ TEST(Table, keys_of_fifty_thousand_parts_are_refused_with_their_line) {
 }
 
 TEST(Table, loose_values_are_toml_or_text) {
-  const auto value = [](const char* text) { return loose_value(text, "--set x", Rank::command); };
+  const auto value = [](const char* text) {
+    return value_from_text(text, "--set x", Precedence::command);
+  };
   EXPECT_EQ(value("400 rpm").kind, Node::Kind::text);
   EXPECT_EQ(value("400 rpm").text, "400 rpm");
   EXPECT_EQ(value("\"400 rpm\"").text, "400 rpm");
   EXPECT_EQ(value("\"\"").text, "");
   EXPECT_EQ(value("0.5").kind, Node::Kind::number);
   EXPECT_EQ(value("5").text, "5");
-  EXPECT_TRUE(value("5").whole);
+  EXPECT_TRUE(value("5").is_integer);
   EXPECT_EQ(value("true").kind, Node::Kind::boolean);
   EXPECT_EQ(value("1:-2").text, "1:-2");
   EXPECT_EQ(value("2024-01-01").kind, Node::Kind::text);
@@ -55,22 +57,22 @@ TEST(Table, loose_values_are_toml_or_text) {
 
 TEST(Table, puts_and_finds_by_dotted_key) {
   Node root = parse_tree("[mill]\nspeed = \"1 Hz\"\n[[balls]]\n[[balls]]\n", "f.toml");
-  const auto five = [] { return loose_value("5", "--set", Rank::command); };
+  const auto five = [] { return value_from_text("5", "--set", Precedence::command); };
   EXPECT_NE(value_at(root, "mill.speed"), nullptr);
   EXPECT_EQ(value_at(root, "mill.other"), nullptr);
   EXPECT_EQ(value_at(root, "balls.count"), nullptr);
-  EXPECT_EQ(put(root, "balls.count", five()), "");
+  EXPECT_EQ(set_value(root, "balls.count", five()), "");
   EXPECT_NE(value_at(root, "balls.1.count"), nullptr);
   EXPECT_EQ(value_at(root, "balls.2.count"), nullptr);
-  EXPECT_EQ(put(root, "balls.2.count", five()), "");
+  EXPECT_EQ(set_value(root, "balls.2.count", five()), "");
   EXPECT_NE(value_at(root, "balls.2.count"), nullptr);
-  EXPECT_EQ(put(root, "run.time", five()), "");
+  EXPECT_EQ(set_value(root, "run.time", five()), "");
   EXPECT_NE(value_at(root, "run.time"), nullptr);
-  EXPECT_EQ(put(root, "seed", five()), "");
+  EXPECT_EQ(set_value(root, "seed", five()), "");
   EXPECT_NE(value_at(root, "seed"), nullptr);
   for (const char* key :
        {"", ".", "a.", ".a", "balls.3.count", "balls.x.count", "mill.speed.x", "a.b.c"})
-    EXPECT_NE(put(root, key, five()), "") << key;
+    EXPECT_NE(set_value(root, key, five()), "") << key;
 }
 
 TEST(Table, what_is_no_toml_names_its_line) {

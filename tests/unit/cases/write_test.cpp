@@ -129,10 +129,11 @@ class AnyCase {
              .start_speed = size(),
              .start_spin = size()};
     if (flip())
-      c.run.until = Until{.within = random_.uniform(), .quantity = until_words()[flip() ? 0 : 2]};
+      c.run.until = StopCriterion{.within = random_.uniform(),
+                                  .quantity = until_quantities()[flip() ? 0 : 2]};
     if (flip()) c.mill.jars_carried = whole(100);
     c.run.start_frame = flip() ? StartFrame::laboratory : StartFrame::jar;
-    c.run.hop = flip();
+    c.run.free_flight_skip = flip();
     if (flip())
       c.run.time_step = size();
     else
@@ -241,7 +242,7 @@ class AnyCase {
   contact::BounceRule draw_rule() {
     return {draw_restitution(), random_.uniform(-1, 1), flip() ? INFINITY : size()};
   }
-  contact::Elastic elastic() { return {size(), random_.uniform(-0.99, 0.5)}; }
+  contact::ElasticConstants elastic() { return {size(), random_.uniform(-0.99, 0.5)}; }
   Substance substance() { return {size(), size(), size()}; }
   /// Places of the last set; those that do not fit make faults, and no round trip.
   void draw_places(Case& c) {
@@ -255,9 +256,9 @@ class AnyCase {
   void draw_numbers(L& law) {
     for (const auto& s : contact::switches_of<L>()) law.*s.second = flip();
     for (const auto& f : L::fields())
-      if (f.may_be_left_out() && flip()) law.*f.value = 0;
+      if (f.is_optional() && flip()) law.*f.value = 0;
     for (const auto& f : L::fields())
-      if (!contact::is_given(law, f) && !f.may_be_left_out()) law.*f.value = L().*f.value;
+      if (!contact::is_given(law, f) && !f.is_optional()) law.*f.value = L().*f.value;
   }
   contact::ContactModel draw_model() {
     contact::ContactModel model;
@@ -283,7 +284,9 @@ class AnyCase {
     draw_touch(contact, contact.model);
     for (PairRule& pair : contact.pairs) draw_touch(pair, contact.model);
     contact.lasting_friction = size();
-    contact.lasting = flip() ? Lasting::tc : flip() ? Lasting::roll : Lasting::none;
+    contact.lasting = flip()   ? SustainedContactModel::tc
+                      : flip() ? SustainedContactModel::roll
+                               : SustainedContactModel::none;
     contact.lasting_speed = size();
     contact.contact_time = random_.uniform(1e-7, 1e-3);
   }

@@ -16,7 +16,7 @@ namespace {
 
 const double pi = std::numbers::pi;
 
-Touching some_contact() {
+EffectivePair some_contact() {
   Pair pair;
   pair.modulus = 1e8;
   pair.shear_modulus = 3e7;
@@ -27,13 +27,13 @@ Touching some_contact() {
 }
 
 template <class L>
-double force(const LawNumbers& k, double overlap, double rate = 0) {
-  double memory[law_memories] = {};
-  return L::template push<double>(k.data(), memory, overlap, rate).force;
+double force(const LawCoefficients& k, double overlap, double rate = 0) {
+  double memory[law_history_size] = {};
+  return L::template evaluate<double>(k.data(), memory, overlap, rate).force;
 }
 
 TEST(Laws, effective_moduli_are_those_of_both_bodies) {
-  const Elastic steel{200e9, 0.265}, glass{48e9, 0.2}, rigid{INFINITY, 0.3};
+  const ElasticConstants steel{200e9, 0.265}, glass{48e9, 0.2}, rigid{INFINITY, 0.3};
   tests::states("E* of two alike, times 2 (1 - nu^2)/E",
                 effective_modulus(steel, steel) * 2 * (1 - 0.265 * 0.265) / 200e9, 1, 1e-14,
                 "dem.2");
@@ -45,9 +45,9 @@ TEST(Laws, effective_moduli_are_those_of_both_bodies) {
 }
 
 TEST(Laws, hertz_gives_the_force_of_hertz) {
-  const Touching t = some_contact();
+  const EffectivePair t = some_contact();
   const HertzMindlin law;
-  const LawNumbers k = law.numbers(t, 0);
+  const LawCoefficients k = law.coefficients(t, 0);
   for (const double d : {1e-7, 1e-5, 1e-3}) {
     const double wanted = 4.0 / 3 * 1e8 * std::sqrt(0.005) * std::pow(d, 1.5);
     tests::states("Hertz force [N]", force<HertzMindlin>(k, d), wanted, 1e-12 * wanted, "dem.5");
@@ -55,10 +55,10 @@ TEST(Laws, hertz_gives_the_force_of_hertz) {
 }
 
 TEST(Jkr, pulls_off_at_three_pi_gamma_r) {
-  const Touching t = some_contact();
+  const EffectivePair t = some_contact();
   const Jkr law;
-  const LawNumbers k = law.numbers(t, 0);
-  const double wanted = -3 * pi * 0.5 * t.radius, reach = law.reach(t);
+  const LawCoefficients k = law.coefficients(t, 0);
+  const double wanted = -3 * pi * 0.5 * t.radius, reach = law.pull_off_distance(t);
   double least = 0, at = 0;
   for (int i = 0; i <= 20000; ++i) {  // separated slowly, to where it lets go
     const double overlap = reach * (1 - 1e-4 * i), f = force<Jkr>(k, overlap);
@@ -71,9 +71,9 @@ TEST(Jkr, pulls_off_at_three_pi_gamma_r) {
 }
 
 TEST(Jkr, obeys_its_own_two_equations_at_every_radius_of_contact) {
-  const Touching t = some_contact();
+  const EffectivePair t = some_contact();
   const double e = 1e8, r = t.radius, gamma = 0.5;
-  const LawNumbers k = Jkr().numbers(t, 0);
+  const LawCoefficients k = Jkr().coefficients(t, 0);
   const double least = std::cbrt(pi * gamma * r * r / (4 * e));  // at pull-off, overlap controlled
   double worst = 0;
   for (double a = 1.01 * least; a < 30 * least; a *= 1.1) {
@@ -87,26 +87,27 @@ TEST(Jkr, obeys_its_own_two_equations_at_every_radius_of_contact) {
 }
 
 TEST(Jkr, without_adhesion_is_hertz_mindlin) {
-  Touching t = some_contact();
+  EffectivePair t = some_contact();
   t.pair.surface_energy = 0;
   const Jkr law;
   const HertzMindlin plain;
   const double c = plain.damping(0.6);
   for (const double d : {1e-7, 1e-5, 1e-3})
     for (const double rate : {-0.5, 0.0, 1.0}) {
-      const double wanted = force<HertzMindlin>(plain.numbers(t, c), d, rate);
-      EXPECT_NEAR(force<Jkr>(law.numbers(t, c), d, rate), wanted, 1e-11 * std::abs(wanted) + 1e-13);
+      const double wanted = force<HertzMindlin>(plain.coefficients(t, c), d, rate);
+      EXPECT_NEAR(force<Jkr>(law.coefficients(t, c), d, rate), wanted,
+                  1e-11 * std::abs(wanted) + 1e-13);
     }
 }
 
 TEST(Sjkr, pulls_by_the_area_of_contact) {
-  const Touching t = some_contact();
+  const EffectivePair t = some_contact();
   const HertzMindlin plain;
-  const LawNumbers k = Sjkr().numbers(t, 0);
+  const LawCoefficients k = Sjkr().coefficients(t, 0);
   for (const double d : {1e-6, 1e-4}) {
     const double wanted = -2e5 * 2 * pi * d * 2 * t.radius;
     tests::states("SJKR cohesion [N]",
-                  force<Sjkr>(k, d) - force<HertzMindlin>(plain.numbers(t, 0), d), wanted,
+                  force<Sjkr>(k, d) - force<HertzMindlin>(plain.coefficients(t, 0), d), wanted,
                   1e-10 * std::abs(wanted), "energy density times 2 pi overlap 2 R*");
   }
 }
@@ -114,12 +115,12 @@ TEST(Sjkr, pulls_by_the_area_of_contact) {
 TEST(WaltonBraun, loses_the_area_of_its_loop) {
   WaltonBraun law;
   law.stiffness = 1e5;
-  const LawNumbers k = law.numbers(some_contact(), law.damping(0.6));
-  double memory[law_memories] = {};
+  const LawCoefficients k = law.coefficients(some_contact(), law.damping(0.6));
+  double memory[law_history_size] = {};
   const double deepest = 1e-4, step = 1e-9;
   double in = 0, out = 0;
   const auto push = [&](double d) {
-    return WaltonBraun::push<double>(k.data(), memory, d, 0).force;
+    return WaltonBraun::evaluate<double>(k.data(), memory, d, 0).force;
   };
   for (double d = step; d < deepest; d += step) in += push(d) * step;
   for (double d = deepest; d > 0; d -= step) out += push(d) * step;

@@ -16,11 +16,11 @@ namespace {
 using Counts = std::array<int, 3>;
 
 /// Balls anywhere in a grid of so many cells, which they have left by up to the slack.
-class Crowd {
+class RandomBalls {
  public:
   static constexpr double side = 1, slack = 0.05;
 
-  Crowd(const Counts& counts, bool periodic, int balls, std::uint64_t seed)
+  RandomBalls(const Counts& counts, bool periodic, int balls, std::uint64_t seed)
       : random_(seed, 0),
         periodic_(periodic),
         low_{random_.uniform(-9, 9), random_.uniform(-9, 9), random_.uniform(-9, 9)},
@@ -46,12 +46,12 @@ class Crowd {
     return norm(Vec3{fold(r.x, size_.x), fold(r.y, size_.y), fold(r.z, size_.z)});
   }
   std::vector<std::int32_t> near(event::Cell cell) const {
-    std::vector<std::int32_t> out(static_cast<std::size_t>(cells_.most_near()));
+    std::vector<std::int32_t> out(static_cast<std::size_t>(cells_.max_neighbours()));
     out.resize(static_cast<std::size_t>(cells_.near(cell, out.data())));
     return out;
   }
   std::set<std::int32_t> newly_near(event::Cell cell, event::Cell before) const {
-    std::vector<std::int32_t> out(static_cast<std::size_t>(cells_.most_near()));
+    std::vector<std::int32_t> out(static_cast<std::size_t>(cells_.max_neighbours()));
     const int n = cells_.newly_near(cell, before, out.data());
     return {out.begin(), out.begin() + n};
   }
@@ -68,13 +68,13 @@ class Crowd {
 };
 
 void check_neighbours(const Counts& counts, bool periodic, int balls, std::uint64_t seed) {
-  Crowd crowd(counts, periodic, balls, seed);
+  RandomBalls crowd(counts, periodic, balls, seed);
   for (std::size_t i = 0; i < crowd.of_.size(); ++i) {
     const auto list = crowd.near(crowd.of_[i]);
     const std::set<std::int32_t> seen(list.begin(), list.end());
     ASSERT_EQ(seen.size(), list.size()) << "nobody is near twice";
     for (std::size_t j = 0; j < crowd.of_.size(); ++j) {
-      if (crowd.distance(i, j) <= Crowd::side - 2 * Crowd::slack) {
+      if (crowd.distance(i, j) <= RandomBalls::side - 2 * RandomBalls::slack) {
         ASSERT_TRUE(seen.contains(static_cast<std::int32_t>(j)))
             << counts[0] << " x " << counts[1] << " x " << counts[2] << ", " << periodic;
       }
@@ -103,7 +103,7 @@ TEST(Cells, long_thin_grids_and_crowded_cells_are_no_exception) {
 }
 
 TEST(Cells, a_ball_removed_is_near_no_more_and_the_others_still_are) {
-  Crowd crowd({2, 2, 2}, false, 200, 5);
+  RandomBalls crowd({2, 2, 2}, false, 200, 5);
   std::set<std::int32_t> there;
   for (std::int32_t i = 0; i < 200; ++i) {
     if (i % 3 == 0)
@@ -119,7 +119,7 @@ TEST(Cells, a_ball_removed_is_near_no_more_and_the_others_still_are) {
 }
 
 TEST(Cells, a_place_outside_counts_to_the_nearest_cell) {
-  Crowd crowd({5, 3, 4}, false, 0, 6);
+  RandomBalls crowd({5, 3, 4}, false, 0, 6);
   for (int i = 0; i < 10000; ++i) {
     const double far = std::pow(10, crowd.random_.uniform(-3, 15));
     const Vec3 out = crowd.anywhere() + far * crowd.random_.direction();
@@ -132,7 +132,7 @@ TEST(Cells, a_place_outside_counts_to_the_nearest_cell) {
 
 TEST(Cells, beyond_its_borders_a_ball_is_in_another_cell) {
   for (const bool periodic : {false, true}) {
-    Crowd crowd({4, 1, 2}, periodic, 0, 7);
+    RandomBalls crowd({4, 1, 2}, periodic, 0, 7);
     for (int i = 0; i < 1000; ++i) {
       const Vec3 at = crowd.anywhere();
       const auto cell = crowd.cells_.cell_at(at);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mahlwerk/event/calendar.hpp"
+#include "mahlwerk/event/calendar_queue.hpp"
 
 namespace mahlwerk::tests {
 
@@ -24,7 +24,7 @@ class SortedList {
     times_[static_cast<std::size_t>(ball)] = time;
     list_.emplace(time, ball);
   }
-  event::Due next() const {
+  event::ScheduledEvent next() const {
     const auto [time, ball] = *list_.begin();
     if (time == std::numeric_limits<double>::infinity()) return {time, -1};
     return {time, ball};

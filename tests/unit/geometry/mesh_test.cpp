@@ -48,10 +48,10 @@ TEST(Mesh, distance_is_the_least_of_all_triangles_and_its_sign_tells_inside) {
   double worst = 0;
   int wrong = 0, inside = 0;
   for (const Triangles& t : samples()) {
-    const geometry::MeshWall wall(geometry::joined(t), crease);
+    const geometry::MeshWall wall(geometry::weld(t), crease);
     Random random(3, 1);
     for (int i = 0; i < 3000; ++i) {
-      const Vec3 p = 1.2 * anywhere_in(wall.extent(), random);
+      const Vec3 p = 1.2 * random_point_in(wall.extent(), random);
       const double found = wall.nearest(p).gap.distance;
       worst = max_or_nan(worst, std::abs(std::abs(found) - distance_to(t, p)));
       const bool in = winding(t, p) > 0.5;
@@ -73,7 +73,7 @@ TEST(Mesh, distances_of_faces_are_those_of_their_triangles) {
     std::vector<double> found(static_cast<std::size_t>(mesh.faces));
     Random random(4, 1);
     for (int i = 0; i < 500; ++i) {
-      const Vec3 p = anywhere_in(wall.extent(), random);
+      const Vec3 p = random_point_in(wall.extent(), random);
       if (!(wall.nearest(p).gap.distance > 0)) continue;
       mesh.distances(p, 1, found);
       std::vector<double> least(found.size(), geometry::never);
@@ -98,7 +98,7 @@ TEST(Mesh, a_ball_touches_each_face_where_no_point_of_the_wall_around_is_nearer)
     Random random(5, 1);
     const double eps = 1e-6 * mesh.reach();
     for (int i = 0; i < 400; ++i) {
-      const Vec3 p = anywhere_in(mesh.extent(), random);
+      const Vec3 p = random_point_in(mesh.extent(), random);
       if (winding(all, p) < 0.5) continue;
       for (const Gap& gap : touched(mesh, p, 0.3 * mesh.reach())) {
         ++touches;
@@ -146,7 +146,7 @@ TEST(Mesh, a_box_of_triangles_is_a_box) {
   double worst = 0;
   Random random(6, 1);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 p = anywhere_in(mesh.extent(), random);
+    const Vec3 p = random_point_in(mesh.extent(), random);
     for (int face = 0; face < 6; ++face) {
       const Gap wall = exact.gap(face, p);
       double least = geometry::never;
@@ -231,7 +231,7 @@ TEST(Mesh, a_ball_over_any_line_of_the_triangles_is_one_contact) {
         const Vec3 q = c[k] + share * (c[(k + 1) % 3] - c[k]);
         const Vec3 n = cross(c[1] - c[0], c[2] - c[0]);
         const Vec3 p = q - 0.002 / norm(n) * n;
-        const Vec3 beside = magnitude(p);
+        const Vec3 beside = componentwise_abs(p);
         if ((beside.x > 0.0178) + (beside.y > 0.0178) + (beside.z > 0.0178) > 1) continue;
         const std::vector<Gap> gaps = touched(mesh, p, 0.0021);
         if (gaps.size() != 1 || std::abs(gaps[0].distance - 0.002) > 1e-16) ++wrong;
@@ -267,10 +267,11 @@ TEST(Mesh, the_far_side_of_a_thin_wall_is_not_touched) {
 }
 
 TEST(Mesh, hollows_are_as_tight_as_the_round_wall) {
-  states("radius [m]", mesh_of(samples()[1]).tightest_bend(), 0.021, 1e-12,
+  states("radius [m]", mesh_of(samples()[1]).min_concave_radius(), 0.021, 1e-12,
          "of the drum, whatever its facets (geo.12)");
-  EXPECT_EQ(mesh_of(samples()[0]).tightest_bend(), geometry::never) << "faces of a box are flat";
-  const double found = mesh_of(ball(4, [](const Vec3&) { return 0.02; })).tightest_bend();
+  EXPECT_EQ(mesh_of(samples()[0]).min_concave_radius(), geometry::never)
+      << "faces of a box are flat";
+  const double found = mesh_of(ball(4, [](const Vec3&) { return 0.02; })).min_concave_radius();
   states("radius [m]", found, 0.02, 0.1 * 0.02, "of a sphere of 2048 uneven facets, to a tenth");
 }
 
@@ -279,7 +280,7 @@ TEST(Mesh, corners_a_little_apart_are_one_and_triangles_without_area_are_left_ou
   const double volume = mesh_of(t).volume();
   t[0][0] += {1e-9, 0, 0};
   t.push_back({t[1][0], t[1][0], t[1][1]});
-  EXPECT_FALSE(geometry::flaw_of(geometry::joined(t)));
+  EXPECT_FALSE(geometry::flaw_of(geometry::weld(t)));
   states("volume [m3]", mesh_of(t).volume(), volume, 1e-9 * 0.042 * 0.0325 / 2,
          "a corner moved by a nanometre");
   // A corner in the middle of an edge, held by a triangle without area.
@@ -289,7 +290,7 @@ TEST(Mesh, corners_a_little_apart_are_one_and_triangles_without_area_are_left_ou
   cut[0] = {a, middle, c};
   cut.push_back({middle, b, c});
   cut.push_back({a, b, middle});
-  const geometry::Surface s = geometry::joined(cut);
+  const geometry::Surface s = geometry::weld(cut);
   EXPECT_FALSE(geometry::flaw_of(s));
   EXPECT_EQ(mesh_of(cut).faces, 6);
 }
@@ -307,7 +308,7 @@ double spent(Do what) {
 TEST(Mesh, a_fine_sphere_is_measured_in_the_time_of_a_few_joins) {
   const Triangles sphere = ball_of_triangles(80, 0.04);
   geometry::Surface surface;
-  const double joining = spent([&] { surface = geometry::joined(sphere); });
+  const double joining = spent([&] { surface = geometry::weld(sphere); });
   double inradius = 0;
   const double measuring = spent([&] { inradius = Mesh(surface, crease).inradius(); });
   const double step = std::numbers::pi / 80;  // the flattest facets lie an eighth of its square in
@@ -336,7 +337,7 @@ Triangles flat_ones(int count) {
 TEST(Mesh, triangles_without_area_are_taken_out_in_linear_time) {
   const auto time_of = [](int count) {
     const Triangles t = flat_ones(count);
-    return spent([&] { geometry::joined(t); });
+    return spent([&] { geometry::weld(t); });
   };
   time_of(100);
   const double few = time_of(500), many = time_of(4000);

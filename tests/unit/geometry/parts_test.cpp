@@ -130,7 +130,7 @@ TEST(Stirrer, the_largest_ball_has_room_however_the_stirrer_stands) {
   const Attritor jar = stirrer();
   const Vec3 place = jar.middle();
   for (int i = 0; i < 360; ++i) {
-    const Vec3 p = turning({0, 0, 1}, i * pi / 180).back(place);
+    const Vec3 p = rotation_about({0, 0, 1}, i * pi / 180).apply_inverse(place);
     EXPECT_GE(nearest(jar, p), jar.inradius() - 1e-15);
   }
 }

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/observe/by_pair.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +7,8 @@
 #include <utility>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/observe/tally.hpp"
+#include "mahlwerk/observe/collision_statistics.hpp"
+#include "mahlwerk/observe/pair_statistics.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::observe::by_pair_test {
@@ -37,8 +36,8 @@ std::vector<scene::Collision> some(std::uint64_t seed, int count) {
   return list;
 }
 
-TEST(ByPair, every_two_kinds_and_every_kind_with_each_face_have_one_tally) {
-  const ByPair by_pair(kinds);
+TEST(StatisticsByPair, every_two_kinds_and_every_kind_with_each_face_have_one_tally) {
+  const StatisticsByPair by_pair(kinds);
   EXPECT_EQ(by_pair.pairs(), 12);
   std::set<std::pair<int, int>> seen;
   for (int i = 0; i < by_pair.pairs(); ++i) {
@@ -49,8 +48,8 @@ TEST(ByPair, every_two_kinds_and_every_kind_with_each_face_have_one_tally) {
   EXPECT_EQ(seen.size(), 12U);
 }
 
-TEST(ByPair, a_collision_belongs_to_its_own_pair_whoever_is_named_first) {
-  const ByPair by_pair(kinds);
+TEST(StatisticsByPair, a_collision_belongs_to_its_own_pair_whoever_is_named_first) {
+  const StatisticsByPair by_pair(kinds);
   const auto pair = [&](std::int32_t ball, std::int32_t other) {
     scene::Collision c;
     c.ball = ball;
@@ -67,8 +66,8 @@ TEST(ByPair, a_collision_belongs_to_its_own_pair_whoever_is_named_first) {
   EXPECT_EQ(pair(4, -7), std::pair(2, -2)) << "faces beyond those told apart count as the last";
 }
 
-TEST(ByPair, pairs_sum_to_the_whole) {
-  Tally tally(0.3, kinds);
+TEST(StatisticsByPair, pairs_sum_to_the_whole) {
+  CollisionStatistics tally(0.3, kinds);
   tally.collisions(some(1, 20000));
   PairSums all, above;
   std::int64_t in_bins = 0;
@@ -88,8 +87,8 @@ TEST(ByPair, pairs_sum_to_the_whole) {
   states("lost", (all.lost_normal + all.lost_tangential) / tally.all.lost, 1, 1e-12, why);
 }
 
-TEST(ByPair, merging_gives_the_bits_of_counting_together) {
-  Tally a(0.3, kinds), b(0.3, kinds), whole(0.3, kinds);
+TEST(StatisticsByPair, merging_gives_the_bits_of_counting_together) {
+  CollisionStatistics a(0.3, kinds), b(0.3, kinds), whole(0.3, kinds);
   const auto first = some(1, 500), second = some(2, 500);
   a.collisions(second);
   b.collisions(first);
@@ -111,19 +110,20 @@ TEST(ByPair, merging_gives_the_bits_of_counting_together) {
 }
 
 /// However a stream is split over tallies, and in whatever order they are merged.
-TEST(ByPair, streams_split_and_merged_in_any_order_have_the_same_counts_and_sums_to_the_bit) {
+TEST(StatisticsByPair,
+     streams_split_and_merged_in_any_order_have_the_same_counts_and_sums_to_the_bit) {
   const auto stream = some(3, 5000);
-  Tally whole(0.3, kinds);
+  CollisionStatistics whole(0.3, kinds);
   whole.collisions(stream);
-  const Spectra counted = whole.whole();
+  const Spectra counted = whole.total_spectra();
   for (const std::size_t parts : {2U, 3U, 7U})
     for (const std::size_t first : {0U, 1U}) {
-      std::vector<Tally> tallies(parts, Tally(0.3, kinds));
+      std::vector<CollisionStatistics> tallies(parts, CollisionStatistics(0.3, kinds));
       for (std::size_t i = 0; i < stream.size(); ++i)
         tallies[i * i % parts].collisions(std::span(&stream[i], 1));
-      Tally merged = tallies[first];
+      CollisionStatistics merged = tallies[first];
       for (std::size_t i = 1; i < parts; ++i) merged.merge(tallies[(first + parts - i) % parts]);
-      const Spectra found = merged.whole();
+      const Spectra found = merged.total_spectra();
       EXPECT_EQ(merged.all.count, whole.all.count);
       EXPECT_EQ(merged.above.between_balls, whole.above.between_balls);
       for (const auto part : {&Spectra::energy_normal, &Spectra::energy_contact_point,
@@ -142,13 +142,13 @@ TEST(ByPair, streams_split_and_merged_in_any_order_have_the_same_counts_and_sums
     }
 }
 
-TEST(ByPair, a_state_written_and_read_goes_on_to_the_bit) {
-  Tally first(0.3, kinds), second(0.3, kinds);
+TEST(StatisticsByPair, a_state_written_and_read_goes_on_to_the_bit) {
+  CollisionStatistics first(0.3, kinds), second(0.3, kinds);
   first.collisions(some(1, 300));
   Archive out;
-  first.carry(out);
+  first.serialize(out);
   Archive in(out.bytes());
-  second.carry(in);
+  second.serialize(in);
   in.finish();
   first.collisions(some(2, 300));
   second.collisions(some(2, 300));
@@ -159,8 +159,8 @@ TEST(ByPair, a_state_written_and_read_goes_on_to_the_bit) {
   }
 }
 
-TEST(ByPair, without_kinds_all_balls_are_alike) {
-  Tally tally(0.3);
+TEST(StatisticsByPair, without_kinds_all_balls_are_alike) {
+  CollisionStatistics tally(0.3);
   tally.collisions(some(1, 10));
   EXPECT_EQ(tally.by_pair.pairs(), 2);
   EXPECT_EQ(tally.by_pair[0].all().count + tally.by_pair[1].all().count, 10);

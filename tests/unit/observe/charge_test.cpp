@@ -39,7 +39,7 @@ scene::Chamber drum(double speed) {
           {0, 0, -9.81}};
 }
 
-std::vector<scene::Ball> strewn(double within, int count) {
+std::vector<scene::Ball> random_balls_in(double within, int count) {
   Random random(3, 0);
   std::vector<scene::Ball> balls;
   for (int i = 0; i < count; ++i)
@@ -71,7 +71,7 @@ Held held(const PlaneField& field) {
 
 TEST(Fields, hold_the_charges_mass_middle_momentum_and_energy) {
   Charge charge(drum(0), 0.1);
-  const auto balls = strewn(0.09, 200);
+  const auto balls = random_balls_in(0.09, 200);
   Held wanted;
   for (const scene::Ball& b : balls) {
     const double m = b.mass();
@@ -82,7 +82,7 @@ TEST(Fields, hold_the_charges_mass_middle_momentum_and_energy) {
     wanted.py += m * dot(b.velocity, charge.up());
     wanted.energy += 0.5 * m * squared(b.velocity);
   }
-  for (const double weight : {0.1, 0.3, 0.05}) charge.look(0, balls, weight);
+  for (const double weight : {0.1, 0.3, 0.05}) charge.sample(0, balls, weight);
   for (const auto* field : {&charge.in_jar, &charge.in_carrier}) {
     const Held found = held(*field);
     const std::string why = "obs.5; some thousand roundings of 1e-16";
@@ -94,15 +94,16 @@ TEST(Fields, hold_the_charges_mass_middle_momentum_and_energy) {
     states("energy over that of the balls", found.energy / wanted.energy, 1, 1e-12, why);
   }
   states("mass at all angles over that of the balls",
-         std::accumulate(charge.mass_at.begin(), charge.mass_at.end(), 0.0) / 0.45 / wanted.mass, 1,
-         1e-12, "weights of 0.45 s");
+         std::accumulate(charge.mass_by_angle.begin(), charge.mass_by_angle.end(), 0.0) / 0.45 /
+             wanted.mass,
+         1, 1e-12, "weights of 0.45 s");
 }
 
 TEST(Fields, mass_at_the_very_edge_is_not_lost) {
   PlaneField field(1);
   for (const double x : {-1.0, 1.0, -1.5, 0.999})
     for (const double y : {-1.0, 1.0, 7.0}) field.add(x, y, 1, 2, 5, 0.25, 1);
-  field.pass(1);
+  field.add_time(1);
   states("mass [kg]", held(field).mass, 12 * 0.25, 1e-12, "obs.5");
 }
 
@@ -117,11 +118,11 @@ TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_dis
     double fastest = 0, off = 0;
     for (int i = 0; i < 50; ++i) {
       const double t = 0.0123 * i;
-      const Vec3 place = motion.turn(t) * own, spin = motion.spin(t);
+      const Vec3 place = motion.rotation(t) * own, spin = motion.spin(t);
       const std::vector<scene::Ball> ball{{2e-3, 7850, place, cross(spin, place), spin}};
-      charge.look(t, ball, 0.01);
+      charge.sample(t, ball, 0.01);
       Charge once(mill, 0.021);
-      once.look(t, ball, 0.01);
+      once.sample(t, ball, 0.01);
       for (int k = 0; k < PlaneField::cells * PlaneField::cells; ++k) {
         const int x = k % PlaneField::cells, y = k / PlaneField::cells;
         fastest = std::max(fastest,
@@ -150,17 +151,18 @@ TEST(Fields, a_ball_that_rides_on_the_disc_is_at_one_angle_and_place) {
   for (int i = 0; i < 50; ++i) {
     const double t = 0.0123 * i;
     const kinematics::Carrier disc = kinematics::carrier(*mill.motion, t);
-    const Vec3 place = disc.turn * (0.012 * Vec3{std::cos(angle), std::sin(angle), 0});
+    const Vec3 place = disc.rotation * (0.012 * Vec3{std::cos(angle), std::sin(angle), 0});
     const scene::Ball ball{2e-3, 7850, place, cross(disc.spin, place), {}};
     mass = ball.mass();
-    charge.look(t, {ball}, 0.01);
+    charge.sample(t, {ball}, 0.01);
   }
   const Held disc = held(charge.in_carrier);
   states("place on the disc, x [m]", disc.x / disc.mass, 0.012 * std::cos(angle), 1e-14, "obs.5");
   states("place on the disc, y [m]", disc.y / disc.mass, 0.012 * std::sin(angle), 1e-14, "obs.5");
   states("momentum on the disc [N s]", std::hypot(disc.px, disc.py), 0, 1e-16, "at rest there");
   const auto slot = static_cast<std::size_t>(angle / (2 * pi) * Charge::angles);
-  states("mass at its angle over all", charge.mass_at[slot] / (0.5 * mass), 1, 1e-13, "one place");
+  states("mass at its angle over all", charge.mass_by_angle[slot] / (0.5 * mass), 1, 1e-13,
+         "one place");
 }
 
 /// Wall and ball at rest to each other, and a ball held still while the drum turns under it.
@@ -169,35 +171,36 @@ TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
   const auto& motion = std::get<kinematics::Tumbling>(*mill.motion);
   const Vec3 lowest{0, 0, -(0.1 - 2e-3)}, spin = motion.spin(0);
   Charge rides(mill, 0.1), held_still(mill, 0.1), apart(mill, 0.1);
-  rides.look(0.7, {{2e-3, 7850, lowest, cross(spin, lowest), spin}}, 0.5);
-  states("slip of one that rides [m/s]", rides.wall_slip / rides.at_wall, 0, 1e-15, "no motion");
-  held_still.look(0.7, {{2e-3, 7850, lowest, {}, {}}}, 0.5);
-  states("slip under one held still [m/s]", held_still.wall_slip / held_still.at_wall, 3 * 0.1,
+  rides.sample(0.7, {{2e-3, 7850, lowest, cross(spin, lowest), spin}}, 0.5);
+  states("slip of one that rides [m/s]", rides.wall_slip / rides.mass_at_wall, 0, 1e-15,
+         "no motion");
+  held_still.sample(0.7, {{2e-3, 7850, lowest, {}, {}}}, 0.5);
+  states("slip under one held still [m/s]", held_still.wall_slip / held_still.mass_at_wall, 3 * 0.1,
          1e-14, "w R");
-  apart.look(0.7, {{2e-3, 7850, 0.99 * lowest, {}, {}}}, 0.5);
-  EXPECT_EQ(apart.at_wall, 0) << "half a radius from the wall";
-  EXPECT_GT(apart.of_all, 0);
+  apart.sample(0.7, {{2e-3, 7850, 0.99 * lowest, {}, {}}}, 0.5);
+  EXPECT_EQ(apart.mass_at_wall, 0) << "half a radius from the wall";
+  EXPECT_GT(apart.mass_total, 0);
 }
 
 TEST(Charge, merged_or_carried_is_the_same) {
   Charge one(drum(2), 0.1), other(drum(2), 0.1), both(drum(2), 0.1);
-  one.look(0.1, strewn(0.09, 20), 0.5);
-  other.look(0.2, strewn(0.05, 30), 0.25);
-  both.look(0.1, strewn(0.09, 20), 0.5);
-  both.look(0.2, strewn(0.05, 30), 0.25);
+  one.sample(0.1, random_balls_in(0.09, 20), 0.5);
+  other.sample(0.2, random_balls_in(0.05, 30), 0.25);
+  both.sample(0.1, random_balls_in(0.09, 20), 0.5);
+  both.sample(0.2, random_balls_in(0.05, 30), 0.25);
   Archive out;
-  one.carry(out);
+  one.serialize(out);
   Charge again(drum(2), 0.1);
   Archive in(out.bytes());
-  again.carry(in);
+  again.serialize(in);
   in.finish();
   again.merge(other);
-  EXPECT_EQ(again.of_all, one.of_all + other.of_all);
+  EXPECT_EQ(again.mass_total, one.mass_total + other.mass_total);
   const Held sum = held(again.in_jar), wanted = held(both.in_jar);
   states("mass over that of looking at both", sum.mass / wanted.mass, 1, 1e-12, "sums");
   states("energy, likewise", sum.energy / wanted.energy, 1, 1e-12, "sums");
-  for (std::size_t i = 0; i < both.mass_at.size(); ++i)
-    EXPECT_NEAR(again.mass_at[i], both.mass_at[i], 1e-12 * both.of_all);
+  for (std::size_t i = 0; i < both.mass_by_angle.size(); ++i)
+    EXPECT_NEAR(again.mass_by_angle[i], both.mass_by_angle[i], 1e-12 * both.mass_total);
 }
 
 }  // namespace

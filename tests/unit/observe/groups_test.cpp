@@ -60,8 +60,8 @@ TEST(TwoGroups, their_bound_lies_between_them) {
   ASSERT_TRUE(found);
   for (std::size_t i = 0; i < values.size(); ++i)
     EXPECT_EQ(values[i] > found->between, i < 4) << values[i];
-  EXPECT_LE(found->chance, 0.01);
-  EXPECT_GE(found->chance, 1.0 / 2000);
+  EXPECT_LE(found->p_value, 0.01);
+  EXPECT_GE(found->p_value, 1.0 / 2000);
 }
 
 TEST(TwoGroups, unit_origin_and_order_do_not_matter) {
@@ -72,7 +72,7 @@ TEST(TwoGroups, unit_origin_and_order_do_not_matter) {
   std::ranges::reverse(values);
   const auto other = two_groups(values);
   ASSERT_TRUE(other);
-  EXPECT_EQ(other->chance, found->chance);
+  EXPECT_EQ(other->p_value, found->p_value);
   EXPECT_NEAR(other->between, 1e3 + 1e-3 * found->between, 1e-9);
 }
 

@@ -63,11 +63,11 @@ TEST(LogHistogram, merging_is_exact) {
 
 TEST(LogHistogram, knows_which_bins_are_filled) {
   LogHistogram h;
-  EXPECT_EQ(h.filled(), (std::array<int, 2>{0, 0}));
+  EXPECT_EQ(h.occupied_range(), (std::array<int, 2>{0, 0}));
   h.add(1);
   h.add(4.1);
   const int of_one = -LogHistogram::lowest_octave * LogHistogram::per_octave;
-  EXPECT_EQ(h.filled(), (std::array<int, 2>{of_one, of_one + 9}));
+  EXPECT_EQ(h.occupied_range(), (std::array<int, 2>{of_one, of_one + 9}));
   EXPECT_EQ(h.count(of_one + 8), 1);
   EXPECT_EQ(h.sum(of_one + 8), 4.1);
 }

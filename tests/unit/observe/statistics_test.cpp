@@ -86,7 +86,7 @@ constexpr std::uint32_t trials = 4000;
 double coverage(double phi, std::size_t count) {
   int held = 0;
   for (std::uint32_t trial = 0; trial < trials; ++trial) {
-    const Estimate e = over_time(correlated(phi, count, trial));
+    const Estimate e = time_series_estimate(correlated(phi, count, trial));
     if (std::abs(e.mean - 5) <= e.ci95) ++held;
   }
   return static_cast<double>(held) / trials;
@@ -121,9 +121,9 @@ TEST(OverTime, without_its_allowance_would_be_too_sure) {
 }
 
 TEST(OverTime, of_few_or_equal_values) {
-  EXPECT_TRUE(std::isnan(over_time({1, 2, 3, 4, 5, 6, 7, 8, 9}).ci95));
-  EXPECT_EQ(over_time({1, 2, 3, 4, 5, 6, 7, 8, 9}).mean, 5);
-  EXPECT_EQ(over_time(std::vector<double>(100, 0.1)).ci95, 0);
+  EXPECT_TRUE(std::isnan(time_series_estimate({1, 2, 3, 4, 5, 6, 7, 8, 9}).ci95));
+  EXPECT_EQ(time_series_estimate({1, 2, 3, 4, 5, 6, 7, 8, 9}).mean, 5);
+  EXPECT_EQ(time_series_estimate(std::vector<double>(100, 0.1)).ci95, 0);
 }
 
 TEST(Unsettled, finds_a_start_that_decays) {
@@ -134,7 +134,7 @@ TEST(Unsettled, finds_a_start_that_decays) {
     std::vector<double> values = correlated(0, 200, trial);
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] += 20 * std::exp(-static_cast<double>(i) / 10);
-    const auto first = unsettled(values);
+    const auto first = transient_length(values);
     found += static_cast<double>(first) / few;
     if (first == 0) ++none;
   }
@@ -148,7 +148,7 @@ TEST(Unsettled, finds_nothing_in_most_series_that_keep_their_character) {
   constexpr std::uint32_t few = 400;
   int settled = 0, half = 0;
   for (std::uint32_t trial = 0; trial < few; ++trial) {
-    const auto first = unsettled(correlated(0, 200, trial));
+    const auto first = transient_length(correlated(0, 200, trial));
     if (first <= 20) ++settled;
     if (first >= 100) ++half;
   }

@@ -23,7 +23,7 @@ scene::Collision hit(double speed) {
 
 TEST(StressStream, keeps_the_energy_that_it_is_told_to) {
   const std::vector<scene::Collision> one{hit(3)};
-  const ByPair pairs;
+  const StatisticsByPair pairs;
   using Energy = StressStream::Energy;
   for (const auto& [energy, expected] : std::vector<std::pair<Energy, double>>{
            {Energy::normal, 9}, {Energy::contact_point, 45}, {Energy::lost, 2.25}}) {
@@ -37,7 +37,7 @@ TEST(StressStream, keeps_the_energy_that_it_is_told_to) {
 
 TEST(StressStream, keeps_every_fourth_of_a_stream_four_times_as_long_as_it_holds) {
   StressStream stream;
-  const ByPair pairs;
+  const StatisticsByPair pairs;
   std::vector<scene::Collision> some;
   constexpr std::int64_t all = 3 * static_cast<std::int64_t>(StressStream::most);
   for (std::int64_t i = 0; i < all; ++i) {
@@ -50,7 +50,7 @@ TEST(StressStream, keeps_every_fourth_of_a_stream_four_times_as_long_as_it_holds
     some.clear();
   }
   stream.collisions(some, pairs, StressStream::Energy::lost);
-  EXPECT_EQ(stream.each(), 4);
+  EXPECT_EQ(stream.stride(), 4);
   EXPECT_EQ(std::ssize(stream.hits()), all / 4);
   for (std::size_t i = 0; i < stream.hits().size(); ++i)
     ASSERT_EQ(stream.hits()[i].energy, static_cast<float>(4 * i));  // in order, none left out
@@ -58,20 +58,20 @@ TEST(StressStream, keeps_every_fourth_of_a_stream_four_times_as_long_as_it_holds
 
 TEST(StressStream, goes_on_from_its_saved_state) {
   StressStream whole, first, second;
-  const ByPair pairs;
+  const StatisticsByPair pairs;
   std::vector<scene::Collision> some;
   for (int i = 0; i < 1000; ++i) some.push_back(hit(0.01 * i));
   for (int round = 0; round < 2; ++round)
     whole.collisions(some, pairs, StressStream::Energy::normal);
   first.collisions(some, pairs, StressStream::Energy::normal);
   Archive out;
-  first.carry(out);
+  first.serialize(out);
   Archive in(out.bytes());
-  second.carry(in);
+  second.serialize(in);
   second.collisions(some, pairs, StressStream::Energy::normal);
   Archive one, other;
-  whole.carry(one);
-  second.carry(other);
+  whole.serialize(one);
+  second.serialize(other);
   EXPECT_EQ(one.bytes(), other.bytes());
 }
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/powder/balance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <numeric>
 #include <string>
 
-#include "mahlwerk/powder/milling.hpp"
+#include "mahlwerk/powder/population_balance.hpp"
+#include "mahlwerk/powder/size_evolution.hpp"
 #include "models.hpp"
 #include "statement.hpp"
 
@@ -40,7 +39,8 @@ double sum(const std::vector<double>& all) {
 }
 
 /// Reid's closed form of a chain without equal rates, in long double.
-std::vector<long double> reid(const Rates& rates, const std::vector<double>& start, double time) {
+std::vector<long double> reid(const RateMatrix& rates, const std::vector<double>& start,
+                              double time) {
   const auto n = static_cast<std::size_t>(rates.size);
   std::vector<long double> leaves(n), now(n);
   for (std::size_t j = 0; j < n; ++j)
@@ -63,13 +63,13 @@ std::vector<long double> reid(const Rates& rates, const std::vector<double>& sta
 }
 
 TEST(Balance, step_is_reids_closed_form) {
-  Rates rates(6);
+  RateMatrix rates(6);
   std::vector<double> start(6, 0.0);
   start[0] = 1;
   for (int j = 0; j < 6; ++j)
     for (int i = j + 1; i < 6; ++i) rates.at(i, j) = (7.0 - j) / (1 + i - j + 0.3 * i);
   for (const double time : {1e-3, 0.1, 1.0, 5.0}) {
-    const std::vector<double> found = product(step(rates, time), start);
+    const std::vector<double> found = product(transition_matrix(rates, time), start);
     const std::vector<long double> expected = reid(rates, start, time);
     for (std::size_t i = 0; i < 6; ++i)
       states("state " + std::to_string(i) + " after " + std::to_string(time) + " s", found[i],
@@ -78,10 +78,11 @@ TEST(Balance, step_is_reids_closed_form) {
 }
 
 TEST(Balance, two_short_steps_are_one_long) {
-  Rates rates(40);
+  RateMatrix rates(40);
   for (int j = 0; j < 40; ++j)
     for (int i = j + 1; i < 40; ++i) rates.at(i, j) = std::exp2(-j) * (1 + (i * 7 + j) % 5);
-  const Matrix half = step(rates, 50), whole = step(rates, 100), twice = product(half, half);
+  const Matrix half = transition_matrix(rates, 50), whole = transition_matrix(rates, 100),
+               twice = product(half, half);
   double worst = 0;
   for (std::size_t k = 0; k < whole.values.size(); ++k)
     worst = tests::max_or_nan(worst, std::abs(whole.values[k] - twice.values[k]));
@@ -98,7 +99,7 @@ TEST(Balance, first_order_grinding_is_gaudin_and_meloys) {
   const double energy = 1e-3 / 2e-6, rate = 100 * 2e-6 / 1e-3;  // [J/kg], [1/s] of a grain
   const double unit = f * energy * rate;                        // S over x [1/(m s)]
   const double time = 3 / (unit * 0.4e-3);
-  Balance balance(p, hits, grid, grid.shares(feed));
+  PopulationBalance balance(p, hits, grid, grid.shares(feed));
   balance.advance(time);
   const std::vector<double> before = grid.shares(feed), after = balance.shares();
   double coarser_before = 0, coarser_after = 0;
@@ -131,19 +132,22 @@ TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
     // The start on an edge, v = 1 the upper edge of the first class.
     const SizeGrid grid(std::exp2(-0.5 / per_octave), std::exp2(-0.5 / per_octave), 0.05,
                         per_octave);
-    Rates rates(grid.classes());
+    RateMatrix rates(grid.classes());
     const BinaryFragments binary;
     for (int j = 0; j + 1 < grid.classes(); ++j)
       for (int i = j + 1; i < grid.classes(); ++i) {
         const double y = grid.middle(j);
-        const double low = i + 1 < grid.classes() ? binary.finer(grid.lower(i) / y, y, 0) : 0;
-        rates.at(i, j) = y * y * y * (binary.finer(std::min(1.0, grid.upper(i) / y), y, 0) - low);
+        const double low =
+            i + 1 < grid.classes() ? binary.breakage_function(grid.lower(i) / y, y, 0) : 0;
+        rates.at(i, j) =
+            y * y * y * (binary.breakage_function(std::min(1.0, grid.upper(i) / y), y, 0) - low);
       }
     // Grains of exactly v = 1 are kept apart from the classes: they decay by themselves.
     std::vector<double> state(static_cast<std::size_t>(grid.classes()), 0.0);
     constexpr int slices =
         4000;  // Duhamel's integral over when a grain of the start broke, midpoint
-    const Matrix slice = step(rates, t / slices), half = step(rates, 0.5 * t / slices);
+    const Matrix slice = transition_matrix(rates, t / slices),
+                 half = transition_matrix(rates, 0.5 * t / slices);
     for (int s = 0; s < slices; ++s) {
       const double broke = std::exp(-t * s / slices) * -std::expm1(-t / slices);
       std::vector<double> born(state.size());
@@ -179,7 +183,8 @@ TEST(Balance, mass_is_kept_and_sizes_never_grow_under_every_model) {
       for (const AnyCapture& capture : tests::every_capture()) {
         const bool many = std::holds_alternative<Tavares>(breakage);  // states
         const SizeGrid grid(0.5e-3, feed.largest(), many ? 100e-6 : 4e-6, 3);
-        Balance balance(process(breakage, fragments, capture), spectrum(), grid, grid.shares(feed));
+        PopulationBalance balance(process(breakage, fragments, capture), spectrum(), grid,
+                                  grid.shares(feed));
         std::vector<double> last = balance.shares();
         for (const double time : {1.0, 60.0, 72000.0}) {
           balance.advance(time);
@@ -202,7 +207,7 @@ TEST(Balance, welding_alone_doubles_volumes_and_keeps_mass) {
   p.welding = 0.1;
   const StressSpectrum hits{{nip}, {{0, 1e-3, 100}}};
   const SizeGrid grid(10e-6, 1e-3, 10e-6, 6);
-  Balance balance(p, hits, grid, grid.shares({Feed::Law::equal, 10e-6}));
+  PopulationBalance balance(p, hits, grid, grid.shares({Feed::Law::equal, 10e-6}));
   const double rate = 0.1 * 100 * 2e-6 / 1e-3, time = 2 / rate;  // two welds a grain, by Poisson
   balance.advance(time);
   const std::vector<double> shares = balance.shares();
@@ -221,7 +226,7 @@ TEST(Balance, stuck_grains_slow_grinding_down_by_their_share) {
   const Feed feed{Feed::Law::equal, 1e-3};
   Process free = process(), stuck = process();
   stuck.sticking = 0.25;
-  Balance one(free, spectrum(), grid, grid.shares(feed)),
+  PopulationBalance one(free, spectrum(), grid, grid.shares(feed)),
       other(stuck, spectrum(), grid, grid.shares(feed));
   one.advance(300);
   other.advance(400);
@@ -235,7 +240,7 @@ TEST(Balance, mixed_bed_is_of_second_order_in_its_steps) {
   p.bed = Bed::mixed;
   const Feed feed{Feed::Law::equal, 1e-3};
   const SizeGrid grid(1e-3, 1e-3, 20e-6, 6);
-  Balance coarse(p, spectrum(), grid, grid.shares(feed)),
+  PopulationBalance coarse(p, spectrum(), grid, grid.shares(feed)),
       fine(p, spectrum(), grid, grid.shares(feed));
   coarse.advance(600);
   for (int i = 0; i < 6000; ++i) fine.advance(0.1);

@@ -22,12 +22,12 @@ TEST(Breakage, chance_of_every_model_rises_with_energy_from_none_to_certainty) {
         [](const auto& model) {
           double last = 0;
           for (double energy = 1e-3; energy < 1e7; energy *= 1.3) {
-            const double chance = model.chance(1e-3, energy);
+            const double chance = model.breakage_probability(1e-3, energy);
             EXPECT_GE(chance, last) << model.name << " at " << energy << " J/kg";
             EXPECT_LE(chance, 1) << model.name;
             last = chance;
           }
-          EXPECT_LT(model.chance(1e-3, 1e-3), 1e-6) << model.name;
+          EXPECT_LT(model.breakage_probability(1e-3, 1e-3), 1e-6) << model.name;
           EXPECT_GT(last, 1 - 1e-6) << model.name;
         },
         any);
@@ -35,25 +35,25 @@ TEST(Breakage, chance_of_every_model_rises_with_energy_from_none_to_certainty) {
 
 TEST(Breakage, vogel_and_peukerts_chance_is_their_formula) {
   const VogelPeukert model{2, 0.1};
-  states("x W = 0.6 J m/kg", model.chance(2e-3, 300), 1 - std::exp(-2 * (0.6 - 0.1)), 1e-15,
-         "physics 5.2");
-  EXPECT_EQ(model.chance(2e-3, 50), 0);  // at the threshold
+  states("x W = 0.6 J m/kg", model.breakage_probability(2e-3, 300), 1 - std::exp(-2 * (0.6 - 0.1)),
+         1e-15, "physics 5.2");
+  EXPECT_EQ(model.breakage_probability(2e-3, 50), 0);  // at the threshold
 }
 
 TEST(Breakage, vogel_and_peukerts_shortcut_decides_as_the_chance_does) {
   const VogelPeukert model{2, 0.1};
-  Draws draw(3);
+  SplitMix64 draw(3);
   for (int i = 0; i < 1000000; ++i) {
     const double size = 1e-3 * (0.1 + draw()), energy = 3000 * draw() * draw(), drawn = draw();
-    ASSERT_EQ(model.breaks(size, energy, drawn), drawn < model.chance(size, energy))
+    ASSERT_EQ(model.breaks(size, energy, drawn), drawn < model.breakage_probability(size, energy))
         << size << " m, " << energy << " J/kg, " << drawn;
   }
 }
 
 TEST(Breakage, threshold_of_finer_grains_is_higher_by_its_exponent) {
   const Threshold model{200, 1e-3, 0.5};
-  EXPECT_EQ(model.chance(0.25e-3, 399.9), 0);
-  EXPECT_EQ(model.chance(0.25e-3, 400.1), 1);
+  EXPECT_EQ(model.breakage_probability(0.25e-3, 399.9), 0);
+  EXPECT_EQ(model.breakage_probability(0.25e-3, 400.1), 1);
 }
 
 TEST(Breakage, tavares_median_breaks_half_of_the_grains) {
@@ -61,8 +61,8 @@ TEST(Breakage, tavares_median_breaks_half_of_the_grains) {
     Tavares model{43.4, 3.48e-3, 1.61, 0.5, cut, 5, 0.6, 0.03};
     // With a cut E' = E_max E/(E_max - E) is E_50 where E = E_50 cut/(cut + 1).
     const double at = model.median(1e-3) * (cut > 0 ? cut / (cut + 1) : 1);
-    states("chance", model.chance(1e-3, at), 0.5, 1e-15, "physics 5.2");
-    EXPECT_EQ(model.chance(1e-3, cut > 0 ? cut * model.median(1e-3) : 1e9), 1);
+    states("chance", model.breakage_probability(1e-3, at), 0.5, 1e-15, "physics 5.2");
+    EXPECT_EQ(model.breakage_probability(1e-3, cut > 0 ? cut * model.median(1e-3) : 1e9), 1);
   }
 }
 
@@ -85,7 +85,8 @@ TEST(Breakage, tavares_damage_is_one_at_the_strength_and_a_power_far_below) {
 TEST(Breakage, strengths_drawn_break_as_often_as_the_chance_says) {
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
   for (const double z : {-2.0, -0.3, 0.0, 1.1, 2.5})
-    states("share broken", model.chance(1e-3, model.median(1e-3) * model.relative_strength(z)),
+    states("share broken",
+           model.breakage_probability(1e-3, model.median(1e-3) * model.relative_strength(z)),
            0.5 * std::erfc(-z / std::sqrt(2.0)), 1e-14, "(brk.5)");
 }
 
@@ -95,34 +96,36 @@ TEST(Fragments, every_curve_rises_from_nothing_to_one) {
         [](const auto& model) {
           double last = 0;
           for (double ratio = 1e-9; ratio <= 1; ratio *= 1.1) {
-            const double finer = model.finer(ratio, 1e-3, 0.3);
+            const double finer = model.breakage_function(ratio, 1e-3, 0.3);
             EXPECT_GE(finer, last) << model.name << " at " << ratio;
             last = finer;
           }
-          states(std::string(model.name) + " at the size broken", model.finer(1, 1e-3, 0.3), 1,
-                 1e-15, "all pieces are smaller");
-          EXPECT_LT(model.finer(1e-9, 1e-3, 0.3), 1e-6) << model.name;
+          states(std::string(model.name) + " at the size broken",
+                 model.breakage_function(1, 1e-3, 0.3), 1, 1e-15, "all pieces are smaller");
+          EXPECT_LT(model.breakage_function(1e-9, 1e-3, 0.3), 1e-6) << model.name;
         },
         any);
 }
 
 TEST(Fragments, share_finer_than_a_tenth_is_t10) {
   for (const double t10 : {0.01, 0.3, 0.9})
-    states("t_n at n = 10", T10Fragments{}.finer(0.1, 1e-3, t10), t10, 1e-15, "physics 5.2");
-  states("its own t10 before the model's", (T10Fragments{0.2, 1}).finer(0.1, 1e-3, 0.7), 0.2, 1e-15,
-         "(frg.3)");
+    states("t_n at n = 10", T10Fragments{}.breakage_function(0.1, 1e-3, t10), t10, 1e-15,
+           "physics 5.2");
+  states("its own t10 before the model's", (T10Fragments{0.2, 1}).breakage_function(0.1, 1e-3, 0.7),
+         0.2, 1e-15, "(frg.3)");
 }
 
 /// Kolmogorov's distance of sizes drawn from what the curve says.
 template <class Model>
 double distance(const Model& model, double parent, double t10, int count) {
-  Draws draw(7);
+  SplitMix64 draw(7);
   std::vector<double> sizes;
-  for (int i = 0; i < count; ++i) sizes.push_back(model.drawn(parent, t10, draw));
+  for (int i = 0; i < count; ++i) sizes.push_back(model.draw_fragment(parent, t10, draw));
   std::ranges::sort(sizes);
   double far = 0;
   for (int i = 0; i < count; ++i) {
-    const double said = model.finer(sizes[static_cast<std::size_t>(i)] / parent, parent, t10);
+    const double said =
+        model.breakage_function(sizes[static_cast<std::size_t>(i)] / parent, parent, t10);
     far = std::max({far, std::abs(said - static_cast<double>(i) / count),
                     std::abs(said - static_cast<double>(i + 1) / count)});
   }
@@ -141,8 +144,8 @@ TEST(Fragments, sizes_drawn_follow_their_curve) {
                                "exceeded once in a thousand; 1.95/sqrt(n)");
         },
         any);
-  Draws draw(7);
-  states("halves", Halves{}.drawn(1, 0, draw), std::cbrt(0.5), 1e-15, "two equal volumes");
+  SplitMix64 draw(7);
+  states("halves", Halves{}.draw_fragment(1, 0, draw), std::cbrt(0.5), 1e-15, "two equal volumes");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(Capture, barrios_bed_yields_by_the_energy_that_its_own_mass_gets) {
     for (const double strength : {1.0, 1e3, 1e6})
       for (double energy = 1e-9; energy < 10; energy *= 10) {
         const Grain g{size, 4930, strength};
-        const Catch c = Barrios{strength}.caught(nip, energy, g);
+        const Capture c = Barrios{strength}.capture(nip, energy, g);
         const double by_mass = energy / (c.grains * g.mass());
         const double radius =
             capture_radius(nip, energy, size * bed_deformation(by_mass / strength));
@@ -86,7 +86,7 @@ TEST(Capture, barrios_bed_yields_by_the_energy_that_its_own_mass_gets) {
             size * nip.radius / std::max(c.radius - contact_radius(nip, energy), 1e-9);
         EXPECT_NEAR(c.radius, radius, 1e-11 * radius + 1e-12 * slope)
             << size << " m, " << strength << " J/kg, " << energy << " J";
-        EXPECT_EQ(c.chance, 1);
+        EXPECT_EQ(c.probability, 1);
         EXPECT_GE(c.grains, 1);
       }
 }
@@ -98,7 +98,7 @@ TEST(Capture, strength_of_the_grains_moves_the_catch_between_two_bounds_only) {
   double last = most * (1 + 1e-12);
   for (double strength = 1e-6; strength < 1e12; strength *= 10) {
     const double found =
-        Barrios{strength}.caught(nip, energy, {grain.size, grain.density, strength}).grains;
+        Barrios{strength}.capture(nip, energy, {grain.size, grain.density, strength}).grains;
     EXPECT_LE(found, last);
     EXPECT_GE(found, least * (1 - 1e-12));
     last = found;
@@ -107,16 +107,16 @@ TEST(Capture, strength_of_the_grains_moves_the_catch_between_two_bounds_only) {
 
 TEST(Capture, mass_below_one_grain_is_a_grain_now_and_then) {
   const double mass = 0.25 * grain.mass();
-  const Catch some = FixedMass{mass}.caught(nip, 1e-3, grain);
-  states("chance", some.chance, 0.25, 1e-15, "mass over that of a grain");
+  const Capture some = FixedMass{mass}.capture(nip, 1e-3, grain);
+  states("chance", some.probability, 0.25, 1e-15, "mass over that of a grain");
   states("grains", some.grains, 1, 0, "whole ones");
   states("mean mass", some.mean_mass(grain), mass, 1e-15 * mass, "kept");
-  const Catch layer = TrappedVolume{1e-4, 0.6}.caught(nip, 1e-3, grain);
+  const Capture layer = TrappedVolume{1e-4, 0.6}.capture(nip, 1e-3, grain);
   const double a = contact_radius(nip, 1e-3);
   const double expected = 0.6 * 4930 * std::numbers::pi * a * a * 1e-4;
   states("trapped volume", layer.mean_mass(grain), expected, 1e-14 * expected,
          "pi a^2 h_0; physics 4.2");
-  const Catch coat = SurfaceLayer{0.3}.caught(nip, 1e-3, grain);
+  const Capture coat = SurfaceLayer{0.3}.capture(nip, 1e-3, grain);
   states("surface layer", coat.mean_mass(grain), 0.6 * std::numbers::pi * a * a,
          1e-14 * coat.mean_mass(grain), "2 sigma pi R_h^2; physics 4.2");
 }

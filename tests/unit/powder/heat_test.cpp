@@ -70,7 +70,7 @@ TEST(Heat, agrees_with_runge_and_kutta) {
   for (const auto& [name, nodes] : sorts()) {
     const Temperatures start{room + 40, room + 10};
     const Temperatures wanted = followed(nodes, five_watts, start, 600, 200'000);
-    const Temperatures found = after(nodes, five_watts, room, start, 600);
+    const Temperatures found = temperatures_after(nodes, five_watts, room, start, 600);
     states(name + " [K]", apart(found, wanted), 0, 1e-8,
            "200 000 roundings of 300 K, 2.8e-14 each, and more within a step");
   }
@@ -79,7 +79,7 @@ TEST(Heat, agrees_with_runge_and_kutta) {
 TEST(Heat, goes_into_the_lumps_or_to_the_air) {
   const HeatNodes n = small_mill();
   const MillCycles mill{5, 0.5, room, 600, 300, 3};
-  const auto points = history(n, mill);
+  const auto points = temperature_history(n, mill);
   double lost = 0, put_in = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {  // Simpson's rule within each step
     const double dt = points[i].time - points[i - 1].time;
@@ -89,7 +89,7 @@ TEST(Heat, goes_into_the_lumps_or_to_the_air) {
     constexpr int parts = 20;
     for (int k = 0; k <= parts; ++k) {
       const double weight = k == 0 || k == parts ? 1 : k % 2 == 1 ? 4 : 2;
-      const double jar = after(n, heat, room, from, dt * k / parts).jar;
+      const double jar = temperatures_after(n, heat, room, from, dt * k / parts).jar;
       lost += weight * dt / parts / 3 * n.cooling * (jar - room);
     }
     put_in += dt * (heat.balls + heat.jar);
@@ -102,19 +102,19 @@ TEST(Heat, goes_into_the_lumps_or_to_the_air) {
 
 TEST(Heat, in_the_long_run_the_jar_is_warmer_by_power_over_cooling) {
   const HeatNodes n = small_mill();
-  const Temperatures late = after(n, five_watts, room, {room, room}, 1e6);
+  const Temperatures late = temperatures_after(n, five_watts, room, {room, room}, 1e6);
   states("jar above the air [K]", late.jar - room, 5 / 0.13, 1e-10, "P/G_ja");
   states("balls above the jar [K]", late.balls - late.jar, 2.5 / 0.18, 1e-10, "s P/G_bj");
-  states("steady() and the long run [K]", apart(steady(n, five_watts, room), late), 0, 1e-10,
-         "the same (hea.5)");
+  states("steady() and the long run [K]", apart(steady_temperatures(n, five_watts, room), late), 0,
+         1e-10, "the same (hea.5)");
 }
 
 TEST(Heat, without_a_way_out_rises_for_ever) {
   HeatNodes n = small_mill();
   n.cooling = 0;
-  EXPECT_EQ(steady(n, five_watts, room).jar, INFINITY);
-  EXPECT_EQ(steady(n, {}, room).balls, room);
-  const Temperatures late = after(n, five_watts, room, {room, room}, 1e5);
+  EXPECT_EQ(steady_temperatures(n, five_watts, room).jar, INFINITY);
+  EXPECT_EQ(steady_temperatures(n, {}, room).balls, room);
+  const Temperatures late = temperatures_after(n, five_watts, room, {room, room}, 1e5);
   states("heat in the lumps [J]",
          n.balls_capacity * (late.balls - room) + n.jar_capacity * (late.jar - room), 5e5, 1e-6,
          "5 W for 1e5 s");
@@ -123,7 +123,7 @@ TEST(Heat, without_a_way_out_rises_for_ever) {
 TEST(Heat, of_one_lump_is_an_exponential) {
   const HeatNodes n{.balls_capacity = 1e-6, .jar_capacity = 150, .exchange = 1, .cooling = 0.13};
   for (const double time : {10.0, 1000.0, 5000.0}) {
-    const double jar = after(n, {0, 5}, room, {room, room}, time).jar;
+    const double jar = temperatures_after(n, {0, 5}, room, {room, room}, time).jar;
     states("jar after " + std::to_string(static_cast<int>(time)) + " s [K]", jar - room,
            5 / 0.13 * -std::expm1(-0.13 / 150 * time), 2.6e-7,
            "P/G (1 - exp(-G t/C)); the balls hold 6.7e-9 of the heat");
@@ -133,18 +133,18 @@ TEST(Heat, of_one_lump_is_an_exponential) {
 TEST(Heat, does_not_mind_a_phase_cut_in_two) {
   for (const auto& [name, nodes] : sorts()) {
     const Temperatures start{room + 40, room + 10};
-    const Temperatures half = after(nodes, five_watts, room, start, 217);
-    const Temperatures whole = after(nodes, five_watts, room, start, 600);
+    const Temperatures half = temperatures_after(nodes, five_watts, room, start, 217);
+    const Temperatures whole = temperatures_after(nodes, five_watts, room, start, 600);
     states(name + ", relative",
-           apart(after(nodes, five_watts, room, half, 383), whole) / whole.balls, 0, 1e-12,
-           "the same");
+           apart(temperatures_after(nodes, five_watts, room, half, 383), whole) / whole.balls, 0,
+           1e-12, "the same");
   }
 }
 
 TEST(Heat, repeats_itself_after_many_cycles) {
   const HeatNodes n = small_mill();
   const MillCycles mill{5, 0.5, room, 600, 300, 60};
-  const auto points = history(n, mill, 60 * 90);
+  const auto points = temperature_history(n, mill, 60 * 90);
   const std::size_t cycle = 90;
   ASSERT_EQ(points.size(), 60 * cycle + 1);
   double off = 0, mean = 0;
@@ -160,7 +160,7 @@ TEST(Heat, repeats_itself_after_many_cycles) {
 }
 
 TEST(HeatHistory, holds_the_ends_of_every_phase) {
-  const auto points = history(small_mill(), {5, 0.5, room, 600, 300, 4});
+  const auto points = temperature_history(small_mill(), {5, 0.5, room, 600, 300, 4});
   states("points", static_cast<double>(points.size()), 401, 8, "400 and the start; whole steps");
   for (int cycle = 0; cycle < 4; ++cycle)
     for (const double end : {900.0 * cycle, 900.0 * cycle + 600, 900.0 * (cycle + 1)})
@@ -170,7 +170,7 @@ TEST(HeatHistory, holds_the_ends_of_every_phase) {
   EXPECT_EQ(points.front().balls, room);
   const auto hottest = std::ranges::max_element(points, {}, &HeatPoint::jar);
   EXPECT_LE(std::fmod(hottest->time, 900), 620) << "soon after milling ends";
-  EXPECT_EQ(history(small_mill(), {5, 0.5, room, 600, 300, 10'000}).size(), 20'001u);
+  EXPECT_EQ(temperature_history(small_mill(), {5, 0.5, room, 600, 300, 10'000}).size(), 20'001u);
 }
 
 }  // namespace

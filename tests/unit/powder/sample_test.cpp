@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include "mahlwerk/powder/balance.hpp"
+#include "mahlwerk/powder/population_balance.hpp"
 #include "models.hpp"
 #include "statement.hpp"
 
@@ -63,7 +63,7 @@ Mean many(const Process& p, const SizeGrid& grid, const Feed& feed) {
 }
 
 std::vector<double> expected(const Process& p, const SizeGrid& grid, const Feed& feed) {
-  Balance balance(p, spectrum(), grid, grid.shares(feed));
+  PopulationBalance balance(p, spectrum(), grid, grid.shares(feed));
   balance.advance(duration);
   return balance.shares();
 }
@@ -133,11 +133,13 @@ TEST(Sample, mean_of_many_is_the_balance_where_grains_remember_damage) {
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 4, 5, 0.6, 0.03};
   const Process p = process(model, Halves{});
   const auto by = [&](int count) {
-    const Levels some = levels(model, count);
+    const StrengthLevels some = strength_levels(model, count);
     std::vector<double> states;
     for (const double share : grid.shares(feed))
       for (const double fresh : some.fresh) states.push_back(share * fresh);
-    states = product(step(rates(p, spectrum(), grid, some, beds(p, spectrum(), grid, 0)), duration),
+    states = product(transition_matrix(rate_matrix(p, spectrum(), grid, some,
+                                                   capture_table(p, spectrum(), grid, 0)),
+                                       duration),
                      states);
     std::vector<double> shares(static_cast<std::size_t>(grid.classes()));
     for (std::size_t i = 0; i < states.size(); ++i) shares[i / some.fresh.size()] += states[i];

@@ -29,7 +29,7 @@ double f_at(double angle, double speed = 1) {
 
 TEST(Archard, a_block_that_slides) {
   // 20 N pressed on hardened steel, 600 HV, over 1 km at mu = 0.25: 5 kJ of friction.
-  const double way = force_slid(0.25 * 20 * 1000, 0.25);
+  const double way = load_distance(0.25 * 20 * 1000, 0.25);
   states("force times way [N m]", way, 20'000, 1e-9, "20 N over 1 km");
   states("volume [mm3]", 1e9 * archard(1e-4, way, hardness(600)), 2.0 / 5.88399, 1e-12,
          "K F s/H; 600 kgf/mm2 = 5.88399 GPa");
@@ -38,7 +38,7 @@ TEST(Archard, a_block_that_slides) {
 }
 
 TEST(Archard, knows_no_way_without_friction) {
-  EXPECT_EQ(force_slid(0, 0), 0);
+  EXPECT_EQ(load_distance(0, 0), 0);
 }
 
 TEST(Contamination, of_a_known_mass) {
@@ -93,7 +93,7 @@ TEST(Finnie, agrees_with_archard_where_a_ball_grazes) {
     const auto j = contact::bounce({e, 0, mu}, mass, approach, slip);
     const double lost = contact::loss(j, mass, approach, slip).tangential;
     const double ratio = finnie_volume(0.5 * (1 + e) * coefficient, mass, approach, slip, h) /
-                         archard(coefficient, force_slid(lost, mu), h);
+                         archard(coefficient, load_distance(lost, mu), h);
     const double slows = 0.5 * 3.5 * mu * (1 + e);  // of the slip, by half the impulse
     states("Finnie over Archard, k = K (1 + e)/2", ratio, 1, (slows + 1.5) * tangent + 1e-12,
            "both K m (1 + e) u_n u_t/H, to first order in the angle (wea.5)");

@@ -29,7 +29,7 @@ inline void fill(Point& p, double speed, double diameter) {
 
 /// Speeds from 150 rpm by 50 rpm.
 inline Campaign speeds(int number) {
-  Campaign c{.title = "Speeds", .swept = {{"mill.speed", "rpm"}}, .columns = fake_columns()};
+  Campaign c{.title = "Speeds", .keys = {{"mill.speed", "rpm"}}, .columns = fake_columns()};
   for (int i = 0; i < number; ++i) {
     const int speed = 150 + 50 * i;
     Point p{.number = c.points.size() + 1,
@@ -44,7 +44,7 @@ inline Campaign speeds(int number) {
 /// Each of the speeds with each of the diameters from 5 mm by 2 mm.
 inline Campaign grid(int speeds, int diameters) {
   Campaign c{.title = "Grid",
-             .swept = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}},
+             .keys = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}},
              .columns = fake_columns()};
   for (int i = 0; i < speeds; ++i)
     for (int j = 0; j < diameters; ++j) {
@@ -60,7 +60,7 @@ inline Campaign grid(int speeds, int diameters) {
 /// Points anywhere in three ranges.
 inline Campaign scattered(int number) {
   Campaign c{.title = "Scattered",
-             .swept = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}, {"contact.friction", ""}},
+             .keys = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}, {"contact.friction", ""}},
              .columns = fake_columns()};
   Random random(5, 0);
   for (int i = 0; i < number; ++i) {

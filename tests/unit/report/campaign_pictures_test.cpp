@@ -43,9 +43,9 @@ TEST(CampaignFigures, keep_a_grid_of_which_some_points_are_missing) {
 
 TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words) {
   Campaign c = grid(8, 6), twice = c;
-  c.swept.push_back({"jar.material", ""});
+  c.keys.push_back({"jar.material", ""});
   twice.points.clear();
-  twice.swept = c.swept;
+  twice.keys = c.keys;
   for (const char* word : {"steel", "agate"})
     for (Point p : c.points) {
       p.values.emplace_back(word);
@@ -58,7 +58,7 @@ TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words)
 
 TEST(CampaignFigures, keys_side_by_side_make_one_line) {
   Campaign c = speeds(6);
-  c.swept.push_back({"run.time", "s", true});
+  c.keys.push_back({"run.time", "s", true});
   for (Point& p : c.points) p.values.push_back(fmt::format("{} s", p.number));
   const Sheet sheet(c);
   EXPECT_EQ(lines_of(sheet, sheet.axis()).size(), 1U);
@@ -152,7 +152,7 @@ TEST(CampaignFigures, regimes_have_the_colours_of_their_legend) {
   EXPECT_TRUE(in_order(cells, {std::string(kind_colour(0)), ">cascading<",
                                std::string(kind_colour(1)), ">cataracting<"}));
   Campaign dots = scattered(40);
-  dots.swept.pop_back();
+  dots.keys.pop_back();
   for (Point& p : dots.points) p.values.pop_back();
   const std::string scatter = campaign_figures(dots).at("figures/regimes.svg");
   const auto slow =

@@ -143,8 +143,8 @@ TEST(CampaignPage, does_not_take_words_for_markup) {
   const std::string bad = "<b>&\"x\"</b>";
   Campaign c = grid(4, 3);
   c.title = bad;
-  c.swept[0].key = c.swept[1].key = bad;
-  c.swept[1].unit = "";
+  c.keys[0].key = c.keys[1].key = bad;
+  c.keys[1].unit = "";
   c.columns[0].about = bad;
   for (Point& p : c.points) {
     p.values[1] += bad;
@@ -219,7 +219,7 @@ TEST(Campaign, quantities_that_came_later_are_columns_of_their_own) {
   EXPECT_EQ(c.columns[1].about, "a b");
   EXPECT_EQ(c.points[1].value, (std::vector<double>{3, 2}));
   EXPECT_EQ(c.points[1].ci95[0], 0.25);
-  c.swept = swept({"x"}, c.points);
+  c.keys = campaign_keys({"x"}, c.points);
   EXPECT_TRUE(has(campaign_csv(c), "\n1,1,1,0.5,,,\n2,2,3,0.25,2,,\n")) << campaign_csv(c);
 }
 

@@ -17,7 +17,7 @@ using Kind = Claim::Kind;
 Campaign campaign(const std::vector<double>& x, const std::vector<double>& y, double ci95) {
   Campaign c;
   c.title = "by hand";
-  c.swept = {{"mill.speed", "rpm"}};
+  c.keys = {{"mill.speed", "rpm"}};
   c.columns = {{"power", "W", "made up"}};
   for (std::size_t i = 0; i < x.size(); ++i) {
     Point p;
@@ -40,34 +40,34 @@ Claim claim(Kind kind, const std::string& is = "") {
   return made;
 }
 
-bool has(const Judged& judged, const std::string& part) {
-  return judged.found.find(part) != std::string::npos;
+bool has(const Verdict& judged, const std::string& part) {
+  return judged.finding.find(part) != std::string::npos;
 }
 
 TEST(Claims, a_trend_holds_if_each_step_is_larger_than_both_intervals) {
   const Claim rises = claim(Kind::trend, "rises");
-  const Judged all = judge(rises, campaign({100, 200, 300}, {1, 2, 3}, 0.49));
+  const Verdict all = judge(rises, campaign({100, 200, 300}, {1, 2, 3}, 0.49));
   EXPECT_EQ(all.holds, Holds::yes);
-  EXPECT_TRUE(has(all, "1.00 ± 0.49 W at speed 100 rpm, 3.00 ± 0.49 W at 300 rpm")) << all.found;
-  EXPECT_TRUE(has(all, "at 2 of 2 steps")) << all.found;
-  const Judged some = judge(rises, campaign({100, 200, 300}, {1, 1.5, 3}, 0.49));
+  EXPECT_TRUE(has(all, "1.00 ± 0.49 W at speed 100 rpm, 3.00 ± 0.49 W at 300 rpm")) << all.finding;
+  EXPECT_TRUE(has(all, "at 2 of 2 steps")) << all.finding;
+  const Verdict some = judge(rises, campaign({100, 200, 300}, {1, 1.5, 3}, 0.49));
   EXPECT_EQ(some.holds, Holds::partly);
-  EXPECT_TRUE(has(some, "not from 100 rpm to 200 rpm")) << some.found;
+  EXPECT_TRUE(has(some, "not from 100 rpm to 200 rpm")) << some.finding;
   EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {3, 2, 1}, 0.49)).holds, Holds::no);
   EXPECT_EQ(judge(claim(Kind::trend, "falls"), campaign({100, 200, 300}, {3, 2, 1}, 0.49)).holds,
             Holds::yes);
-  EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {1, 2, 3}, NAN)).holds, Holds::open);
+  EXPECT_EQ(judge(rises, campaign({100, 200, 300}, {1, 2, 3}, NAN)).holds, Holds::undecided);
 }
 
 TEST(Claims, the_order_of_a_trend_is_that_of_the_key_not_of_the_runs) {
-  const Judged judged =
+  const Verdict judged =
       judge(claim(Kind::trend, "rises"), campaign({300, 100, 200}, {3, 1, 2}, 0.1));
   EXPECT_EQ(judged.holds, Holds::yes);
 }
 
 TEST(Claims, values_in_other_units_stand_where_they_belong) {
   Campaign c = campaign({1, 2, 3}, {1, 2, 3}, 0.1);
-  c.swept[0].unit.clear();
+  c.keys[0].unit.clear();
   c.points[0].values = {"100 rpm"};
   c.points[1].values = {"3 Hz"};  // 180 rpm
   c.points[2].values = {"240 rpm"};
@@ -80,12 +80,12 @@ TEST(Claims, a_comparison_gives_the_ratio_with_its_interval) {
   Claim larger = claim(Kind::compare, "larger");
   larger.first = "100 rpm", larger.second = "300 rpm";
   // 6/2 = 3; its half-width sqrt(0.4^2 + (3*0.4)^2)/2 = 0.632.
-  const Judged judged = judge(larger, campaign({100, 200, 300}, {2, 4, 6}, 0.4));
+  const Verdict judged = judge(larger, campaign({100, 200, 300}, {2, 4, 6}, 0.4));
   EXPECT_EQ(judged.holds, Holds::yes);
-  EXPECT_TRUE(has(judged, "3.00 ± 0.63 times")) << judged.found;
+  EXPECT_TRUE(has(judged, "3.00 ± 0.63 times")) << judged.finding;
   EXPECT_EQ(judge(larger, campaign({100, 300}, {6, 2}, 0.4)).holds, Holds::no);
-  EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 2.5}, 0.4)).holds, Holds::open);
-  EXPECT_EQ(judge(larger, campaign({100, 200}, {2, 4}, 0.4)).holds, Holds::open);
+  EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 2.5}, 0.4)).holds, Holds::undecided);
+  EXPECT_EQ(judge(larger, campaign({100, 200}, {2, 4}, 0.4)).holds, Holds::undecided);
   larger.first = "36000 deg/min";  // the same in another unit
   EXPECT_EQ(judge(larger, campaign({100, 300}, {2, 6}, 0.4)).holds, Holds::yes);
 }
@@ -95,19 +95,19 @@ TEST(Claims, what_is_alike_stays_within_its_bound) {
   alike.within = 0.1;
   EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.01)).holds, Holds::yes);
   EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 2, 1}, 0.01)).holds, Holds::no);
-  EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.2)).holds, Holds::open);
+  EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.2)).holds, Holds::undecided);
 }
 
 TEST(Claims, a_law_is_found_with_its_slope_or_exponent) {
   Claim law = claim(Kind::law);
-  law.law = Form::line;
-  const Judged line = judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1));
+  law.law = LawForm::line;
+  const Verdict line = judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1));
   EXPECT_EQ(line.holds, Holds::yes);
-  EXPECT_TRUE(has(line, "mW for each rpm")) << line.found;
-  EXPECT_TRUE(line.found.starts_with("20")) << line.found;  // 2 W for each 100 rpm
-  EXPECT_TRUE(has(line, "R² = 1.00000")) << line.found;
+  EXPECT_TRUE(has(line, "mW for each rpm")) << line.finding;
+  EXPECT_TRUE(line.finding.starts_with("20")) << line.finding;  // 2 W for each 100 rpm
+  EXPECT_TRUE(has(line, "R² = 1.00000")) << line.finding;
 
-  law.law = Form::power;
+  law.law = LawForm::power;
   law.exponent = 2;
   law.within = 0.05;
   const Campaign square = campaign({100, 200, 300, 400}, {1, 4, 9, 16}, 0.1);
@@ -121,16 +121,16 @@ TEST(Claims, a_law_is_found_with_its_slope_or_exponent) {
   law.is = "below";
   EXPECT_EQ(judge(law, square).holds, Holds::no);
   law = claim(Kind::law);
-  law.law = Form::parabola;
+  law.law = LawForm::parabola;
   EXPECT_EQ(judge(law, square).holds, Holds::yes);
-  EXPECT_EQ(judge(law, campaign({100, 200, 300}, {1, 4, 9}, 0.1)).holds, Holds::open);
+  EXPECT_EQ(judge(law, campaign({100, 200, 300}, {1, 4, 9}, 0.1)).holds, Holds::undecided);
 }
 
 TEST(Claims, regimes_are_counted_and_told) {
   const Campaign c = campaign({100, 200, 300}, {1, 2, 3}, 0.1);
-  const Judged judged = judge(claim(Kind::regime, "cascading"), c);
+  const Verdict judged = judge(claim(Kind::regime, "cascading"), c);
   EXPECT_EQ(judged.holds, Holds::partly);
-  EXPECT_EQ(judged.found, "cascading at speed 100 rpm, 200 rpm; cataracting at speed 300 rpm");
+  EXPECT_EQ(judged.finding, "cascading at speed 100 rpm, 200 rpm; cataracting at speed 300 rpm");
   EXPECT_EQ(judge(claim(Kind::regime, "rolling"), c).holds, Holds::no);
   Claim slow = claim(Kind::regime, "cascading");
   slow.at = {{"mill.speed", {"100 rpm", "200 rpm"}}};
@@ -143,13 +143,13 @@ TEST(Claims, a_bound_is_kept_by_more_than_the_interval) {
   EXPECT_EQ(judge(bound, campaign({100, 200}, {1, 2}, 0.1)).holds, Holds::yes);
   EXPECT_EQ(judge(bound, campaign({100, 200}, {0.5, 2}, 0.1)).holds, Holds::partly);
   EXPECT_EQ(judge(bound, campaign({100, 200}, {0.5, 0.6}, 0.1)).holds, Holds::no);
-  EXPECT_EQ(judge(bound, campaign({100, 200}, {0.8, 0.8}, 0.1)).holds, Holds::open);
+  EXPECT_EQ(judge(bound, campaign({100, 200}, {0.8, 0.8}, 0.1)).holds, Holds::undecided);
 }
 
 TEST(Claims, other_keys_make_lines_of_their_own_but_not_those_that_go_together) {
   Campaign c;
   c.title = "two lines";
-  c.swept = {{"mill.speed", "rpm"}, {"run.time", "s"}, {"contact.friction", ""}};
+  c.keys = {{"mill.speed", "rpm"}, {"run.time", "s"}, {"contact.friction", ""}};
   c.columns = {{"power", "W", "made up"}};
   for (const bool rough : {false, true})
     for (const int i : {1, 2, 3}) {
@@ -159,22 +159,22 @@ TEST(Claims, other_keys_make_lines_of_their_own_but_not_those_that_go_together) 
       p.ci95 = {0.1};
       c.points.push_back(std::move(p));
     }
-  const Judged judged = judge(claim(Kind::trend, "rises"), c);
+  const Verdict judged = judge(claim(Kind::trend, "rises"), c);
   EXPECT_EQ(judged.holds, Holds::partly);
-  EXPECT_TRUE(judged.found.starts_with("friction 0: ")) << judged.found;
-  EXPECT_TRUE(has(judged, "; friction 0.5: ")) << judged.found;
-  EXPECT_FALSE(has(judged, "time")) << judged.found;
-  c.swept[0].key = "wall.friction";  // then the word alone does not tell
+  EXPECT_TRUE(judged.finding.starts_with("friction 0: ")) << judged.finding;
+  EXPECT_TRUE(has(judged, "; friction 0.5: ")) << judged.finding;
+  EXPECT_FALSE(has(judged, "time")) << judged.finding;
+  c.keys[0].key = "wall.friction";  // then the word alone does not tell
   Claim along = claim(Kind::trend, "rises");
   along.against = "wall.friction";
-  EXPECT_TRUE(judge(along, c).found.starts_with("contact friction 0: "));
+  EXPECT_TRUE(judge(along, c).finding.starts_with("contact friction 0: "));
 }
 
 TEST(Claims, a_point_that_gave_nothing_is_no_evidence) {
   Campaign c = campaign({100, 200, 300}, {1, NAN, 3}, 0.1);
-  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::open);
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::undecided);
   c.points.clear();
-  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::open);
+  EXPECT_EQ(judge(claim(Kind::trend, "rises"), c).holds, Holds::undecided);
 }
 
 }  // namespace

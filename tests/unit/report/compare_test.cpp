@@ -26,18 +26,18 @@ Comparison doubled() {
   return compare(fake_outcome({100, 120, 140}), soft);
 }
 
-const Beside& of(const Comparison& c, std::string_view name) {
-  const auto same = [&](const Compared& q) { return q.name == name; };
-  return std::find_if(c.quantities.begin(), c.quantities.end(), same)->both;
+const EnginePair& of(const Comparison& c, std::string_view name) {
+  const auto same = [&](const ComparedQuantity& q) { return q.name == name; };
+  return std::find_if(c.quantities.begin(), c.quantities.end(), same)->estimates;
 }
 
 TEST(Beside, ratio_and_its_half_width_follow_from_both) {
-  const Beside b{{10, 1}, {20, 4}};
+  const EnginePair b{{10, 1}, {20, 4}};
   EXPECT_DOUBLE_EQ(b.ratio(), 2);
   EXPECT_DOUBLE_EQ(b.ratio_ci95(), 2 * std::hypot(0.1, 0.2));
-  EXPECT_TRUE(b.apart());
-  EXPECT_FALSE((Beside{{10, 6}, {20, 4}}).apart()) << "they touch";
-  EXPECT_FALSE((Beside{{10, NAN}, {20, 4}}).apart()) << "nobody knows";
+  EXPECT_TRUE(b.differs());
+  EXPECT_FALSE((EnginePair{{10, 6}, {20, 4}}).differs()) << "they touch";
+  EXPECT_FALSE((EnginePair{{10, NAN}, {20, 4}}).differs()) << "nobody knows";
 }
 
 TEST(Compare, sets_the_same_quantities_beside_each_other) {
@@ -46,9 +46,9 @@ TEST(Compare, sets_the_same_quantities_beside_each_other) {
   EXPECT_DOUBLE_EQ(of(c, "collision_rate").soft.mean, 24);
   EXPECT_NEAR(of(c, "dissipated_power").ratio(), 2, 1e-12);
   EXPECT_NEAR(of(c, "impact_speed_normal_mean").ratio(), 1, 1e-12);
-  EXPECT_FALSE(of(c, "impact_speed_normal_mean").apart());
+  EXPECT_FALSE(of(c, "impact_speed_normal_mean").differs());
   EXPECT_DOUBLE_EQ(of(c, "computing_time").ratio(), 6);
-  for (const Compared& q : c.quantities) {
+  for (const ComparedQuantity& q : c.quantities) {
     EXPECT_NE(q.name, "energy_balance");
     EXPECT_NE(q.name, "replicates");
   }

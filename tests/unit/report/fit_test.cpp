@@ -14,14 +14,14 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-FitNumber found(const std::string& key, double value, double low, double high) {
+FitParameter found(const std::string& key, double value, double low, double high) {
   return {.key = key,
           .unit = "kg/J/m",
           .about = "a <number>",
           .value = value,
           .low = low,
           .high = high,
-          .by_mills = NAN,
+          .simulation_ci95 = NAN,
           .least = 0.01,
           .most = 100,
           .remarks = {}};
@@ -30,10 +30,10 @@ FitNumber found(const std::string& key, double value, double low, double high) {
 /// D90 over time under two conditions, one number found and one not.
 FitReport report(bool errors_known) {
   FitReport fit{.title = "A & B", .case_file = "case.toml", .data_file = "data.csv"};
-  fit.numbers = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};
-  fit.numbers[1].open_low = fit.numbers[1].open_high = true;
-  fit.numbers[1].determined = false;
-  fit.numbers[1].remarks = {"nothing that was measured depends on it"};
+  fit.parameters = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};
+  fit.parameters[1].open_low = fit.parameters[1].open_high = true;
+  fit.parameters[1].determined = false;
+  fit.parameters[1].remarks = {"nothing that was measured depends on it"};
   fit.correlation = {{1, -0.25}, {-0.25, 1}};
   fit.conditions = {"mill.frequency = 16 Hz", "mill.frequency = 22 Hz"};
   for (int i = 0; i < 4; ++i)
@@ -50,7 +50,7 @@ FitReport report(bool errors_known) {
                 {"D90", 1, 0, {0, 10, 20}, {1e-3, 7e-4, 6e-4}}};
   fit.remarks = {"the mill ran one replicate"};
   fit.scatter = 0.9;
-  fit.freedom = 2;
+  fit.degrees_of_freedom = 2;
   fit.errors_known = errors_known;
   return fit;
 }
@@ -66,7 +66,7 @@ TEST(FitReport, counts_warnings_of_its_mills) {
 }
 
 TEST(FitReport, says_intervals_as_far_as_there_are_any) {
-  FitNumber n = found("x", 1.234, 1.1, 1.4);
+  FitParameter n = found("x", 1.234, 1.1, 1.4);
   EXPECT_EQ(n.value_text(), "1.23 kg/J/m");
   EXPECT_EQ(n.interval_text(), "1.1 kg/J/m to 1.4 kg/J/m");
   n.open_low = true;
@@ -79,7 +79,7 @@ TEST(FitReport, says_intervals_as_far_as_there_are_any) {
 }
 
 TEST(FitReport, shows_as_many_digits_as_the_interval_keeps_apart) {
-  const FitNumber sharp = found("x", 1.23456789, 1.2345, 1.2347);
+  const FitParameter sharp = found("x", 1.23456789, 1.2345, 1.2347);
   EXPECT_EQ(sharp.value_text(), "1.23457 kg/J/m");
   EXPECT_EQ(sharp.interval_text(), "1.2345 kg/J/m to 1.2347 kg/J/m");
 }

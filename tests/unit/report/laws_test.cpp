@@ -18,8 +18,8 @@ namespace {
 using tests::states;
 using List = std::vector<double>;
 
-const Law& of(const std::vector<Law>& laws, Form form) {
-  const auto at = std::ranges::find(laws, form, &Law::form);
+const FittedLaw& of(const std::vector<FittedLaw>& laws, LawForm form) {
+  const auto at = std::ranges::find(laws, form, &FittedLaw::form);
   EXPECT_NE(at, laws.end()) << name_of(form);
   return at == laws.end() ? laws.front() : *at;
 }
@@ -45,7 +45,7 @@ const List norris_y{0.1, 338.8, 118.1, 888.0, 9.2,   228.1, 668.5, 998.5, 449.1,
                     0.6, 557.6, 339.3, 888.0, 998.5, 778.9, 10.2,  117.6, 228.9, 668.4, 449.2, 0.2};
 
 TEST(Laws, a_line_through_nists_norris_data_is_the_certified_one) {
-  const Law line = of(fitted_laws(norris_x, norris_y, {}), Form::line);
+  const FittedLaw line = of(fitted_laws(norris_x, norris_y, {}), LawForm::line);
   const std::string source = "NIST StRD, Norris";
   const double t = observe::student95(34);
   states("intercept", line.coefficients[0], -0.262323073774029, 1e-12, source);
@@ -72,7 +72,7 @@ TEST(Laws, weights_are_those_of_the_textbooks_weighted_line) {
     total += v * std::pow(y[i] - wy / w, 2);
   }
   const double t = observe::student95(3), s = std::sqrt(left / 3);
-  const Law line = of(fitted_laws(x, y, ci), Form::line);
+  const FittedLaw line = of(fitted_laws(x, y, ci), LawForm::line);
   const std::string source = "Bevington and Robinson, 6.3, s from the residuals";
   states("intercept", line.coefficients[0], a, 1e-12, source);
   states("slope", line.coefficients[1], b, 1e-12, source);
@@ -86,35 +86,35 @@ TEST(Laws, weights_are_those_of_the_textbooks_weighted_line) {
   // Weights are shares: all intervals ten times as wide change nothing.
   List wide = ci;
   for (double& v : wide) v *= 10;
-  const Law same = of(fitted_laws(x, y, wide), Form::line);
+  const FittedLaw same = of(fitted_laws(x, y, wide), LawForm::line);
   states("half-width with tenfold intervals", same.ci95[1], line.ci95[1], 1e-12, source);
 }
 
 TEST(Laws, without_an_interval_at_every_point_all_weigh_the_same) {
   const List x{1, 2, 3, 5, 8}, y{2.1, 3.8, 6.3, 9.7, 16.4};
-  const Law plain = of(fitted_laws(x, y, {}), Form::line);
+  const FittedLaw plain = of(fitted_laws(x, y, {}), LawForm::line);
   for (const List& ci : {List{0.2, 0.4, NAN, 1, 0.5}, List{0.2, 0.4, 0, 1, 0.5}, List{0.2, 0.4}})
-    EXPECT_EQ(of(fitted_laws(x, y, ci), Form::line).coefficients, plain.coefficients);
+    EXPECT_EQ(of(fitted_laws(x, y, ci), LawForm::line).coefficients, plain.coefficients);
 }
 
 TEST(Laws, a_power_law_is_recovered_exactly) {
   const List x{3, 7, 20, 55, 160};
   const List y = map(x, [](double v) { return 5e-6 * std::pow(v, -1.7); });
-  const std::vector<Law> laws = fitted_laws(x, y, {});
-  const Law power = of(laws, Form::power);
+  const std::vector<FittedLaw> laws = fitted_laws(x, y, {});
+  const FittedLaw power = of(laws, LawForm::power);
   states("exponent", power.coefficients[1], -1.7, 1e-12, "what the points were made with");
   states("y at x0 over that of the law",
          power.coefficients[0] / (5e-6 * std::pow(power.reference, -1.7)), 1, 1e-12,
          "what the points were made with");
   states("R^2", power.r_squared, 1, 1e-15, "(cam.24)");
-  const Choice choice = best_of(laws);
-  EXPECT_EQ(laws[choice.best].form, Form::power);
-  EXPECT_TRUE(choice.as_good.empty());
+  const LawSelection choice = select_law(laws);
+  EXPECT_EQ(laws[choice.best].form, LawForm::power);
+  EXPECT_TRUE(choice.equivalent.empty());
 }
 
 TEST(Laws, a_power_law_has_least_squares_in_y_and_intervals_of_its_slopes) {
   const List x{1, 2, 3, 4, 5, 6}, y{1.2, 2.6, 5.6, 7.6, 11.6, 14.1};
-  const Law power = of(fitted_laws(x, y, {}), Form::power);
+  const FittedLaw power = of(fitted_laws(x, y, {}), LawForm::power);
   const auto left = [&](double c, double p) {
     double sum = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -139,7 +139,7 @@ TEST(Laws, a_power_law_has_least_squares_in_y_and_intervals_of_its_slopes) {
 TEST(Laws, a_parabola_is_recovered_exactly_far_from_zero_too) {
   const List x{1000, 1001, 1002, 1004, 1007};
   const List y = map(x, [](double v) { return 3 * v * v - 5990 * v + 2.99e6; });
-  const Law parabola = of(fitted_laws(x, y, {}), Form::parabola);
+  const FittedLaw parabola = of(fitted_laws(x, y, {}), LawForm::parabola);
   // Numbers near 3e6 are known to 5e-10, and a parabola over 7 of 1000 is read from 147 of them.
   states("c", parabola.coefficients[2], 3, 1e-9, "what the points were made with");
   states("b over its own", parabola.coefficients[1] / -5990, 1, 1e-9, "the same");
@@ -159,10 +159,10 @@ TEST(Laws, the_intervals_hold_the_truth_in_95_of_100) {
       line.push_back(1 + 2 * v + half * normal(random));
       power.push_back(2 * std::pow(v, 1.5) + half * normal(random));
     }
-    const std::vector<Law> laws = fitted_laws(x, line, ci);
-    const Law& fitted = of(laws, Form::line);
-    const Law& bent = of(laws, Form::parabola);
-    const Law curve = of(fitted_laws(x, power, ci), Form::power);
+    const std::vector<FittedLaw> laws = fitted_laws(x, line, ci);
+    const FittedLaw& fitted = of(laws, LawForm::line);
+    const FittedLaw& bent = of(laws, LawForm::parabola);
+    const FittedLaw curve = of(fitted_laws(x, power, ci), LawForm::power);
     slope += std::abs(fitted.coefficients[1] - 2) <= fitted.ci95[1] ? 1 : 0;
     curvature += std::abs(bent.coefficients[2]) <= bent.ci95[2] ? 1 : 0;
     exponent += std::abs(curve.coefficients[1] - 1.5) <= curve.ci95[1] ? 1 : 0;
@@ -179,24 +179,24 @@ TEST(Laws, a_line_through_the_origin_is_also_a_power_law_and_said_to_be) {
   const List off{0.05, -0.04, -0.05, 0.06, 0.04, -0.06, -0.03, 0.03};
   List y;
   for (std::size_t i = 0; i < x.size(); ++i) y.push_back(2 * x[i] + off[i]);
-  const std::vector<Law> laws = fitted_laws(x, y, {});
-  EXPECT_TRUE(through_origin(of(laws, Form::line)));
-  const Choice choice = best_of(laws);
+  const std::vector<FittedLaw> laws = fitted_laws(x, y, {});
+  EXPECT_TRUE(through_origin(of(laws, LawForm::line)));
+  const LawSelection choice = select_law(laws);
   EXPECT_TRUE(choice.by_aicc);
-  EXPECT_NE(laws[choice.best].form, Form::parabola) << "a number more that gains nothing";
-  ASSERT_EQ(choice.as_good.size(), 1U);
-  EXPECT_NE(laws[choice.as_good[0]].form, Form::parabola);
+  EXPECT_NE(laws[choice.best].form, LawForm::parabola) << "a number more that gains nothing";
+  ASSERT_EQ(choice.equivalent.size(), 1U);
+  EXPECT_NE(laws[choice.equivalent[0]].form, LawForm::parabola);
   for (double& v : y) v += 1;
-  EXPECT_FALSE(through_origin(of(fitted_laws(x, y, {}), Form::line)));
+  EXPECT_FALSE(through_origin(of(fitted_laws(x, y, {}), LawForm::line)));
 }
 
 TEST(Laws, four_points_do_not_tell_laws_apart) {
   const List x{1, 2, 3, 4}, y{1.1, 3.8, 9.3, 15.9};
-  const std::vector<Law> laws = fitted_laws(x, y, {});
+  const std::vector<FittedLaw> laws = fitted_laws(x, y, {});
   ASSERT_EQ(laws.size(), 3U);
-  const Choice choice = best_of(laws);
+  const LawSelection choice = select_law(laws);
   EXPECT_FALSE(choice.by_aicc);
-  for (const Law& law : laws) {
+  for (const FittedLaw& law : laws) {
     EXPECT_TRUE(std::isnan(law.aicc));
     EXPECT_LE(law.adjusted, laws[choice.best].adjusted);
   }

@@ -45,20 +45,20 @@ OptimumReport some() {
                     .x = {200, -3},
                     .round = 0,
                     .replicates = 2,
-                    .seen = {1.5, 0.1},
+                    .observed = {1.5, 0.1},
                     .model = {1.4, 0.1},
-                    .limited = {{1e-10, 1e-11}},
-                    .allowed = 1,
-                    .chance = 0.02},
+                    .limit_values = {{1e-10, 1e-11}},
+                    .probability_feasible = 1,
+                    .probability_best = 0.02},
                    {.values = {"598 rpm", "-2"},
                     .x = {598, -2},
                     .round = 1,
                     .replicates = 4,
-                    .seen = {2.5, 0.2},
+                    .observed = {2.5, 0.2},
                     .model = {2.25, 0.125},
-                    .limited = {{2e-10, 1e-11}},
-                    .allowed = 0.9,
-                    .chance = 0.98},
+                    .limit_values = {{2e-10, 1e-11}},
+                    .probability_feasible = 0.9,
+                    .probability_best = 0.98},
                    {.values = {"600 rpm", "-1"},
                     .x = {600, -1},
                     .round = 1,
@@ -66,14 +66,14 @@ OptimumReport some() {
   made.best = 1;
   made.model_value = {2.3, 0.2};
   made.failed = 1;
-  made.ended = "It ended";
+  made.stop_reason = "It ended";
   return made;
 }
 
 /// The same, the best of which is outside the validity of its engine and told from all others.
 OptimumReport invalid_best() {
   OptimumReport made = some();
-  made.settings[1].chance = 1;
+  made.settings[1].probability_best = 1;
   made.settings[1].invalid = true;
   made.settings[1].warnings = "long-contacts";
   made.notices = {{invalid("long-contacts", "The balls <touch>."), 2}};
@@ -82,7 +82,7 @@ OptimumReport invalid_best() {
 
 TEST(OptimumReport, an_optimum_outside_the_validity_of_its_engine_is_not_certain) {
   OptimumReport sure = some();
-  sure.settings[1].chance = 1;
+  sure.settings[1].probability_best = 1;
   EXPECT_TRUE(sure.certain());
   EXPECT_TRUE(says(sentences(sure), "is told from all others"));
   EXPECT_FALSE(invalid_best().certain());
@@ -145,7 +145,7 @@ TEST(OptimumReport, says_what_is_sure_and_what_is_not) {
 
 TEST(OptimumReport, says_no_more_than_that_the_best_is_told) {
   OptimumReport told = some();
-  told.settings[1].chance = 1;
+  told.settings[1].probability_best = 1;
   for (OptimumKey& k : told.keys) k.model = k.best;
   EXPECT_TRUE(says(sentences(told), "told from all others"));
   EXPECT_FALSE(says(sentences(told), "expected to be lost"));
@@ -219,7 +219,7 @@ MatchReport matched() {
   made.half_power = {1, 0.9, 1.1};
   made.overlap = 0.87;
   made.distance = 0.15;
-  made.chance = 0.31;
+  made.p_value = 0.31;
   made.within_scatter = true;
   made.edges = {1, 2, 4, 8};
   made.shares_a = {0.5, 0.5, 0};
@@ -234,9 +234,9 @@ TEST(MatchReport, says_whether_the_mills_do_the_same) {
   EXPECT_TRUE(says(sentences(found), "31 of 100"));
   EXPECT_TRUE(says(sentences(found), "mill.speed could not be matched within its range"));
   found.within_scatter = false;
-  found.chance = 0.001;
+  found.p_value = 0.001;
   EXPECT_TRUE(says(sentences(found), "still differ"));
-  found.chance = unknown;
+  found.p_value = unknown;
   EXPECT_TRUE(says(sentences(found), "scatter is not known"));
 }
 

@@ -56,12 +56,12 @@ TEST(Paper, is_read_whole_with_its_defaults) {
   EXPECT_EQ(paper.folder, "papers/x");
   EXPECT_EQ(paper.campaigns(), (std::vector<std::string>{"c", "d"}));
   ASSERT_EQ(paper.figures.size(), 1U);
-  EXPECT_EQ(paper.figures[0].law, Form::line);
+  EXPECT_EQ(paper.figures[0].law, LawForm::line);
   ASSERT_EQ(paper.claims.size(), 2U);
   EXPECT_EQ(paper.claims[0].kind, Claim::Kind::trend);
   EXPECT_DOUBLE_EQ(paper.claims[1].bound, 0.003);
   EXPECT_EQ(paper.claims[1].at,
-            (Where{{"mill.frequency", {"10", "20 Hz"}}, {"contact.friction", {"0.5"}}}));
+            (PointSelector{{"mill.frequency", {"10", "20 Hz"}}, {"contact.friction", {"0.5"}}}));
 }
 
 TEST(Paper, faults_name_the_line_and_come_together) {
@@ -109,11 +109,11 @@ TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
     add(c.numbers, {.number = c.outcomes.size(), .values = {hits == 100 ? "10 Hz" : "20 Hz"}},
         results::summarise(c.outcomes.back()).quantities);
   }
-  c.numbers.swept = swept({"mill.frequency"}, c.numbers.points);
+  c.numbers.keys = campaign_keys({"mill.frequency"}, c.numbers.points);
   c.outcomes[1].notices = {warning("two-states", "They are two.")};
   const PaperResult result = paper_result(paper, run);
-  ASSERT_EQ(result.judged.size(), 1U);
-  EXPECT_EQ(result.judged[0].holds, Holds::yes) << result.judged[0].found;
+  ASSERT_EQ(result.verdicts.size(), 1U);
+  EXPECT_EQ(result.verdicts[0].holds, Holds::yes) << result.verdicts[0].finding;
   ASSERT_EQ(result.pictures.size(), 1U);
   EXPECT_EQ(result.pictures[0].file, "figure-1-collision_rate.svg");
   EXPECT_NE(result.pictures[0].svg.find("<svg"), std::string::npos);
@@ -121,7 +121,7 @@ TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
   EXPECT_NE(page.find("it rises | &lt;b&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
   EXPECT_NE(page.find("10.03"), std::string::npos)
-      << result.judged[0].found;  // mean of 100,100,101
+      << result.verdicts[0].finding;  // mean of 100,100,101
   EXPECT_NE(claims_markdown(result).find("| 1 | it rises \\| <b> |"), std::string::npos);
   EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why\n"));
   EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1."), std::string::npos);
@@ -133,7 +133,7 @@ TEST(Paper, words_about_its_own_settings_are_left_out_where_others_were_run) {
   std::string reasoned = claim;
   reasoned.replace(reasoned.find("\"w\""), 3, "\"for reasons\"");
   const Paper paper = read_paper_text(head + reasoned, "paper.toml");
-  PaperResult result{.paper = &paper, .pictures = {}, .judged = {{}}, .seconds = {}};
+  PaperResult result{.paper = &paper, .pictures = {}, .verdicts = {{}}, .seconds = {}};
   EXPECT_NE(paper_page(result, "1").find("for reasons"), std::string::npos);
   result.changed = {"run.time = 2 s"};
   for (const std::string& told : {paper_page(result, "1"), claims_text(result)}) {

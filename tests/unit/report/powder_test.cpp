@@ -157,7 +157,7 @@ TEST(PowderReport, sections_are_there_for_what_the_case_asks_and_no_other) {
   EXPECT_FALSE(has(part, "How fine"));
   EXPECT_FALSE(has(part, "Dose"));
   Outcome nothing = ground_outcome();
-  for (results::Replicate& r : nothing.replicates) r.ground.reset();
+  for (results::Replicate& r : nothing.replicates) r.grinding.reset();
   EXPECT_EQ(powder_sections(ended(nothing)), "");
 }
 
@@ -204,7 +204,7 @@ TEST(PowderReport, campaigns_show_sizes_where_they_grind) {
     for (const int hits : {100, 200})
       add(c, {.number = c.points.size() + 1, .values = {fmt::format("{} rpm", hits)}},
           results::summarise(outcome({hits, hits + 10})).quantities);
-    c.swept = swept({"mill.speed"}, c.points);
+    c.keys = campaign_keys({"mill.speed"}, c.points);
     return c;
   };
   const Campaign grinds = campaign(ground_outcome), flies = campaign(results::fake_outcome);

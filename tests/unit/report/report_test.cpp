@@ -139,12 +139,12 @@ TEST(Report, warns_of_what_makes_it_doubtful) {
   auto o = fake_outcome();
   o.interrupted = true;
   o.replicates[1].complete = false;
-  o.replicates[1].stopped = "too many bounces";
-  o.replicates[0].account.kinetic = 1;
-  o.replicates[0].account.worst_collision = 1e-3;
+  o.replicates[1].stop_reason = "too many bounces";
+  o.replicates[0].energy_balance.kinetic = 1;
+  o.replicates[0].energy_balance.worst_collision = 1e-3;
   EXPECT_EQ(warnings(ended(o)).size(), 4U);
   auto steps = fake_outcome();
-  steps.replicates[0].account.kinetic = 1e-3;
+  steps.replicates[0].energy_balance.kinetic = 1e-3;
   EXPECT_EQ(warnings(ended(steps)).size(), 1U);
   steps.engine = cases::EngineName::soft;  // follows contacts in steps
   EXPECT_TRUE(warnings(ended(steps)).empty());
@@ -171,17 +171,17 @@ Campaign campaign() {
   point("400 rpm", "steel", 200);
   point("200 rpm", "steel", 100);
   point("200 rpm", "a, \"b\"", 300);
-  c.swept = swept({"mill.speed", "jar.material"}, c.points);
+  c.keys = campaign_keys({"mill.speed", "jar.material"}, c.points);
   return c;
 }
 
 TEST(Campaign, units_of_swept_keys_are_found_where_they_are_shared) {
   const Campaign c = campaign();
-  EXPECT_EQ(c.swept[0].unit, "rpm");
-  EXPECT_EQ(c.swept[1].unit, "");
+  EXPECT_EQ(c.keys[0].unit, "rpm");
+  EXPECT_EQ(c.keys[1].unit, "");
   const std::vector<Point> mixed{{.number = 1, .values = {"1 Hz"}},
                                  {.number = 2, .values = {"60 rpm"}}};
-  EXPECT_EQ(swept({"mill.speed"}, mixed)[0].unit, "");
+  EXPECT_EQ(campaign_keys({"mill.speed"}, mixed)[0].unit, "");
 }
 
 TEST(Campaign, csv_has_a_row_per_point_and_a_cell_per_column) {

@@ -43,7 +43,7 @@ Sensitivity one_at_a_time() {
                        .low_ci95 = 0.3,
                        .high = 12.1,
                        .high_ci95 = 0.3,
-                       .told = false},
+                       .significant = false},
                       {.key = "mill.speed",
                        .low_end = "200 rpm",
                        .high_end = "400 rpm",
@@ -51,7 +51,7 @@ Sensitivity one_at_a_time() {
                        .low_ci95 = 0.1,
                        .high = 28,
                        .high_ci95 = 0.6,
-                       .told = true}}};
+                       .significant = true}}};
 }
 
 TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
@@ -67,8 +67,8 @@ TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
   EXPECT_NEAR(drawn[0].first + drawn[0].second, foot, 0.11);  // written to a tenth
   // 12 - 4 = 8 to the left, 28 - 12 = 16 to the right.
   EXPECT_NEAR(drawn[0].second / drawn[1].second, 0.5, 0.005);
-  EXPECT_TRUE(has(pictures[0].below, "The case itself: 12.00 ± 0.30 W."));
-  EXPECT_TRUE(has(pictures[0].below, "data-v=\"28\">28.00 ± 0.60<"));
+  EXPECT_TRUE(has(pictures[0].caption, "The case itself: 12.00 ± 0.30 W."));
+  EXPECT_TRUE(has(pictures[0].caption, "data-v=\"28\">28.00 ± 0.60<"));
 }
 
 TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
@@ -80,7 +80,7 @@ TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: no key has an effect that can be told from zero.");
   // Where it is not known nothing is said of zero.
-  none.effects[0].told = std::nullopt;
+  none.effects[0].significant = std::nullopt;
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: contact.friction matters most (it goes "
             "through 300.0 mW over its range).");
@@ -88,20 +88,20 @@ TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
 
 TEST(Tornado, an_effect_is_never_said_to_matter_and_not_to_be_told_at_once) {
   Sensitivity s = one_at_a_time();
-  s.effects[0].told = true;
+  s.effects[0].significant = true;
   EXPECT_FALSE(has(sensitivity_words(s), "Not told from zero"));
-  s.effects[1].told = false;
+  s.effects[1].significant = false;
   EXPECT_EQ(
       sensitivity_words(s),
       "dissipated power: of the effects that are told from zero that of contact.friction is "
       "the largest (it goes through 300.0 mW over its range). Larger, but not told from zero: "
       "that of mill.speed.");
-  s.effects[0].told = std::nullopt;
+  s.effects[0].significant = std::nullopt;
   EXPECT_EQ(
       sensitivity_words(s),
       "dissipated power: the largest effect, that of mill.speed (it goes through 24.00 W over "
       "its range), is not told from zero.");
-  s.effects[0].told = false;
+  s.effects[0].significant = false;
   EXPECT_TRUE(has(sensitivity_words(s), "no key has an effect that can be told from zero"));
 }
 
@@ -109,13 +109,13 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
   Campaign c = scattered(20);
   Sensitivity power = one_at_a_time(), size = one_at_a_time();
   size.quantity = "d50";
-  power.effects[0].idle = size.effects[0].idle = true;
+  power.effects[0].inactive = size.effects[0].inactive = true;
   c.sensitivities = {power, size};
   std::string html = campaign_page(c, "1");
   EXPECT_TRUE(in_order(html, {"<p>Changes nothing in this case: contact.friction.</p>", "<svg"}));
   EXPECT_FALSE(has(html, "Not told from zero"));
   // It changes one of them.
-  c.sensitivities[1].effects[0].idle = false;
+  c.sensitivities[1].effects[0].inactive = false;
   html = campaign_page(c, "1");
   EXPECT_FALSE(has(html, "Changes nothing"));
   EXPECT_TRUE(has(html, "Not told from zero: the effect of contact.friction."));
@@ -136,14 +136,14 @@ TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
 TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
   Sensitivity s = one_at_a_time();
   s.effects[0].low = s.effects[0].high = s.base;
-  s.effects[0].idle = true;
+  s.effects[0].inactive = true;
   const std::string idle = sensitivity_pictures(s)[0].svg;
   EXPECT_TRUE(has(idle, ">0.2, 0.8<"));
   EXPECT_FALSE(has(idle, ">0.2<"));
   EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
   // The case stands at the low end of the range.
   s.effects[0].high = 14;
-  s.effects[0].idle = false;
+  s.effects[0].inactive = false;
   const std::string one_end = sensitivity_pictures(s)[0].svg;
   EXPECT_TRUE(in_order(one_end, {">0.2<", ">0.8<"}));
   EXPECT_NE(place_of(one_end, ">0.2<"), place_of(one_end, ">0.8<")) << "below each other";
@@ -159,7 +159,7 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
                        .deviation = 6e-7,
                        .of_noise = 4e-7,
                        .count = 1,
-                       .told = false});
+                       .significant = false});
   s.effects.push_back({.key = "mill.speed",
                        .mean_absolute = 8e-6,
                        .mean_absolute_ci95 = 6e-7,
@@ -169,16 +169,16 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
                        .deviation_ci95 = 4e-7,
                        .of_noise = 5e-7,
                        .count = 12,
-                       .told = true});
+                       .significant = true});
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 2U);
   EXPECT_EQ(pictures[1].name, "tornado-d50-scatter");
   const auto drawn = bars(pictures[0].svg);
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
-  EXPECT_TRUE(has(pictures[0].below, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
-  EXPECT_TRUE(in_order(pictures[0].below, {">of noise<", ">effects<", ">8.00 ± 0.60<",
-                                           "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
+  EXPECT_TRUE(has(pictures[0].caption, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
+  EXPECT_TRUE(in_order(pictures[0].caption, {">of noise<", ">effects<", ">8.00 ± 0.60<",
+                                             "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
   EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
   EXPECT_EQ(sensitivity_words(s),
             "D50: mill.speed matters most (on average 8.00 ± 0.60 µm over "
@@ -196,14 +196,14 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
                        .total_low = 0.73,
                        .total_high = 0.79,
                        .count = 64,
-                       .told = true});
+                       .significant = true});
   s.effects.push_back({.key = "contact.friction",
                        .first_order = -0.01,
                        .first_order_ci95 = 0.04,
                        .total = 0.02,
                        .total_ci95 = 0.03,
                        .count = 63,
-                       .told = false});
+                       .significant = false});
   s.effects.push_back({.key = "jar.material"});  // nothing is known of it
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 1U);
@@ -216,17 +216,17 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
             "D50: mill.speed matters most (with others it makes 0.750 ± "
             "0.030 of the variance). Not told from zero: the effect of "
             "contact.friction.");
-  EXPECT_TRUE(in_order(pictures[0].below, {"Noise makes 12 % of the variance seen", ">groups<",
-                                           ">0.75 (0.73 to 0.79)<", ">64<", ">63<"}));
+  EXPECT_TRUE(in_order(pictures[0].caption, {"Noise makes 12 % of the variance seen", ">groups<",
+                                             ">0.75 (0.73 to 0.79)<", ">64<", ">63<"}));
   s.noise = NAN;
-  EXPECT_TRUE(has(sensitivity_pictures(s)[0].below, "errors of the points are not known"));
+  EXPECT_TRUE(has(sensitivity_pictures(s)[0].caption, "errors of the points are not known"));
 }
 
 TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
   s.effects = {{.key = "mill.speed", .total = 0.75, .count = 64},
                {.key = "contact.friction", .total = 0.02, .count = 64}};
-  const std::string below = sensitivity_pictures(s)[0].below;
+  const std::string below = sensitivity_pictures(s)[0].caption;
   EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise makes")) << below;
   EXPECT_FALSE(has(below, ">groups<"));
 }
@@ -255,7 +255,7 @@ TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
                 .method = Method::sobol,
                 .variance = -1e-14,
                 .noise = 1.1,
-                .effects = {{.key = "mill.speed", .count = 64, .told = false}}};
+                .effects = {{.key = "mill.speed", .count = 64, .significant = false}}};
   EXPECT_EQ(sensitivity_words(s),
             "D50: varies no more than the errors of its points: more replicates or points are "
             "needed.");
@@ -269,7 +269,7 @@ TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
   Sensitivity s{.quantity = "dissipated_power", .unit = "W", .method = Method::morris};
   s.effects = {{.key = "mill.speed", .mean_absolute = 24, .mean = -24, .count = 1}};
   const std::vector<Picture> pictures = sensitivity_pictures(s);
-  EXPECT_FALSE(has(pictures[0].below, "±"));
+  EXPECT_FALSE(has(pictures[0].caption, "±"));
   EXPECT_EQ(sensitivity_words(s),
             "dissipated power: mill.speed matters most (on average 24.00 W over its range).");
 }

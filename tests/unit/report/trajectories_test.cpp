@@ -32,7 +32,7 @@ results::Outcome outcome() {
                             observe::WallGrid{.radius = radius, .bottom = -0.05, .top = 0.05});
   std::vector<scene::Ball> balls = cases::starting_balls(o.what, 0);
   observe::Replay film(cases::chamber(o.what), 2, 0, 1);
-  for (double t = film.next(); std::isfinite(t); t = film.next()) {
+  for (double t = film.next_frame_time(); std::isfinite(t); t = film.next_frame_time()) {
     balls[0].position = {0.025 * std::cos(speed * t), 0.025 * std::sin(speed * t), 0};
     balls[0].velocity = {};
     balls[1].position = balls[1].velocity = {};

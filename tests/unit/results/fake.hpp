@@ -44,14 +44,14 @@ inline Replicate fake_replicate(int hits) {
   const double lost = 0.001 * hits;
   r.at_settled.time = 1;
   r.at_settled.lost_normal = 5;
-  r.account = r.at_settled;
-  r.account.time = 11;
-  r.account.lost_normal += lost;
-  r.account.wall_work = 5 + lost;
-  r.account.contact_time = 2;
-  r.account.lasting_contacts = 4;
-  r.account.collisions = hits;
-  r.account.worst_collision = 1e-15 * hits;
+  r.energy_balance = r.at_settled;
+  r.energy_balance.time = 11;
+  r.energy_balance.lost_normal += lost;
+  r.energy_balance.wall_work = 5 + lost;
+  r.energy_balance.contact_time = 2;
+  r.energy_balance.lasting_contacts = 4;
+  r.energy_balance.collisions = hits;
+  r.energy_balance.worst_collision = 1e-15 * hits;
   for (const double end : {5.0, 10.0})
     r.windows.push_back({.time = end,
                          .length = 5,

@@ -197,7 +197,7 @@ TEST_F(FolderTest, two_into_one_place_are_refused) {
   EXPECT_EQ(refusal(place, false), "");
   EXPECT_EQ(entries(scratch()), 0U) << "no lock stays";
   write_text_of(place / "campaign.lock", "");
-  const FileLock campaign(place / "campaign.lock", FileLock::Holds::with_others);
+  const FileLock campaign(place / "campaign.lock", FileLock::Mode::shared);
   EXPECT_NE(refusal(place, true).find("result-at-work"), std::string::npos);
 }
 

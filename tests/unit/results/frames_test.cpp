@@ -40,12 +40,12 @@ TEST(FrameTimes, begin_when_counting_does_and_end_with_it) {
   for (const double expected : {0.5, 0.6, 0.7, 0.8}) {
     EXPECT_NEAR(times.next(), expected, 1e-15);
     EXPECT_LE(times.next(), what.run.settle + what.run.time);
-    times.go_on();
+    times.advance();
   }
   EXPECT_EQ(times.next(), INFINITY);
   what.observe.frames = 1;  // longer than the run
   FrameTimes one(what);
-  one.go_on();
+  one.advance();
   EXPECT_EQ(one.next(), INFINITY);
 }
 
@@ -181,7 +181,7 @@ TEST_F(FramesTest, say_when_they_cannot_be_written) {
 
 TEST(Stopped, every_ball_is_a_row) {
   Replicate r(0.1);
-  r.at_stop = {ball(0.001), ball(NAN)};
+  r.balls_at_stop = {ball(0.001), ball(NAN)};
   const Table table = balls_at_stop(r);
   EXPECT_EQ(csv(table).substr(csv(table).find('\n') + 1),
             "1,2,0.004,0.001,-0.002,0.003,1,2,3,10,-20,30.5\n"

@@ -79,7 +79,7 @@ double off_wall(const AnyShape& shape, const JarMesh& mesh, const Vec3& p) {
   if (!mesh.rotor)  // the shaft goes through the middle of its lid
     return std::abs(depth(geometry::Cylinder{stirred->diameter, stirred->height}, p));
   double least = std::abs(stirred->gap(2, p).distance);  // or ends there
-  for (int face = stirred->turning_from; face < stirred->faces; ++face)
+  for (int face = stirred->first_rotor_face; face < stirred->faces; ++face)
     least = std::min(least, std::abs(stirred->gap(face, p).distance));
   return least;
 }

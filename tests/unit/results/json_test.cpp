@@ -93,7 +93,7 @@ TEST(SummaryJson, tells_what_is_missing) {
   Outcome o = fake_outcome({100});
   o.interrupted = true;
   o.replicates[0].complete = false;
-  o.replicates[0].stopped = "the ball left the jar";
+  o.replicates[0].stop_reason = "the ball left the jar";
   const nlohmann::json all = parsed(o);
   EXPECT_EQ(all.at("_about").at("complete"), false);
   EXPECT_EQ(all.at("_about").at("interrupted"), true);

@@ -37,7 +37,7 @@ double value(const Outcome& outcome, const std::string& name) {
   std::vector<Measure> list = motion_measures(outcome.what);
   for (const Measure& m : tangential_measures()) list.push_back(m);
   for (const Measure& m : list)
-    if (m.name == name) return m.of(outcome.what, outcome.replicates[0]);
+    if (m.name == name) return m.compute(outcome.what, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
 
@@ -47,7 +47,7 @@ void look(Outcome& outcome, double time, double r, double angle, const Vec3& vel
   const observe::Charge& charge = outcome.replicates[0].charge;
   b.position = r * (std::cos(angle) * charge.right() + std::sin(angle) * charge.up());
   b.velocity = velocity;
-  outcome.replicates[0].charge.look(time, {b}, 1);
+  outcome.replicates[0].charge.sample(time, {b}, 1);
 }
 
 TEST(Motion, an_even_charge_occupies_all_and_half_a_circle_of_it_half) {

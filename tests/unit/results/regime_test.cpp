@@ -33,7 +33,7 @@ Outcome of(const kinematics::AnyMotion& motion) {
   c.balls = {{2, 0.01, 7850, ""}};
   outcome.replicates.emplace_back(0.1, observe::BallKinds{},
                                   observe::WallGrid{.radius = 0.1, .bottom = -0.05, .top = 0.05});
-  outcome.replicates[0].account.time = 10;
+  outcome.replicates[0].energy_balance.time = 10;
   outcome.replicates[0].charge = Charge(cases::chamber(c), 0.1);
   return outcome;
 }
@@ -50,19 +50,19 @@ Outcome planetary(double ratio) {
 void put(Outcome& outcome, int first, int count, double mass = 1) {
   for (int i = 0; i < count; ++i) {
     const int at = ((first + i) % Charge::angles + Charge::angles) % Charge::angles;
-    outcome.replicates[0].charge.mass_at[static_cast<std::size_t>(at)] = mass;
+    outcome.replicates[0].charge.mass_by_angle[static_cast<std::size_t>(at)] = mass;
   }
 }
 
 double value(const Outcome& outcome, const std::string& name) {
   for (const Measure& m : regime_measures(outcome.what))
-    if (m.name == name) return m.of(outcome.what, outcome.replicates[0]);
+    if (m.name == name) return m.compute(outcome.what, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
 
 /// The balls touch something for this share of their time.
 void touch(Outcome& outcome, double share) {
-  outcome.replicates[0].account.contact_time = share * 10 * 2;
+  outcome.replicates[0].energy_balance.contact_time = share * 10 * 2;
 }
 
 /// Of a wedge of `count` slots that begins `from` degrees after the reference, in the sense of
@@ -126,7 +126,7 @@ TEST(Regime, pinning_is_the_ratio_of_accelerations) {
   states("pinning ratio", value(planetary(-2.5), "pinning_ratio"),
          60.0 * 60 * (0.1 - 0.005) / (40.0 * 40 * 0.3), 1e-13, "(1 + k)^2 (R - r)/R_p");
   Outcome mill = planetary(-2.5);
-  mill.replicates[0].charge.at_wall = 4;
+  mill.replicates[0].charge.mass_at_wall = 4;
   mill.replicates[0].charge.wall_slip = 6;
   states("slip over the wall's speed", value(mill, "wall_slip_ratio"), 1.5 / (60 * 0.1), 1e-14,
          "|1 + k| W R");
@@ -155,11 +155,11 @@ TEST(Regime, is_named_by_the_rule) {
 TEST(Regime, is_averaged_over_replicates) {
   Outcome outcome = drum(3);
   outcome.replicates.push_back(outcome.replicates[0]);
-  for (Replicate& r : outcome.replicates) std::ranges::fill(r.charge.mass_at, 1.0);
-  outcome.replicates[0].account.contact_time = 20 * 0.9;
-  outcome.replicates[1].account.contact_time = 20 * 0.6;
+  for (Replicate& r : outcome.replicates) std::ranges::fill(r.charge.mass_by_angle, 1.0);
+  outcome.replicates[0].energy_balance.contact_time = 20 * 0.9;
+  outcome.replicates[1].energy_balance.contact_time = 20 * 0.6;
   EXPECT_EQ(regime(outcome), "cataracting") << "25 % of flight";
-  outcome.replicates[1].account.contact_time = 20 * 0.8;
+  outcome.replicates[1].energy_balance.contact_time = 20 * 0.8;
   EXPECT_EQ(regime(outcome), "cascading") << "15 % of flight";
   EXPECT_NE(regime_reason(outcome).find("fly 15 %"), std::string::npos) << regime_reason(outcome);
 }

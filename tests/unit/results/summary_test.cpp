@@ -53,8 +53,8 @@ TEST(Summary, residuals_are_those_of_the_worst_replicate) {
   Outcome o = fake_outcome();
   EXPECT_DOUBLE_EQ(value(o, "energy_residual"), 1.4e-13);
   EXPECT_LT(value(o, "energy_balance"), 1e-15);
-  o.replicates[1].account.kinetic = 0.1;  // from nowhere
-  const scene::Account& a = o.replicates[1].account;
+  o.replicates[1].energy_balance.kinetic = 0.1;  // from nowhere
+  const scene::EnergyBalance& a = o.replicates[1].energy_balance;
   EXPECT_NEAR(value(o, "energy_balance"), 0.1 / (a.wall_work + a.lost()), 1e-12);
   EXPECT_TRUE(std::isnan(named(summarise(o).quantities, "energy_balance").ci95));
 }
@@ -114,8 +114,8 @@ TEST(Summary, a_dose_is_over_the_time_that_the_case_says_the_mill_works) {
 TEST(Summary, the_tc_rule_tells_its_share) {
   Outcome o = fake_outcome({100, 100});
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
-  o.what.contact.lasting = cases::Lasting::tc;
-  for (Replicate& r : o.replicates) r.account.tc_collisions = 25;
+  o.what.contact.lasting = cases::SustainedContactModel::tc;
+  for (Replicate& r : o.replicates) r.energy_balance.tc_collisions = 25;
   EXPECT_DOUBLE_EQ(value(o, "tc_collision_share"), 0.25);
   o.what.run.engine = cases::EngineName::soft;  // has no such rule
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);

@@ -15,7 +15,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/observe/columns.hpp"
+#include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
@@ -109,7 +109,7 @@ Outcome outcome_of(const AnyShape& shape, int count) {
   outcome.what = case_of(shape);
   outcome.replicates = {empty_replicate(outcome.what)};
   outcome.replicates[0].tally.collisions(hits(shape, count));
-  outcome.replicates[0].account.time = 10;
+  outcome.replicates[0].energy_balance.time = 10;
   return outcome;
 }
 
@@ -121,7 +121,7 @@ TEST(WallMap, cells_sum_to_all_hits_with_the_jar) {
   for (const AnyShape& shape : shapes()) {
     const std::string name(geometry::name_of(shape));
     const Outcome outcome = outcome_of(shape, 20000);
-    const observe::Tally& tally = outcome.replicates[0].tally;
+    const observe::CollisionStatistics& tally = outcome.replicates[0].tally;
     std::int64_t count = 0;
     double energy = 0, lost = 0, with_jar = 0, lost_with_jar = 0;
     for (int cell = 0; cell < WallGrid::cells; ++cell) {
@@ -253,8 +253,8 @@ class Wear : public testing::TestWithParam<cases::Wear::Model> {
     outcome.replicates.assign(2, empty_replicate(outcome.what));
     outcome.replicates[0].tally.collisions(hits(shape, 400));
     outcome.replicates[1].tally.collisions(hits(shape, 800));
-    outcome.replicates[0].account.time = 10;
-    outcome.replicates[1].account.time = 20;
+    outcome.replicates[0].energy_balance.time = 10;
+    outcome.replicates[1].energy_balance.time = 20;
     return outcome;
   }
   static double named(const Outcome& outcome, const std::string& name) {

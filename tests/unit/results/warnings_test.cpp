@@ -35,10 +35,10 @@ Outcome run_of(int windows, const Power& power, const Drawn& drawn) {
     lost += r.windows.back().lost;
     work += r.windows.back().wall_work;
   }
-  r.account.lost_normal = r.at_settled.lost_normal + lost;
+  r.energy_balance.lost_normal = r.at_settled.lost_normal + lost;
   r.at_settled.wall_work = 5;
-  r.account.wall_work = 5 + work;
-  r.account.kinetic = work - lost;
+  r.energy_balance.wall_work = 5 + work;
+  r.energy_balance.kinetic = work - lost;
   return o;
 }
 
@@ -72,7 +72,7 @@ TEST(NotSettled, is_not_told_where_the_stored_energy_goes_up_and_down) {
       w.wall_work = w.lost + now - before;
       before = now;
     }
-    o.replicates[0].account.wall_work += 0.5;  // 5 % of what is lost
+    o.replicates[0].energy_balance.wall_work += 0.5;  // 5 % of what is lost
     told += has(warnings(ended(o)), "not-settled") ? 1 : 0;
   }
   EXPECT_EQ(told, 0) << "of 40 runs";
@@ -81,13 +81,13 @@ TEST(NotSettled, is_not_told_where_the_stored_energy_goes_up_and_down) {
 TEST(Overlap, is_warned_of_by_what_was_reached) {
   Outcome o = fake_outcome();
   o.engine = cases::EngineName::soft;
-  o.replicates[1].account.deepest_overlap = 0.009;
+  o.replicates[1].energy_balance.deepest_overlap = 0.009;
   EXPECT_TRUE(warnings(ended(o)).empty());
-  o.replicates[1].account.deepest_overlap = 0.03;
+  o.replicates[1].energy_balance.deepest_overlap = 0.03;
   ASSERT_EQ(warnings(ended(o)).size(), 1U);
   EXPECT_EQ(warnings(ended(o))[0].code, "soft-contacts");
   EXPECT_NE(warnings(ended(o))[0].text.find("overlapped by 3 %"), std::string::npos);
-  o.replicates[1].account.deepest_overlap = 0.3;
+  o.replicates[1].energy_balance.deepest_overlap = 0.3;
   ASSERT_EQ(warnings(ended(o)).size(), 1U);
   EXPECT_EQ(warnings(ended(o))[0].code, "deep-overlap");
 }
@@ -105,7 +105,7 @@ TEST(TwoStates, are_named_with_their_shares_and_values) {
   EXPECT_NEAR(named(found->states[1].quantities, "dissipated_power").value, 0.0902, 1e-12);
   EXPECT_NEAR(named(found->states[1].quantities, "collision_rate_above_threshold").value, 45.1,
               1e-9);
-  EXPECT_LE(found->chance, 0.01);
+  EXPECT_LE(found->p_value, 0.01);
   const Notices notices = warnings(ended(o));
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices[0].code, "two-states");

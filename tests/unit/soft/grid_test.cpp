@@ -40,7 +40,7 @@ void expect_all_found(int count, const Vec3& size, double radius, double margin,
   };
   for (const Vec3& from : cloud(30, 1.2 * size, seed + 1)) {
     std::multiset<std::int32_t> found;
-    grid.near(from, {reach, reach, reach}, [&](std::int32_t begin, std::int32_t end) {
+    grid.for_each_near(from, {reach, reach, reach}, [&](std::int32_t begin, std::int32_t end) {
       for (std::int32_t k = begin; k < end; ++k) found.insert(k);
     });
     for (std::size_t k = 0; k < places.size(); ++k) {

@@ -23,9 +23,9 @@ struct Counted : kinematics::ChosenMotion {
   using ChosenMotion::ChosenMotion;
   std::shared_ptr<std::int64_t> left = std::make_shared<std::int64_t>(1'000'000);
 
-  kinematics::Ride ride(double t) const {
+  kinematics::FrameMotion frame_motion(double t) const {
     if (--*left < 0) throw Hang("too many looks");
-    return ChosenMotion::ride(t);
+    return ChosenMotion::frame_motion(t);
   }
 };
 
@@ -40,12 +40,12 @@ inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamb
         if constexpr (!geometry::has_exact_touches<S>) {
           return nullptr;  // the event engine does not take it
         } else {
-          const event::Jar<S, Counted> jar(shape, motion, chamber);
+          const event::TypedChamber<S, Counted> jar(shape, motion, chamber);
           if constexpr (S::faces > 0)
             if (one_ball)
               return std::make_unique<event::OneBall<S, Counted>>(jar, balls.front(), rules, start);
           return std::make_unique<event::ManyBalls>(
-              std::make_unique<event::Enclosed<S, Counted>>(jar), balls, rules,
+              std::make_unique<event::ChamberWall<S, Counted>>(jar), balls, rules,
               contact::BounceTable(1, S::faces, rules.bounce), start);
         }
       },

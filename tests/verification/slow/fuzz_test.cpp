@@ -93,14 +93,15 @@ kinematics::AnyMotion motion(Random& random, double speed) {
 
 double gap_to_walls(const scene::Chamber& chamber, const scene::Ball& b, double t) {
   const Rotation turn =
-      std::visit([t](const auto& m) -> Rotation { return m.turn(t); }, *chamber.motion) *
+      std::visit([t](const auto& m) -> Rotation { return m.rotation(t); }, *chamber.motion) *
       chamber.mount;
   return std::visit(
       [&](const auto& s) {
         double least = INFINITY;
         for (int face = 0; face < s.faces; ++face)
-          if (s.meets(face, b.radius))
-            least = std::min(least, s.gap(face, turn.back(b.position)).distance - b.radius);
+          if (s.can_touch(face, b.radius))
+            least =
+                std::min(least, s.gap(face, turn.apply_inverse(b.position)).distance - b.radius);
         return least;
       },
       *chamber.shape);
@@ -155,8 +156,8 @@ Case drawn(std::uint32_t n) {
   c.rules.bounce = {restitutions[static_cast<std::size_t>(of(random, 6))], random.uniform(-1, 1),
                     frictions[static_cast<std::size_t>(of(random, 5))]};
   c.one_ball = !periodic && c.balls.size() == 1 && random.uniform() < 0.5;
-  c.rules.lasting =
-      c.one_ball && random.uniform() < 0.5 ? event::Lasting::roll : event::Lasting::tc;
+  c.rules.lasting = c.one_ball && random.uniform() < 0.5 ? event::SustainedContactMode::roll
+                                                         : event::SustainedContactMode::tc;
   c.rules.rolling_friction = 0.01;
   // A few times across the jar, or three turns of it.
   const kinematics::Bounds limits = kinematics::bounds(*c.chamber.motion);
@@ -200,17 +201,17 @@ std::string trouble(const Case& c) {
         const scene::Ball& b = balls[k];
         if (!finite(b.position) || !finite(b.velocity) || !finite(b.spin)) return "NaN in a ball";
         // A ball that keeps no normal speed may sink in by a thousand margins (evt.5).
-        const double offset =
-            std::visit([](const auto& m) { return norm(m.ride(0).centre); }, *c.chamber.motion);
+        const double offset = std::visit(
+            [](const auto& m) { return norm(m.frame_motion(0).centre); }, *c.chamber.motion);
         const double clock = 4 * 0x1p-52 * (c.start + t) * 1e2 * norm(b.velocity);
         const double unseen = event::rounding_speed * c.time;  // no approach to the search
         const double rounding = 5e-9 * b.radius + 3e-11 * (reach + offset) + clock + unseen;
-        const double out = -gap_to_walls(c.chamber, b, c.start + engine->account().time);
+        const double out = -gap_to_walls(c.chamber, b, c.start + engine->energy_balance().time);
         if (out > rounding) return "outside by " + in_words(out / b.radius) + " R";
         const double deep = -gap_to_balls(c.chamber, b, std::span(balls).first(k));
         if (deep > rounding) return "overlap of " + in_words(deep / b.radius) + " R";
       }
-      const scene::Account a = engine->account();
+      const scene::EnergyBalance a = engine->energy_balance();
       if (!std::isfinite(a.kinetic + a.potential + a.wall_work + a.lost())) return "NaN in energy";
       // Found: 6e-9, in jars so slow that the falling frame is a million times faster than they
       // are.
@@ -220,7 +221,7 @@ std::string trouble(const Case& c) {
   } catch (const Hang&) {
     *motion.left = 1000;
     seen.left = 1000;
-    return "hangs at " + in_words(engine == nullptr ? 0 : engine->account().time / c.time) +
+    return "hangs at " + in_words(engine == nullptr ? 0 : engine->energy_balance().time / c.time) +
            " of its time";
   } catch (const RunError& e) {
     return std::string("stops: ") + e.what();

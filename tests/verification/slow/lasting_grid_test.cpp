@@ -94,9 +94,9 @@ void every_run_ends(const geometry::AnyShape& jar) {
         ++stopped;
         ADD_FAILURE() << mill.name << ", " << bounce.name << ": " << e.what();
       }
-      const scene::Account a = engine->account();
+      const scene::EnergyBalance a = engine->energy_balance();
       const double off =
-          std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost() + a.started_with);
+          std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost() + a.initial_energy);
       worst = max_or_nan(worst, off);
       EXPECT_LE(off, 1e-6) << mill.name << ", " << bounce.name;
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/search/optimise.hpp"
-#include "noisy.hpp"
+#include "noisy_simulation.hpp"
 
 namespace mahlwerk::campaign::optimum_interval_test {
 namespace {
@@ -19,7 +19,7 @@ const double least = 0.95 * times - 3.3 * std::sqrt(times * 0.95 * 0.05);  // bi
 
 /// In how many of 200 noises the interval of each key holds the truth; the last counts those in
 /// which the mean at the best tried is held.
-std::vector<int> held(const Goal& goal, tests::Noisy noisy, const Place& truth) {
+std::vector<int> held(const Goal& goal, tests::NoisySimulation noisy, const DesignPoint& truth) {
   std::vector<int> count(goal.keys + 1, 0);
   for (int seed = 0; seed < times; ++seed) {
     noisy.seed = 1000 + static_cast<std::uint64_t>(seed);
@@ -28,9 +28,9 @@ std::vector<int> held(const Goal& goal, tests::Noisy noisy, const Place& truth) 
     const Optimum found = optimise(one, noisy);
     for (std::size_t key = 0; key < goal.keys; ++key)
       count[key] += found.keys[key].low <= truth[key] && truth[key] <= found.keys[key].high ? 1 : 0;
-    const Tried& best = found.tried[*found.best];
+    const Trial& best = found.trials[*found.best];
     count.back() +=
-        std::abs(best.model.mean - noisy.functions.front()(best.place)) <= best.model.ci95 ? 1 : 0;
+        std::abs(best.model.mean - noisy.functions.front()(best.point)) <= best.model.ci95 ? 1 : 0;
   }
   return count;
 }
@@ -45,7 +45,7 @@ void expect_held(const std::vector<int>& count) {
 }
 
 TEST(OptimumInterval, holds_the_top_of_a_narrow_hill_on_a_slope) {
-  const auto hill = [](const Place& x) {
+  const auto hill = [](const DesignPoint& x) {
     return std::exp(-0.5 * std::pow((x[0] - 0.7) / 0.12, 2)) + 0.3 * x[0];
   };
   // exp(-z^2/2) z/0.12 = 0.3, z = (x - 0.7)/0.12
@@ -55,7 +55,7 @@ TEST(OptimumInterval, holds_the_top_of_a_narrow_hill_on_a_slope) {
 }
 
 TEST(OptimumInterval, holds_the_top_over_two_keys) {
-  const auto hill = [](const Place& x) {
+  const auto hill = [](const DesignPoint& x) {
     const double a = x[0] - 0.3, b = x[1] - 0.6;
     return std::exp(-2 * a * a - 6 * b * b - 2 * a * b);
   };

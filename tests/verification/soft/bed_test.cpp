@@ -39,7 +39,7 @@ TEST(Bed, rolling_resistance_of_many_contacts_puts_no_energy_in) {
     const auto engine = bed(rule);
     Recorder none;
     engine->advance(0.01, none);
-    const scene::Account a = engine->account();
+    const scene::EnergyBalance a = engine->energy_balance();
     return std::abs(a.residual()) / a.lost();
   };
   // What the step costs without it; seven times as much where each contact of cdt may stop a ball's

@@ -24,10 +24,11 @@ struct Hertz {
 void states_hertz(const std::string& what, const Impact& found, const contact::Pair& pair,
                   const Hertz& expected) {
   const contact::HertzMindlin law;
-  const auto numbers = law.numbers(touching(pair, found.before), law.damping(pair.restitution));
-  double memory[contact::law_memories] = {};
+  const auto coefficients =
+      law.coefficients(touching(pair, found.before), law.damping(pair.restitution));
+  double memory[contact::law_history_size] = {};
   const double force =
-      contact::HertzMindlin::push<double>(numbers.data(), memory, found.deepest, 0).force;
+      contact::HertzMindlin::evaluate<double>(coefficients.data(), memory, found.deepest, 0).force;
   const std::string source = "Hertz; Chung and Ooi 2011";
   states(what + ", deepest overlap [m]", found.deepest, expected.overlap, 1e-3 * expected.overlap,
          source);
@@ -37,7 +38,7 @@ void states_hertz(const std::string& what, const Impact& found, const contact::P
 }
 
 TEST(ChungOoi, test_1_two_equal_spheres_along_the_normal) {
-  const auto run = [](const std::string& what, const contact::Elastic& of, double density,
+  const auto run = [](const std::string& what, const contact::ElasticConstants& of, double density,
                       const Hertz& expected) {
     std::vector<scene::Ball> balls(2, {0.01, density, {}, {}, {}});
     balls[0].velocity = {10, 0, 0};
@@ -50,7 +51,7 @@ TEST(ChungOoi, test_1_two_equal_spheres_along_the_normal) {
 }
 
 TEST(ChungOoi, test_2_a_sphere_on_a_rigid_plane) {
-  const auto run = [](const std::string& what, const contact::Elastic& of, double density,
+  const auto run = [](const std::string& what, const contact::ElasticConstants& of, double density,
                       const Hertz& expected) {
     const contact::Pair pair = pair_of(of, rigid, 1);
     const Impact found =
@@ -62,7 +63,7 @@ TEST(ChungOoi, test_2_a_sphere_on_a_rigid_plane) {
 }
 
 TEST(ChungOoi, test_3_damped_along_the_normal) {
-  const auto run = [](const std::string& what, const contact::Elastic& of, double density,
+  const auto run = [](const std::string& what, const contact::ElasticConstants& of, double density,
                       const Hertz& elastic) {
     for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
       const contact::Pair pair = pair_of(of, rigid, e);

@@ -22,7 +22,7 @@ using contact::HertzMindlin;
 using contact::LinearSpring;
 using contact::Rolling;
 
-constexpr contact::Elastic soft_steel{1e9, 0.3};
+constexpr contact::ElasticConstants soft_steel{1e9, 0.3};
 
 /// A ball on the floor of a box, sunk in as deep as `load` [N] presses it.
 struct Resting {
@@ -33,7 +33,7 @@ struct Resting {
   Resting(double load_acceleration, double mu, double rolling = 0)
       : pair(pair_of(soft_steel, rigid, 0.5, mu)) {
     pair.rolling_friction = rolling;
-    const contact::Touching t = touching(pair, ball);
+    const contact::EffectivePair t = touching(pair, ball);
     depth = std::pow(ball.mass() * load_acceleration / contact::hertz_stiffness(t), 2.0 / 3);
     ball.position = {0, 0, -0.5 * side + ball.radius - depth};
     // The ball swings on its contact, at rest, with omega^2 = 1.5 g / depth.
@@ -81,7 +81,7 @@ TEST(ClosedForms, a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed) {
   const double shorter = r.depth / r.ball.radius, lag = 4 * r.step / until_rolling;
   for (const double part : {0.25, 0.5, 0.9}) {
     engine->advance(part * until_rolling, none);
-    const double t = engine->account().time;
+    const double t = engine->energy_balance().time;
     const scene::Ball b = engine->balls()[0];
     const std::string at = " at " + std::to_string(part).substr(0, 4) + " of the time to roll";
     states("speed [m/s]" + at, b.velocity.x, u0 - mu * gravity * t, 1e-3 * u0, "u0 - mu g t");
@@ -103,10 +103,10 @@ double down_the_slope(double a, double mu, double rolling, Rolling rule,
   Recorder none;
   engine->advance(0.05, none);
   const scene::Ball from = engine->balls()[0];
-  const double t = engine->account().time;
+  const double t = engine->energy_balance().time;
   engine->advance(0.3, none);
   const scene::Ball to = engine->balls()[0];
-  const double time = engine->account().time - t;
+  const double time = engine->energy_balance().time - t;
   if (spin_up != nullptr) *spin_up = (to.spin.y - from.spin.y) / time;
   return (to.velocity.x - from.velocity.x) / time;
 }
@@ -161,7 +161,7 @@ TEST(ClosedForms, an_oblique_collision_keeps_momentum_and_angular_momentum) {
     contact::Pair pair = pair_of({1e9, 0.3}, {70e9, 0.2}, 0.6, 0.3);
     pair.rolling_friction = 0.05;
     const Impact i = impact(unequal(), pair, of_law(HertzMindlin{}, rule), 1.0 / 200);
-    ASSERT_EQ(i.account.collisions, 1);
+    ASSERT_EQ(i.energy_balance.collisions, 1);
     Vec3 momentum{}, angular{};
     double size = 0, turning = 0;
     const auto add = [&](const std::vector<scene::Ball>& balls, double sign) {

@@ -66,7 +66,7 @@ struct World {
 std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
   const int faces = geometry::faces(*w.mill.shape);
   soft::Rules rules{w.law, w.step, false};
-  rules.few = few;
+  rules.few_body_limit = few;
   rules.threads = threads;
   return soft::engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
 }
@@ -92,7 +92,7 @@ std::vector<World> worlds() {
   };
 }
 
-TEST(Crowd, moves_as_few_balls_do) {
+TEST(ManyBodySolver, moves_as_few_balls_do) {
   // Same laws, same steps, other order of sums: rounding grows by each collision. Positions are
   // compared where a start put off by 1e-13 m has come no farther than the tolerance.
   for (const World& w : worlds()) {
@@ -115,12 +115,12 @@ TEST(Crowd, moves_as_few_balls_do) {
     EXPECT_EQ(by_few.all.size(), by_many.all.size());
     stays_below(w.name + ": positions off after 12 ms [m]", off, std::max(1e-12, 10 * grown),
                 "the same by all pairs; grown from 1e-13 m");
-    const scene::Account x = few->account(), y = many->account();
+    const scene::EnergyBalance x = few->energy_balance(), y = many->energy_balance();
     const double scale = x.kinetic + std::abs(x.wall_work) + x.lost();
-    for (const auto part :
-         {&scene::Account::kinetic, &scene::Account::elastic, &scene::Account::wall_work,
-          &scene::Account::lost_normal, &scene::Account::lost_tangential,
-          &scene::Account::lost_rolling, &scene::Account::slid})
+    for (const auto part : {&scene::EnergyBalance::kinetic, &scene::EnergyBalance::elastic,
+                            &scene::EnergyBalance::wall_work, &scene::EnergyBalance::lost_normal,
+                            &scene::EnergyBalance::lost_tangential,
+                            &scene::EnergyBalance::lost_rolling, &scene::EnergyBalance::slid})
       EXPECT_NEAR(x.*part, y.*part, std::max(1e-9, 1e6 * grown) * scale);
     EXPECT_NEAR(x.contact_time, y.contact_time, 20 * w.step);
     EXPECT_EQ(x.lasting_contacts, y.lasting_contacts);
@@ -132,7 +132,7 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 void expect_same(const scene::Engine& a, const scene::Engine& b) {
-  EXPECT_TRUE(same_bits(a.account(), b.account()));
+  EXPECT_TRUE(same_bits(a.energy_balance(), b.energy_balance()));
   const auto balls = a.balls(), others = b.balls();
   ASSERT_EQ(balls.size(), others.size());
   for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -146,7 +146,7 @@ void expect_same(const Recorder& a, const Recorder& b) {
   for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
 }
 
-TEST(Crowd, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared) {
+TEST(ManyBodySolver, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared) {
   constexpr double time = 0.02;
   for (const World& w : worlds()) {
     SCOPED_TRACE(w.name);
@@ -163,9 +163,9 @@ TEST(Crowd, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared) {
     expect_same(*whole, *pieces);
     before->advance(0.01137, in_two);
     Archive out;
-    before->carry(out);
+    before->serialize(out);
     Archive in(out.bytes());
-    after->carry(in);
+    after->serialize(in);
     in.finish();
     after->advance(time, in_two);
     expect_same(in_one, in_two);
@@ -183,7 +183,7 @@ World drum_of(int count) {
           2e-6};
 }
 
-TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
+TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
   const World w = drum_of(4000);
   const auto one = crowd(w), three = crowd(w, 3);
   Recorder by_one, by_three;
@@ -205,7 +205,7 @@ TEST(Crowd, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
 }
 
 /// A change of these bits changes results, if only by rounding, and belongs in the changelog.
-TEST(Crowd, has_the_bits_it_has_always_had) {
+TEST(ManyBodySolver, has_the_bits_it_has_always_had) {
   const scene::Chamber box = still_box(0.05, {0, 0, -gravity});
   const World w{"box", box, lattice(2000, 0.0035, {0.0015, 0.001}),
                 of_law(HertzMindlin{}, Rolling::cdt), 2e-6};
@@ -220,12 +220,12 @@ TEST(Crowd, has_the_bits_it_has_always_had) {
   EXPECT_EQ(fingerprint(bytes), 1884672058222664979U);
 }
 
-TEST(Crowd, closes_its_energy_and_keeps_its_momentum) {
+TEST(ManyBodySolver, closes_its_energy_and_keeps_its_momentum) {
   World w = drum_of(3000);
   const auto drum = crowd(w, 2);
   Recorder seen;
   drum->advance(0.03, seen);
-  const scene::Account a = drum->account();
+  const scene::EnergyBalance a = drum->energy_balance();
   stays_below("drum of 3000: energy balance over work done",
               std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost()), 1e-3, "(dem.32)");
   World gas = worlds().back();
@@ -244,7 +244,7 @@ TEST(Crowd, closes_its_energy_and_keeps_its_momentum) {
               norm(momentum(engine->balls()) - before) / size, 1e-12, "Newton's third law");
 }
 
-TEST(Crowd, that_goes_wrong_or_starts_overlapping_says_which_ball) {
+TEST(ManyBodySolver, that_goes_wrong_or_starts_overlapping_says_which_ball) {
   World w = drum_of(3000);
   w.balls[1234].position = w.balls[77].position;
   try {
@@ -263,7 +263,7 @@ TEST(Crowd, that_goes_wrong_or_starts_overlapping_says_which_ball) {
     FAIL() << "no number";
   } catch (const RunError& e) {
     EXPECT_NE(std::string(e.what()).find("ball 1235"), std::string::npos) << e.what();
-    EXPECT_LE(engine->account().time, 100 * w.step);
+    EXPECT_LE(engine->energy_balance().time, 100 * w.step);
   }
 }
 

@@ -61,7 +61,7 @@ bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 void expect_same(const scene::Engine& a, const scene::Engine& b) {
-  EXPECT_TRUE(same_bits(a.account(), b.account()));
+  EXPECT_TRUE(same_bits(a.energy_balance(), b.energy_balance()));
   const auto balls = a.balls(), others = b.balls();
   ASSERT_EQ(balls.size(), others.size());
   for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -124,9 +124,9 @@ TEST(SoftArchives, go_on_to_the_bit) {
       whole->advance(time, in_one);
       first->advance(when, in_two);
       Archive out;
-      first->carry(out);
+      first->serialize(out);
       Archive in(out.bytes());
-      second->carry(in);
+      second->serialize(in);
       in.finish();
       expect_same(*first, *second);
       second->advance(time, in_two);
@@ -141,13 +141,13 @@ TEST(SoftArchives, cut_short_or_too_long_are_refused) {
   Recorder none;
   engine->advance(0.02, none);
   Archive out;
-  engine->carry(out);
+  engine->serialize(out);
   for (std::size_t size = 0; size < out.bytes().size(); size += 1 + size / 20) {
     Archive in(out.bytes().substr(0, size));
-    EXPECT_THROW(make()->carry(in), RunError) << size;
+    EXPECT_THROW(make()->serialize(in), RunError) << size;
   }
   Archive in(out.bytes() + "x");
-  make()->carry(in);
+  make()->serialize(in);
   EXPECT_THROW(in.finish(), RunError);
 }
 
@@ -158,7 +158,7 @@ std::int64_t steps_until_error(scene::Engine& engine, double step, std::int64_t 
     engine.advance(1000 * step + static_cast<double>(wrong_from) * step, none);
   } catch (const RunError& e) {
     std::printf("    %s\n", e.what());
-    return std::lround(engine.account().time / step) - wrong_from;
+    return std::lround(engine.energy_balance().time / step) - wrong_from;
   }
   return 1000;
 }
@@ -214,8 +214,8 @@ TEST(SoftFaults, a_ball_between_near_walls_touches_none) {
                                       of_law(HertzMindlin{}), pair, step, hop);
       Recorder seen;
       engine->advance(gap / 0.1 - 2 * step, seen);
-      EXPECT_EQ(engine->account().lost(), 0);
-      EXPECT_EQ(engine->account().contact_time, 0);
+      EXPECT_EQ(engine->energy_balance().lost(), 0);
+      EXPECT_EQ(engine->energy_balance().contact_time, 0);
       engine->advance(0.05, seen);
       EXPECT_GT(seen.all.size(), 5U);
       for (const scene::Collision& c : seen.all) {

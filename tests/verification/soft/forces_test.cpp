@@ -33,7 +33,7 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
                                          std::size_t few, bool hop = true) {
   const int faces = geometry::faces(*mill.shape);
   soft::Rules rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
-  rules.few = few;
+  rules.few_body_limit = few;
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.3, 0.4);
   pair.rolling_friction = 0.02;
   return soft::engine(mill, balls, rules, contact::PairTable(1, faces, pair), 0);
@@ -86,7 +86,7 @@ TEST(Forces, change_the_momentum_of_every_ball_by_their_mean_over_a_step) {
                        30 * random.direction()});
     const auto engine = engine_of(mill, balls, step, few, false);  // hops are no steps
     const auto body = [&](std::int64_t n) {
-      return mill.gravity - motion.ride(static_cast<double>(n) * step).acceleration;
+      return mill.gravity - motion.frame_motion(static_cast<double>(n) * step).acceleration;
     };
     const double mass = balls[0].mass();
     Recorder none;

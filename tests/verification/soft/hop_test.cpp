@@ -21,14 +21,14 @@ using contact::HertzMindlin;
 
 struct Followed {
   std::vector<scene::Collision> seen;
-  scene::Account account;
+  scene::EnergyBalance energy_balance;
 };
 Followed followed(const scene::Chamber& mill, const std::vector<scene::Ball>& balls,
                   const contact::Pair& pair, double step, double time, bool hop) {
   const auto engine = soft_engine(mill, balls, of_law(HertzMindlin{}), pair, step, hop);
   Recorder recorder;
   engine->advance(time, recorder);
-  return {recorder.all, engine->account()};
+  return {recorder.all, engine->energy_balance()};
 }
 
 /// Largest differences of the first collisions of two runs.
@@ -52,7 +52,7 @@ void same_collisions(const std::string& what, const scene::Chamber& mill,
                      const std::vector<scene::Ball>& balls, double e, std::size_t count) {
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
   const contact::PairTable pairs(1, 6, pair);
-  const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).usual(0.2);
+  const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).recommended(0.2);
   const auto& motion = std::get<kinematics::Vibration>(*mill.motion);
   const double off = motion.amplitude * std::pow(2 * std::numbers::pi * motion.frequency * step, 2);
   const Followed hops = followed(mill, balls, pair, step, 0.2, true);
@@ -73,11 +73,11 @@ void same_collisions(const std::string& what, const scene::Chamber& mill,
   stays_below(what + ", speeds of approach [m/s]", found.speed,
               2 * step * motion.bounds().acceleration.z + 2 * grown.speed,
               "two steps of the mill's acceleration, or what its error grows to");
-  const double ratio =
-      static_cast<double>(steps.account.time_steps) / static_cast<double>(hops.account.time_steps);
+  const double ratio = static_cast<double>(steps.energy_balance.time_steps) /
+                       static_cast<double>(hops.energy_balance.time_steps);
   std::printf("    %-58s %lld steps with hops, %lld without: a ratio of %.0f\n", what.c_str(),
-              static_cast<long long>(hops.account.time_steps),
-              static_cast<long long>(steps.account.time_steps), ratio);
+              static_cast<long long>(hops.energy_balance.time_steps),
+              static_cast<long long>(steps.energy_balance.time_steps), ratio);
   EXPECT_GE(ratio, 10);
 }
 

@@ -20,7 +20,7 @@ namespace {
 using contact::HertzMindlin;
 using contact::Rolling;
 
-constexpr contact::Elastic steel{200e9, 0.265};
+constexpr contact::ElasticConstants steel{200e9, 0.265};
 
 contact::Pair mill_pair() {
   contact::Pair pair = pair_of(steel, steel, 0.35, 0.3);
@@ -53,7 +53,7 @@ double residual(const scene::Chamber& mill, double radius, const contact::Contac
   const auto engine = soft_engine(mill, five(radius), law, mill_pair(), step, true);
   Recorder none;
   engine->advance(time, none);
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   return std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost());
 }
 
@@ -63,7 +63,7 @@ TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
     const double radius = planet ? 0.007 : 0.005;
     contact::ContactModel model = of_law(HertzMindlin{}, Rolling::cdt);
     const contact::PairTable pairs(1, 3, mill_pair());
-    const double usual = soft::time_steps(five(radius), *model.law, pairs, 3).usual(0.2);
+    const double usual = soft::time_steps(five(radius), *model.law, pairs, 3).recommended(0.2);
     std::printf("    usual step %.3g s\n", usual);
     for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous}) {
       model.rolling = rule;
@@ -85,7 +85,7 @@ TEST(Ledger, residual_falls_with_the_step) {
       balls[0].velocity = {1, 0.05 * i, 0.3};
       const Impact hit =
           impact(balls, mill_pair(), of_law(HertzMindlin{}, Rolling::cdt), share, 0.05 * i);
-      sum += std::pow(hit.account.residual() / hit.account.lost(), 2) / 20;
+      sum += std::pow(hit.energy_balance.residual() / hit.energy_balance.lost(), 2) / 20;
     }
     last = std::sqrt(sum);
     if (first == 0) first = last;

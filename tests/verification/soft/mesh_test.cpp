@@ -39,7 +39,7 @@ TEST(MeshJar, a_box_of_triangles_moves_balls_as_a_box_does) {
                            Mill{"tumbling", kinematics::Tumbling{20}, lying, 5},
                            Mill{"planetary", kinematics::Planetary{0.07, 40, -2}, {}, 60}}) {
     Random random(3, 1);
-    auto balls = strewn(mesh, mill.balls, 0.0025, random, 1);
+    auto balls = random_balls_in(mesh, mill.balls, 0.0025, random, 1);
     auto nudged = balls;
     for (scene::Ball& b : nudged) b.position.x += 1e-13;
     const auto a = run_in(exact, mill.motion, mill.mount, balls, 2e-6);
@@ -69,12 +69,12 @@ Figures shaken_lying(const geometry::AnyShape& shape, const Mesh& places) {
   for (std::uint32_t replicate = 0; replicate < 6; ++replicate) {
     Random random(5, replicate);
     const auto engine =
-        run_in(shape, shaken(25, 0.01), lying, strewn(places, 8, 0.004, random), 5e-6);
+        run_in(shape, shaken(25, 0.01), lying, random_balls_in(places, 8, 0.004, random), 5e-6);
     Recorder warm_up, counted;
     engine->advance(0.1, warm_up);
-    const double before = engine->account().wall_work;
+    const double before = engine->energy_balance().wall_work;
     engine->advance(3.1, counted);
-    found.power.push_back((engine->account().wall_work - before) / 3);
+    found.power.push_back((engine->energy_balance().wall_work - before) / 3);
     const auto hits = std::ranges::count_if(
         counted.all, [](const scene::Collision& c) { return c.approach > 0.1; });
     found.rate.push_back(static_cast<double>(hits) / 3);
@@ -131,11 +131,11 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
     int steps_over = 0;
     for (int i = 1; i < 3000; ++i) {
       engine->advance(1e-4 * i, recorder);
-      const scene::Account a = engine->account();
+      const scene::EnergyBalance a = engine->energy_balance();
       const scene::Ball b = engine->balls()[0];
       if (b.position.x < -0.002 || b.position.z < -0.012) continue;
       ++steps_over;
-      most = max_or_nan(most, std::abs(a.kinetic + a.potential + a.elastic - a.started_with));
+      most = max_or_nan(most, std::abs(a.kinetic + a.potential + a.elastic - a.initial_energy));
       speed = max_or_nan(speed, norm(b.velocity));
     }
     EXPECT_GT(steps_over, 100);
@@ -168,21 +168,22 @@ TEST(MeshJar, nothing_leaves_a_closed_surface) {
               0.0015, 60'000}}) {
     Random random(7, 1);
     const double step = 1e-6;
-    const auto engine = run_in(trial.mesh, kinematics::Tumbling{15}, lying,
-                               strewn(trial.mesh, trial.balls, trial.radius, random), step);
+    const auto engine =
+        run_in(trial.mesh, kinematics::Tumbling{15}, lying,
+               random_balls_in(trial.mesh, trial.balls, trial.radius, random), step);
     Recorder recorder;
     ASSERT_NO_THROW(engine->advance(static_cast<double>(trial.steps) * step, recorder))
         << trial.name;
-    const Rotation q = kinematics::Tumbling{15}.turn(engine->account().time) * lying;
+    const Rotation q = kinematics::Tumbling{15}.rotation(engine->energy_balance().time) * lying;
     double deepest = 0;
     for (const scene::Ball& b : engine->balls())
-      trial.mesh.near(q.back(b.position), b.radius, [&](int, const geometry::Gap& gap) {
+      trial.mesh.near(q.apply_inverse(b.position), b.radius, [&](int, const geometry::Gap& gap) {
         deepest = max_or_nan(deepest, 1 - gap.distance / b.radius);
       });
     stays_below(trial.name + ": overlap with the wall at the end, of a radius", deepest, 0.05,
                 "contacts hold");
     EXPECT_GT(recorder.all.size(), 100U) << trial.name;
-    const scene::Account a = engine->account();
+    const scene::EnergyBalance a = engine->energy_balance();
     stays_below(trial.name + ": energy from nowhere, of what was lost",
                 std::abs(a.residual()) / a.lost(), 1e-3, "dem.32; what runs may have");
   }
@@ -191,15 +192,15 @@ TEST(MeshJar, nothing_leaves_a_closed_surface) {
 TEST(MeshJar, a_ball_at_rest_in_a_corner_is_held_by_three_faces) {
   const Mesh mesh = mesh_of(box(0.04, 0.04, 0.04));
   const double r = 0.005;
-  const Rotation q = turning({1, 0, 0}, 0.6) * turning({0, 1, 0}, 0.6);
+  const Rotation q = rotation_about({1, 0, 0}, 0.6) * rotation_about({0, 1, 0}, 0.6);
   auto slippery = soft_pair(0.6, 0);
   slippery.rolling_friction = 0;
   const scene::Ball ball{r, 7850, {}, {}, {}};
   const auto engine = run_in(mesh, kinematics::Still{}, q, {ball}, 2e-6, 32, slippery);
   Recorder recorder;
   engine->advance(2, recorder);
-  const Vec3 p = magnitude(q.back(engine->balls()[0].position));
-  const Vec3 weight = ball.mass() * gravity * magnitude(q.back({0, 0, 1}));
+  const Vec3 p = componentwise_abs(q.apply_inverse(engine->balls()[0].position));
+  const Vec3 weight = ball.mass() * gravity * componentwise_abs(q.apply_inverse({0, 0, 1}));
   const auto place = [&](double load) {
     return 0.02 - r + std::pow(0.75 * load / (slippery.modulus * std::sqrt(r)), 2.0 / 3);
   };
@@ -216,7 +217,7 @@ TEST(MeshJar, cuts_change_no_bit) {
   const Mesh mesh = mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003));
   for (const int count : {8, 50}) {
     Random random(9, 1);
-    const auto balls = strewn(mesh, count, 0.0015, random);
+    const auto balls = random_balls_in(mesh, count, 0.0015, random);
     const auto whole = run_in(mesh, kinematics::Tumbling{15}, lying, balls, 2e-6);
     const auto cut = run_in(mesh, kinematics::Tumbling{15}, lying, balls, 2e-6);
     Recorder a, b;

@@ -94,7 +94,7 @@ TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
   const auto engine = campaign::engine(what, 0);
   Recorder recorder;
   engine->advance(1, recorder);
-  const double work = engine->account().wall_work;
+  const double work = engine->energy_balance().wall_work;
   const Turning begin = turning_of(engine->balls());
   constexpr int looks = 5000;
   constexpr double apart = 1e-3;  // [s]
@@ -106,7 +106,7 @@ TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
   const double of_shaft = turning_of(engine->balls()).momentum - begin.momentum - apart * moment;
   const double speed = std::get<kinematics::Tumbling>(*what.mill.motion).speed;
   states("work of the shaft over that of the walls",
-         speed * of_shaft / (engine->account().wall_work - work), 1, 1e-3,
+         speed * of_shaft / (engine->energy_balance().wall_work - work), 1, 1e-3,
          "angular momentum; the engine's balance closes to 1e-3");
   const results::Outcome outcome = campaign::run(what);
   const double torque = named(outcome, "shaft_torque");

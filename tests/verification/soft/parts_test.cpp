@@ -27,7 +27,7 @@ std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
                                       const contact::Pair& pair, double step,
                                       std::size_t few = 32) {
   soft::Rules rules{of_law(HertzMindlin{}, Rolling::none), step, false};
-  rules.few = few;
+  rules.few_body_limit = few;
   const int faces = geometry::faces(*chamber.shape);
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
@@ -43,7 +43,7 @@ geometry::Attritor stirrer(double speed) {
 
 /// Balls of 6 mm on a lattice, free of everything.
 template <class S>
-std::vector<scene::Ball> strewn(const S& jar, std::size_t count) {
+std::vector<scene::Ball> random_balls_in(const S& jar, std::size_t count) {
   constexpr double radius = 0.003;
   std::vector<scene::Ball> balls;
   Random random(4, 0);
@@ -83,7 +83,7 @@ TEST(LifterJar, a_ball_without_friction_leaves_the_shell_where_the_forces_say) {
   const auto on_shell = std::ranges::find_if(
       seen.all, [](const scene::Collision& c) { return c.other == ~0 && c.time < 1e-3; });
   ASSERT_NE(on_shell, seen.all.end());
-  const Vec3 bar = mill.turn(on_shell->duration) * along0;
+  const Vec3 bar = mill.rotation(on_shell->duration) * along0;
   // The shell's force k x^1.5 falls by m g w a second. For the last while t the contact swings too
   // slowly to follow: 1.5 k^(2/3) (m g w t)^(1/3) t^2 = m.
   const double k = 4.0 / 3 * pair.modulus * std::sqrt(radius), m = ball.mass();
@@ -118,12 +118,12 @@ TEST(StirredJar, an_arm_drives_a_ball_at_rest_off_as_a_moving_wall_does) {
 TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
   const geometry::Attritor jar = stirrer(40);
   const scene::Chamber chamber{jar, kinematics::Still{}, {}, {0, 0, -gravity}};
-  const auto balls = strewn(jar, 400);
+  const auto balls = random_balls_in(jar, 400);
   ASSERT_EQ(balls.size(), 400U);
   const auto engine = run_in(chamber, balls, pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
   Recorder seen;
   engine->advance(0.15, seen);
-  const scene::Account a = engine->account();
+  const scene::EnergyBalance a = engine->energy_balance();
   EXPECT_GT(a.wall_work, 0.1);
   stays_below("balance over the stirrer's work", std::abs(a.residual()) / a.wall_work, 1e-3,
               "a hundredth of the step's share of a contact, squared (dem.26)");
@@ -131,7 +131,7 @@ TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
   const auto still = run_in({stirrer(0), kinematics::Still{}, {}, {0, 0, -gravity}}, balls,
                             pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
   still->advance(0.05, seen);
-  states("work of walls at rest [J]", still->account().wall_work, 0, 0, "they do not move");
+  states("work of walls at rest [J]", still->energy_balance().wall_work, 0, 0, "they do not move");
 }
 
 void moves_few_and_many_alike(const scene::Chamber& chamber,
@@ -153,7 +153,8 @@ void moves_few_and_many_alike(const scene::Chamber& chamber,
 
 TEST(StirredJar, few_balls_and_a_crowd_are_moved_alike) {
   const geometry::Attritor jar = stirrer(40);
-  moves_few_and_many_alike({jar, kinematics::Still{}, {}, {0, 0, -gravity}}, strewn(jar, 60));
+  moves_few_and_many_alike({jar, kinematics::Still{}, {}, {0, 0, -gravity}},
+                           random_balls_in(jar, 60));
 }
 
 TEST(LifterJar, few_balls_and_a_crowd_are_moved_alike) {
@@ -163,7 +164,7 @@ TEST(LifterJar, few_balls_and_a_crowd_are_moved_alike) {
   jar.lifter_face_angle = 1.2;
   jar.complete();
   const Rotation mount = scene::mounted_along({1, 0, 0});
-  std::vector<scene::Ball> balls = strewn(jar, 120);
+  std::vector<scene::Ball> balls = random_balls_in(jar, 120);
   for (scene::Ball& b : balls) b.position = mount * b.position;
   moves_few_and_many_alike({jar, kinematics::Tumbling{20}, mount, {0, 0, -gravity}}, balls);
 }

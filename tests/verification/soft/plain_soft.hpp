@@ -59,7 +59,7 @@ class PlainSoft {
   struct Pushed {
     Vec3 acceleration, spin_up;
   };
-  struct Meeting {
+  struct ContactGeometry {
     Vec3 n, u, spin;  ///< from the first to the second; of their surfaces; of one against the other
     double overlap = 0, lever = 0, other_lever = 0, radius = 0, mass = 0, inertia = 0;
   };
@@ -96,7 +96,7 @@ class PlainSoft {
   void meet(const std::vector<scene::Ball>& seen, std::size_t i, std::size_t j) {
     const scene::Ball &a = seen[i], &b = seen[j];
     const Vec3 apart = b.position - a.position;
-    Meeting m;
+    ContactGeometry m;
     m.n = apart / norm(apart);
     m.overlap = a.radius + b.radius - norm(apart);
     m.lever = a.radius - 0.5 * m.overlap;
@@ -113,7 +113,7 @@ class PlainSoft {
   void meet(const std::vector<scene::Ball>& seen, std::size_t i, const PlainWall& wall,
             std::size_t face) {
     const scene::Ball& a = seen[i];
-    Meeting m;
+    ContactGeometry m;
     m.n = -wall.inward;
     m.overlap = a.radius - wall.distance;
     m.lever = wall.distance;
@@ -134,7 +134,7 @@ class PlainSoft {
   struct Hertz {
     double force = 0, stiffness = 0, damping = 0;
   };
-  Hertz hertz(const Meeting& m, double overlap, double rate) const {
+  Hertz hertz(const ContactGeometry& m, double overlap, double rate) const {
     const double a = std::sqrt(m.radius * overlap), ln = std::log(pair_.restitution);
     const double beta = ln / std::sqrt(ln * ln + std::numbers::pi * std::numbers::pi);
     const double along = 2 * pair_.modulus * a, across = 8 * pair_.shear_modulus * a;
@@ -151,7 +151,7 @@ class PlainSoft {
   }
 
   /// Force and rolling torque on the first.
-  std::pair<Vec3, Vec3> push(const Meeting& m, int i, int j) {
+  std::pair<Vec3, Vec3> push(const ContactGeometry& m, int i, int j) {
     const bool touching = m.overlap > 0;
     if (!touching && !springs_.contains({i, j})) return {};
     const double rate = dot(m.u, m.n), way = std::abs(rate) * dt_;
@@ -223,16 +223,16 @@ class PlainSoft {
 /// The laboratory: the jar moves, balls fall. Places are the laboratory's own.
 inline PlainWorld laboratory(const scene::Chamber& chamber) {
   const auto walls = [chamber](const Vec3& place, double t) {
-    const auto [ride, turn, spin] =
-        std::visit([t](const auto& m) { return std::tuple(m.ride(t), m.turn(t), m.spin(t)); },
-                   *chamber.motion);
+    const auto [frame, turn, spin] = std::visit(
+        [t](const auto& m) { return std::tuple(m.frame_motion(t), m.rotation(t), m.spin(t)); },
+        *chamber.motion);
     const Rotation q = turn * chamber.mount;
-    const Vec3 here = place - ride.centre;
+    const Vec3 here = place - frame.centre;
     std::vector<PlainWall> found;
     std::visit(
-        [&, &r = ride, &w = spin](const auto& shape) {
+        [&, &r = frame, &w = spin](const auto& shape) {
           for (int face = 0; face < shape.faces; ++face) {
-            const geometry::Gap gap = shape.gap(face, q.back(here));
+            const geometry::Gap gap = shape.gap(face, q.apply_inverse(here));
             const Vec3 inward = q * gap.inward;
             const Vec3 foot = here - gap.distance * inward;
             found.push_back({gap.distance, inward, r.velocity + cross(w, foot), w});

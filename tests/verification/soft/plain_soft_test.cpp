@@ -106,10 +106,10 @@ TEST(Frames, a_vibration_mill_is_the_same_in_the_laboratory) {
     const scene::Ball ball = ball_a({0.0003, -0.0002, 0.004}, {0.3, 0.1, -0.4}, {10, -20, 30});
     const auto engine = soft_engine(mill, {ball}, of_law(HertzMindlin{}), soft_pair(), dt);
     scene::Ball lifted = ball;
-    const auto ride = [&](double t) {
-      return std::get<kinematics::Vibration>(*mill.motion).ride(t);
+    const auto frame_motion = [&](double t) {
+      return std::get<kinematics::Vibration>(*mill.motion).frame_motion(t);
     };
-    lifted.velocity += ride(0).velocity;
+    lifted.velocity += frame_motion(0).velocity;
     PlainSoft plain(laboratory(mill), {lifted}, soft_pair(), dt);
     const int steps = static_cast<int>(std::lround(0.05 / dt));
     plain.advance(steps);
@@ -117,7 +117,7 @@ TEST(Frames, a_vibration_mill_is_the_same_in_the_laboratory) {
     engine->advance(steps * dt, recorder);
     EXPECT_GE(recorder.all.size(), 3U);
     std::vector<scene::Ball> there = plain.balls();
-    there[0].position -= ride(plain.time()).centre;
+    there[0].position -= frame_motion(plain.time()).centre;
     return apart(engine->balls(), there);
   });
 }
@@ -152,7 +152,8 @@ TEST(Frames, a_planetary_mill_is_the_same_as_seen_from_its_turning_jar) {
       Recorder recorder;
       engine->advance(steps * dt, recorder);
       std::vector<scene::Ball> own = engine->balls();
-      own[0].position = turning({0, 0, 1}, jar * plain.time()).back(own[0].position);
+      own[0].position =
+          rotation_about({0, 0, 1}, jar * plain.time()).apply_inverse(own[0].position);
       return apart(own, plain.balls());
     });
 }

@@ -47,16 +47,16 @@ Seen run(std::uint32_t start, double time) {
       chamber, balls, of_law(contact::HertzMindlin{}, contact::Rolling::epsd), pair, 1e-6);
   Recorder recorder;
   engine->advance(0.1, recorder);
-  const scene::Account before = engine->account();
+  const scene::EnergyBalance before = engine->energy_balance();
   Seen seen;
   const int samples = static_cast<int>(time / 0.001);
   for (int i = 1; i <= samples; ++i) {
     engine->advance(0.1 + 0.001 * i, recorder);
-    const Vec3 jar = mill.ride(engine->account().time).velocity;
+    const Vec3 jar = mill.frame_motion(engine->energy_balance().time).velocity;
     for (const scene::Ball& b : engine->balls())
       seen.kinetic += 0.5 * b.mass() * squared(b.velocity + jar) / samples;
   }
-  const scene::Account after = engine->account();
+  const scene::EnergyBalance after = engine->energy_balance();
   seen.power = (after.wall_work - before.wall_work) / time;
   seen.lost = (after.lost() - before.lost()) / time;
   return seen;

@@ -22,7 +22,7 @@ using contact::LinearSpring;
 using contact::WaltonBraun;
 
 const scene::Ball steel_ball{0.0075, 7700, {}, {}, {}};
-constexpr contact::Elastic steel{200e9, 0.265};
+constexpr contact::ElasticConstants steel{200e9, 0.265};
 
 /// The worst over restitutions, speeds and places of the touch within a step.
 double worst_restitution(const contact::AnyLaw& law, double share) {
@@ -101,7 +101,7 @@ TEST(Jkr, spheres_rebound_as_their_adhesion_lets_them) {
     const Impact found = impact({ball}, pair, of_law(Jkr{}), 1e-4);
     const std::string at = "at " + std::to_string(faster).substr(0, 4) + " of the sticking speed";
     if (faster < 1) {
-      states("collisions ended, " + at, static_cast<double>(found.account.collisions), 0, 0,
+      states("collisions ended, " + at, static_cast<double>(found.energy_balance.collisions), 0, 0,
              "Thornton and Ning 1998");
       continue;
     }

@@ -19,11 +19,11 @@ namespace {
 using contact::HertzMindlin;
 using contact::Rolling;
 
-constexpr contact::Elastic plastic{1e8, 0.3};
+constexpr contact::ElasticConstants plastic{1e8, 0.3};
 const scene::Ball big{0.01, 7850, {}, {}, {}};
 
 /// How deep its weight presses a ball into a wall [m], and a step that follows its swing on it [s].
-double sunk(const contact::Touching& t) {
+double sunk(const contact::EffectivePair& t) {
   return std::pow(t.mass * gravity / contact::hertz_stiffness(t), 2.0 / 3);
 }
 double step_of(double depth) {
@@ -42,9 +42,9 @@ double slowed(Rolling rule, double mu_r, double spin) {
                                   of_law(HertzMindlin{}, rule), pair, step_of(depth));
   Recorder none;
   engine->advance(0.002, none);
-  const double from = engine->balls()[0].spin.y, t = engine->account().time;
+  const double from = engine->balls()[0].spin.y, t = engine->energy_balance().time;
   engine->advance(0.012, none);
-  return (from - engine->balls()[0].spin.y) / (engine->account().time - t);
+  return (from - engine->balls()[0].spin.y) / (engine->energy_balance().time - t);
 }
 
 TEST(Rolling, torque_of_type_a_does_not_depend_on_speed) {

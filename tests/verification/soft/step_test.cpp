@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "mahlwerk/contact/laws.hpp"
-#include "mahlwerk/soft/kernel/edges.hpp"
+#include "mahlwerk/soft/kernel/contact_transitions.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
@@ -54,7 +54,7 @@ soft::StepError largest_error(const contact::AnyLaw& law, double e, double mu, d
       const scene::Ball found = impact({ball}, pair, of_law(law), share / shorter, phase).after[0];
       const auto raise = [](double& most, double off) { most = max_or_nan(most, std::abs(off)); };
       raise(worst.rebound, found.velocity.z / exact.velocity.z - 1);
-      raise(worst.across, (found.velocity.x - exact.velocity.x) / vt);
+      raise(worst.tangential, (found.velocity.x - exact.velocity.x) / vt);
       raise(worst.spin, (found.spin.y - exact.spin.y) / rolls);
     }
   }
@@ -63,7 +63,7 @@ soft::StepError largest_error(const contact::AnyLaw& law, double e, double mu, d
 
 std::string row_of(const soft::StepError& error) {
   return fmt::format("rebound {:5.2f} %, speed across {:5.2f} %, spin {:5.2f} %",
-                     100 * error.rebound, 100 * error.across, 100 * error.spin);
+                     100 * error.rebound, 100 * error.tangential, 100 * error.spin);
 }
 
 TEST(TimeStep, usual_leaves_every_collision_off_by_a_hundredth_at_most_and_says_by_how_much) {
@@ -76,7 +76,7 @@ TEST(TimeStep, usual_leaves_every_collision_off_by_a_hundredth_at_most_and_says_
       const std::string what = fmt::format("{}, e {}", contact::name_of(law), e);
       std::printf("    %-20s %s\n", what.c_str(), row_of(found).c_str());
       for (const auto& [off, said] :
-           {std::pair(found.rebound, told.rebound), std::pair(found.across, told.across),
+           {std::pair(found.rebound, told.rebound), std::pair(found.tangential, told.tangential),
             std::pair(found.spin, told.spin)}) {
         EXPECT_LE(off, 0.01) << what;
         EXPECT_LE(off, said) << what << ": more than is told";
@@ -97,7 +97,7 @@ TEST(TimeStep, what_is_told_of_the_usual_one_holds_for_any_poisson_ratio) {
         const std::string what = fmt::format("{}, e {}, nu {}", contact::name_of(law), e, nu);
         std::printf("    %-28s %s\n", what.c_str(), row_of(found).c_str());
         EXPECT_LE(found.rebound, told.rebound) << what;
-        EXPECT_LE(found.across, told.across) << what;
+        EXPECT_LE(found.tangential, told.tangential) << what;
         EXPECT_LE(found.spin, told.spin) << what;
       }
 }
@@ -111,7 +111,7 @@ TEST(TimeStep, errors_fall_with_it_and_undamped_with_its_square) {
     // Between two steps friction lets go, of order 1 where damped. Undamped 1/64; where in a step
     // is chance, which may hide a factor of 2.
     stays_below(fmt::format("e {}: an eighth of the step, error across", e),
-                last.across / first.across, e < 1 ? 1.0 / 8 : 1.0 / 32,
+                last.tangential / first.tangential, e < 1 ? 1.0 / 8 : 1.0 / 32,
                 e < 1 ? "order 1" : "order 2");
   }
 }

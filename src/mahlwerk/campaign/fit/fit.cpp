@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/fit/search.hpp"
+#include "mahlwerk/campaign/fit/minimiser.hpp"
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -21,8 +21,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-bool of_sizes(Measured what) {
-  return what != Measured::conversion;
+bool of_sizes(MeasuredQuantity what) {
+  return what != MeasuredQuantity::conversion;
 }
 
 /// The first measurement of sizes, or of conversion; null if there is none.
@@ -32,16 +32,16 @@ const Measurement* first(const Measurements& data, bool sizes) {
   return found == data.values.end() ? nullptr : &*found;
 }
 
-double told_by(const powder::Milling& milling, const Measurement& m, double density) {
+double predicted_value(const powder::SizeEvolution& milling, const Measurement& m, double density) {
   const std::vector<double> shares = milling.at(m.time);
   switch (m.what) {
-    case Measured::quantile:
+    case MeasuredQuantity::quantile:
       return powder::quantile(milling.grid, shares, 0.01 * m.percent);
-    case Measured::passing:
-      return powder::finer(milling.grid, shares, m.size);
-    case Measured::specific_surface:
+    case MeasuredQuantity::passing:
+      return powder::undersize(milling.grid, shares, m.size);
+    case MeasuredQuantity::specific_surface:
       return powder::specific_surface(milling.grid, shares, density);
-    case Measured::conversion:
+    case MeasuredQuantity::conversion:
       break;
   }
   return nothing;
@@ -49,27 +49,28 @@ double told_by(const powder::Milling& milling, const Measurement& m, double dens
 
 }  // namespace
 
-std::vector<FreeParameter> free_numbers(const cases::Case& what,
-                                        const std::vector<std::string>& held) {
-  std::vector<FreeParameter> numbers;
-  for (const cases::Adjustable& one : cases::adjustables(what)) {
+std::vector<FreeParameter> free_parameters(const cases::Case& what,
+                                           const std::vector<std::string>& fixed) {
+  std::vector<FreeParameter> parameters;
+  for (const cases::FitParameter& one : cases::fit_parameters(what)) {
     const auto range = what.fit.find(one.key);
-    if (range == what.fit.end() || std::ranges::find(held, one.key) != held.end()) continue;
+    if (range == what.fit.end() || std::ranges::find(fixed, one.key) != fixed.end()) continue;
     const double least = parse_in(range->second[0], one.unit);
     const double most = parse_in(range->second[1], one.unit);
-    numbers.push_back({.name = one.key,
-                       .least = least,
-                       .most = most,
-                       .ends_least = least == one.range.least,
-                       .ends_most = most == one.range.most});
+    parameters.push_back({.name = one.key,
+                          .least = least,
+                          .most = most,
+                          .least_is_natural = least == one.range.least,
+                          .most_is_natural = most == one.range.most});
   }
-  return numbers;
+  return parameters;
 }
 
 std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
-                              const std::vector<FreeParameter>& numbers, const std::string& file) {
+                              const std::vector<FreeParameter>& parameters,
+                              const std::string& file) {
   std::vector<Fault> found;
-  if (numbers.empty())
+  if (parameters.empty())
     found.push_back({what.file, "the case leaves no number open",
                      "add [fit] with keys and their ranges, such as \"breakage.f_mat\" = "
                      "[\"0.01 kg/J/m\", \"100 kg/J/m\"]",
@@ -84,11 +85,12 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
     lacks(m, "grinding");
   if (const Measurement* m = first(data, false); m != nullptr && !what.kinetics)
     lacks(m, "kinetics");
-  for (const FreeParameter& number : numbers)
+  for (const FreeParameter& parameter : parameters)
     if (std::ranges::any_of(data.conditions, [&](const std::vector<cases::Override>& set) {
-          return std::ranges::find(set, number.name, &cases::Override::key) != set.end();
+          return std::ranges::find(set, parameter.name, &cases::Override::key) != set.end();
         }))
-      found.push_back({file, fmt::format("the column {} sets what [fit] is to find", number.name),
+      found.push_back({file,
+                       fmt::format("the column {} sets what [fit] is to find", parameter.name),
                        "take the column or the key of [fit] away", "nothing-to-fit"});
   return found;
 }
@@ -100,12 +102,12 @@ void fill_times(Measurements& data, const std::vector<cases::Case>& conditions) 
   }
 }
 
-cases::Case for_fit(cases::Case what, std::size_t condition, const Measurements& data,
-                    const std::vector<FreeParameter>& numbers) {
+cases::Case case_for_fit(cases::Case what, std::size_t condition, const Measurements& data,
+                         const std::vector<FreeParameter>& parameters) {
   what.observe.collisions = false;
   what.observe.frames.reset();
-  for (const FreeParameter& number : numbers)
-    cases::adjust(what, number.name, value_at(number, 0.5));
+  for (const FreeParameter& parameter : parameters)
+    cases::set_fit_parameter(what, parameter.name, value_at(parameter, 0.5));
   if (!what.grinding) return what;
   what.grinding->method = cases::Grinding::Method::balance;
   double longest = 0;
@@ -119,32 +121,36 @@ namespace {
 
 /// Whether beds stay as they are whatever the numbers that are sought: those of [capture] change
 /// what is caught, welding the classes there are, a strength that [breakage] lends to the bed both.
-bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& numbers) {
+bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& parameters) {
   if (what.grinding->bed == powder::Bed::mixed) return false;
-  const bool lent = powder::knows_strength(*what.grinding->breakage);
-  return std::ranges::none_of(numbers, [&](const FreeParameter& number) {
+  const bool lent = powder::has_median_strength(*what.grinding->breakage);
+  return std::ranges::none_of(parameters, [&](const FreeParameter& parameter) {
     const bool of_capture =
-        number.name.starts_with("capture.") && number.name != "capture.energy_share";
-    return of_capture || number.name == "grinding.welding" ||
-           (lent && number.name.starts_with("breakage."));
+        parameter.name.starts_with("capture.") && parameter.name != "capture.energy_share";
+    return of_capture || parameter.name == "grinding.welding" ||
+           (lent && parameter.name.starts_with("breakage."));
   });
 }
 
 }  // namespace
 
-Predictor::Predictor(const std::vector<results::Outcome>& mills, std::vector<FreeParameter> numbers,
-                     std::vector<Measurement> asked, int threads, std::optional<std::size_t> only)
-    : numbers_(std::move(numbers)), asked_(std::move(asked)), threads_(threads) {
+Predictor::Predictor(const std::vector<results::Outcome>& mills,
+                     std::vector<FreeParameter> parameters, std::vector<Measurement> measurements,
+                     int threads, std::optional<std::size_t> only)
+    : parameters_(std::move(parameters)),
+      measurements_(std::move(measurements)),
+      threads_(threads) {
   for (std::size_t i = 0; i < mills.size(); ++i) {
-    Mill mill{&mills[i], results::averaged(mills[i]), {}, {}, false, {}};
+    Mill mill{&mills[i], results::averaged_replicates(mills[i]), {}, {}, false, {}};
     if (only) mill.replicates = {mill.replicates.at(*only)};
-    if (mills[i].what.capture) mill.stresses = results::stresses(mills[i].what, mill.replicates);
-    for (std::size_t k = 0; k < asked_.size(); ++k)
-      if (asked_[k].condition == i) {
-        mill.asked.push_back(k);
-        mill.grinds = mill.grinds || of_sizes(asked_[k].what);
+    if (mills[i].what.capture)
+      mill.stresses = results::stress_spectrum(mills[i].what, mill.replicates);
+    for (std::size_t k = 0; k < measurements_.size(); ++k)
+      if (measurements_[k].condition == i) {
+        mill.measurements.push_back(k);
+        mill.grinds = mill.grinds || of_sizes(measurements_[k].what);
       }
-    if (mill.grinds && keeps_beds(mills[i].what, numbers_))
+    if (mill.grinds && keeps_beds(mills[i].what, parameters_))
       mill.beds = results::beds(mills[i].what, mill.stresses);
     mills_.push_back(std::move(mill));
   }
@@ -152,30 +158,34 @@ Predictor::Predictor(const std::vector<results::Outcome>& mills, std::vector<Fre
   if (threads_ <= 0) threads_ = cores;
 }
 
-void Predictor::tell(const Mill& mill, const std::vector<double>& values,
-                     std::vector<double>& told) const {
+void Predictor::predict(const Mill& mill, const std::vector<double>& values,
+                        std::vector<double>& predicted) const {
   cases::Case what = mill.outcome->what;
-  for (std::size_t i = 0; i < numbers_.size(); ++i)
-    cases::adjust(what, numbers_[i].name, values[i]);
-  const powder::Milling milling =
-      mill.grinds ? results::milled(what, mill.stresses, mill.beds ? &*mill.beds : nullptr)
-                  : powder::Milling{};
+  for (std::size_t i = 0; i < parameters_.size(); ++i)
+    cases::set_fit_parameter(what, parameters_[i].name, values[i]);
+  const powder::SizeEvolution milling =
+      mill.grinds
+          ? results::milling_by_balance(what, mill.stresses, mill.beds ? &*mill.beds : nullptr)
+          : powder::SizeEvolution{};
   const double dose =
       what.kinetics ? results::dose_rate(what, mill.replicates, mill.stresses) : nothing;
-  for (const std::size_t k : mill.asked)
-    told[k] = of_sizes(asked_[k].what) ? told_by(milling, asked_[k], *what.powder->density)
-                                       : what.kinetics->conversion.at(dose * asked_[k].time);
+  for (const std::size_t k : mill.measurements)
+    predicted[k] = of_sizes(measurements_[k].what)
+                       ? predicted_value(milling, measurements_[k], *what.powder->density)
+                       : what.kinetics->conversion.at(dose * measurements_[k].time);
 }
 
 std::vector<double> Predictor::operator()(const std::vector<double>& values) const {
-  std::vector<double> told(asked_.size(), nothing);
-  in_parallel(threads_, mills_.size(), [&](std::size_t i) { tell(mills_[i], values, told); });
-  return told;
+  std::vector<double> predicted(measurements_.size(), nothing);
+  in_parallel(threads_, mills_.size(),
+              [&](std::size_t i) { predict(mills_[i], values, predicted); });
+  return predicted;
 }
 
 double residual(const Measurement& measured, double predicted) {
   const bool known = !std::isnan(measured.error);
-  if (measured.what == Measured::quantile || measured.what == Measured::specific_surface)
+  if (measured.what == MeasuredQuantity::quantile ||
+      measured.what == MeasuredQuantity::specific_surface)
     return std::log(predicted / measured.value) * (known ? measured.value / measured.error : 1);
   return (predicted - measured.value) / (known ? measured.error : 1);
 }
@@ -184,56 +194,59 @@ namespace {
 
 /// Of what `predict` tells, beside what was measured; counts how often.
 Residuals residuals(const Predictor& predict, const Measurements& data, const FitOptions& options,
-                    int& milled) {
+                    int& evaluations) {
   return [&](const std::vector<double>& values) {
     if (options.stop != nullptr && *options.stop) throw Interrupted();
     std::vector<double> all = predict(values);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = residual(data.values[i], all[i]);
-    ++milled;
-    if (options.progress) options.progress(milled);
+    ++evaluations;
+    if (options.progress) options.progress(evaluations);
     return all;
   };
 }
 
-std::vector<double> values_of(const Fitted& found) {
+std::vector<double> values_of(const LeastSquaresResult& found) {
   std::vector<double> values;
   for (const FittedParameter& p : found.parameters) values.push_back(p.value);
   return values;
 }
 
-/// As places, the half-widths that the replicates' own fits give (fit.10).
-std::vector<double> scatter_of_mills(const std::vector<results::Outcome>& mills,
-                                     const Measurements& data,
-                                     const std::vector<FreeParameter>& numbers, const Fitted& found,
-                                     const FitOptions& options, int& milled) {
-  std::size_t replicates = results::averaged(mills.front()).size();
+/// As positions, the half-widths that the replicates' own fits give (fit.10).
+std::vector<double> simulation_half_widths(const std::vector<results::Outcome>& mills,
+                                           const Measurements& data,
+                                           const std::vector<FreeParameter>& parameters,
+                                           const LeastSquaresResult& found,
+                                           const FitOptions& options, int& evaluations) {
+  std::size_t replicates = results::averaged_replicates(mills.front()).size();
   for (const results::Outcome& mill : mills)
-    replicates = std::min(replicates, results::averaged(mill).size());
-  std::vector<std::vector<double>> places(numbers.size());
+    replicates = std::min(replicates, results::averaged_replicates(mill).size());
+  std::vector<std::vector<double>> positions(parameters.size());
   for (std::size_t r = 0; r < replicates && replicates > 1; ++r) {
-    const Predictor predict(mills, numbers, data.values, options.threads, r);
-    const Residuals own = residuals(predict, data, options, milled);
-    Search search(own, numbers);
+    const Predictor predict(mills, parameters, data.values, options.threads, r);
+    const Residuals own = residuals(predict, data, options, evaluations);
+    Minimiser search(own, parameters);
     std::vector<double> start;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      start.push_back(place_of(numbers[i], found.parameters[i].value));
-    const Point best = search.descend(search.look(start));
-    for (std::size_t i = 0; i < numbers.size(); ++i) places[i].push_back(best.place[i]);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      start.push_back(position_of(parameters[i], found.parameters[i].value));
+    const Evaluation best = search.levenberg_marquardt(search.evaluate(start));
+    for (std::size_t i = 0; i < parameters.size(); ++i) positions[i].push_back(best.position[i]);
   }
   std::vector<double> widths;
-  for (const std::vector<double>& each : places)
+  for (const std::vector<double>& each : positions)
     widths.push_back(each.empty() ? nothing : observe::estimate(each).ci95);
   return widths;
 }
 
 /// Ends of intervals that are not open move away by what the mills' scatter adds (fit.11).
-void allow_for(double width, const FreeParameter& number, FittedParameter& p) {
+void widen_interval(double width, const FreeParameter& parameter, FittedParameter& p) {
   if (!(width > 0) || !p.determined) return;
-  const double place = place_of(number, p.value);
-  const double below = place - place_of(number, p.low), above = place_of(number, p.high) - place;
-  const double low = place - std::hypot(below, width), high = place + std::hypot(above, width);
-  if (!p.open_low) p.low = value_at(number, low);
-  if (!p.open_high) p.high = value_at(number, high);
+  const double position = position_of(parameter, p.value);
+  const double below = position - position_of(parameter, p.low),
+               above = position_of(parameter, p.high) - position;
+  const double low = position - std::hypot(below, width),
+               high = position + std::hypot(above, width);
+  if (!p.open_low) p.low = value_at(parameter, low);
+  if (!p.open_high) p.high = value_at(parameter, high);
   p.open_low = p.open_low || low <= 0;
   p.open_high = p.open_high || high >= 1;
   p.determined = p.determined && !(p.open_low && p.open_high);
@@ -246,22 +259,25 @@ void allow_for(double width, const FreeParameter& number, FittedParameter& p) {
 }  // namespace
 
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
-        const std::vector<FreeParameter>& numbers, const FitOptions& options) {
-  int milled = 0;
-  const Predictor predict(mills, numbers, data.values, options.threads);
-  const Scatter scatter = data.errors_known() ? Scatter::known : Scatter::estimated;
-  Fit made{.found = least_squares(residuals(predict, data, options, milled), numbers, scatter),
-           .predicted = {},
-           .by_mills = {}};
-  made.predicted = predict(values_of(made.found));
-  made.by_mills = scatter_of_mills(mills, data, numbers, made.found, options, milled);
-  made.found.evaluations = milled;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    FittedParameter& p = made.found.parameters[i];
-    const double width = made.by_mills[i], place = place_of(numbers[i], p.value);
-    allow_for(width, numbers[i], p);
-    made.by_mills[i] =  // places beyond the range are its ends
-        0.5 * (value_at(numbers[i], place + width) - value_at(numbers[i], place - width));
+        const std::vector<FreeParameter>& parameters, const FitOptions& options) {
+  int evaluations = 0;
+  const Predictor predict(mills, parameters, data.values, options.threads);
+  const ErrorScale scatter = data.errors_known() ? ErrorScale::known : ErrorScale::estimated;
+  Fit made{
+      .result = least_squares(residuals(predict, data, options, evaluations), parameters, scatter),
+      .predicted = {},
+      .simulation_ci95 = {}};
+  made.predicted = predict(values_of(made.result));
+  made.simulation_ci95 =
+      simulation_half_widths(mills, data, parameters, made.result, options, evaluations);
+  made.result.evaluations = evaluations;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    FittedParameter& p = made.result.parameters[i];
+    const double width = made.simulation_ci95[i], position = position_of(parameters[i], p.value);
+    widen_interval(width, parameters[i], p);
+    made.simulation_ci95[i] =  // positions beyond the range are its ends
+        0.5 *
+        (value_at(parameters[i], position + width) - value_at(parameters[i], position - width));
   }
   return made;
 }

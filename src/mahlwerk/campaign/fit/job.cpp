@@ -93,13 +93,13 @@ FitJob fit_job(const fs::path& file, const std::string& data_file, const cases::
     throw InputError(Fault{job.base.file, "the case has a [sweep], fit takes a single case",
                            "take the section [sweep] away; columns of the data may change the case",
                            "one-case"});
-  job.numbers = free_numbers(job.base, held);
-  if (auto wrong = fit_faults(job.base, job.data, job.numbers, job.data_file); !wrong.empty())
+  job.parameters = free_parameters(job.base, held);
+  if (auto wrong = fit_faults(job.base, job.data, job.parameters, job.data_file); !wrong.empty())
     throw InputError(std::move(wrong));
   job.mills = under_conditions(job, file, known, set, anywhere);
   fill_times(job.data, job.mills);
   for (std::size_t i = 0; i < job.mills.size(); ++i)
-    job.mills[i] = for_fit(std::move(job.mills[i]), i, job.data, job.numbers);
+    job.mills[i] = case_for_fit(std::move(job.mills[i]), i, job.data, job.parameters);
   return job;
 }
 

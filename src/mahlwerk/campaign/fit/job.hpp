@@ -16,7 +16,7 @@ struct FitJob {
   cases::Case base;  ///< as the case file says, free numbers anywhere in their ranges
   std::string data_file;
   Measurements data;
-  std::vector<FreeParameter> numbers;
+  std::vector<FreeParameter> parameters;
   std::vector<cases::Case> mills;  ///< of each condition
 };
 

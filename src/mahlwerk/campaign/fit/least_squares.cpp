@@ -11,7 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mahlwerk/campaign/fit/search.hpp"
+#include "mahlwerk/campaign/fit/minimiser.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 
 namespace mahlwerk::campaign {
@@ -22,51 +22,51 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Squares below this are no more than rounding.
-double rounding(const std::vector<Point>& seen) {
+double rounding(const std::vector<Evaluation>& seen) {
   std::vector<double> sums;
-  for (const Point& point : seen)
+  for (const Evaluation& point : seen)
     if (std::isfinite(point.sum)) sums.push_back(point.sum);
   std::ranges::sort(sums);
   return 1e-20 * sums[sums.size() / 2];
 }
 
 /// By how much the sum of squares may rise within the interval (fit.4).
-double allowed_rise(double sum, int freedom, Scatter scatter) {
+double allowed_rise(double sum, int freedom, ErrorScale scatter) {
   constexpr double normal = 1.959963984540054;
-  const double known = scatter == Scatter::known ? normal * normal : 0;
-  if (freedom < 1) return scatter == Scatter::known ? known : infinite;
+  const double known = scatter == ErrorScale::known ? normal * normal : 0;
+  if (freedom < 1) return scatter == ErrorScale::known ? known : infinite;
   const double t = observe::student95(freedom);
   return std::max(known, t * t * sum / freedom);
 }
 
-/// How far parameter `i` goes from the best place towards 0 or 1 before the sum of squares, the
+/// How far parameter `i` goes from the best position towards 0 or 1 before the sum of squares, the
 /// others chosen anew, has risen by `rise` (fit.5). `guess` is what the slopes say, `along` how the
 /// others go along.
 struct Limit {
-  double place;
+  double position;
   bool open;
 };
-Limit limit(Search& search, const Point& best, std::size_t i, bool up, double rise, double guess,
-            const VectorXd& along) {
+Limit limit(Minimiser& search, const Evaluation& best, std::size_t i, bool up, double rise,
+            double guess, const VectorXd& along) {
   constexpr double sharp = 1e-9, enough = 0.01;
-  const double end = up ? 1 : 0, room = std::abs(end - best.place[i]), side = up ? 1 : -1;
-  if (guess < std::min(sharp, room)) return {best.place[i] + side * guess, false};
+  const double end = up ? 1 : 0, room = std::abs(end - best.position[i]), side = up ? 1 : -1;
+  if (guess < std::min(sharp, room)) return {best.position[i] + side * guess, false};
   if (!std::isfinite(rise)) return {end, true};
   double inside = 0, inside_rise = 0, outside = infinite, outside_rise = 0;
   double way = std::min(guess, room);
   std::vector<double> step(along.begin(), along.end());  // of all, by that of parameter i
   for (int round = 0; round < 15; ++round) {
-    std::vector<double> place = best.place;
-    for (std::size_t k = 0; k < place.size(); ++k)
-      place[k] = std::clamp(place[k] + side * way * step[k], 0.0, 1.0);
-    place[i] = way >= room ? end : best.place[i] + side * way;
-    const Point at = search.descend(search.look(place), i);
+    std::vector<double> position = best.position;
+    for (std::size_t k = 0; k < position.size(); ++k)
+      position[k] = std::clamp(position[k] + side * way * step[k], 0.0, 1.0);
+    position[i] = way >= room ? end : best.position[i] + side * way;
+    const Evaluation at = search.levenberg_marquardt(search.evaluate(position), i);
     const double risen = std::sqrt(std::max(0.0, (at.sum - best.sum) / rise));  // nearly straight
     if (risen <= 1) {
       if (way >= room) return {end, true};
       inside = way, inside_rise = risen;
       for (std::size_t k = 0; k < step.size(); ++k)
-        step[k] = (at.place[k] - best.place[k]) / (side * way);
+        step[k] = (at.position[k] - best.position[k]) / (side * way);
     } else {
       outside = way, outside_rise = risen;
     }
@@ -79,16 +79,17 @@ Limit limit(Search& search, const Point& best, std::size_t i, bool up, double ri
       way = std::min(room, std::clamp(1.02 * way / risen, 1.1 * way, 4 * way));
     }
   }
-  return {best.place[i] + side * std::min(outside, std::max(inside, way)), false};
+  return {best.position[i] + side * std::min(outside, std::max(inside, way)), false};
 }
 
-/// What the slopes at the best place say of directions (fit.6) and of how parameters hang together.
-struct Shape {
-  MatrixXd covariance;  ///< in places, for residuals of unit scatter
+/// What the slopes at the best position say of directions (fit.6) and of how parameters hang
+/// together.
+struct Curvature {
+  MatrixXd covariance;  ///< in positions, for residuals of unit scatter
   /// Of each direction along which nothing changes: the parameters in it.
   std::vector<std::vector<std::size_t>> flat;
 };
-Shape shape(const std::vector<std::vector<double>>& columns) {
+Curvature curvature(const std::vector<std::vector<double>>& columns) {
   constexpr double flat = 1e-6, part = 0.1, deepest = 1e-8;
   MatrixXd slopes(columns.front().size(), columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -97,7 +98,7 @@ Shape shape(const std::vector<std::vector<double>>& columns) {
   const Eigen::JacobiSVD<MatrixXd> svd(slopes, Eigen::ComputeFullV);
   VectorXd size = VectorXd::Zero(slopes.cols());
   size.head(svd.singularValues().size()) = svd.singularValues();
-  Shape made;
+  Curvature made;
   for (Index k = 0; k < size.size(); ++k) {
     if (size(k) > flat * size(0)) continue;
     const VectorXd direction = svd.matrixV().col(k).cwiseAbs();
@@ -126,54 +127,56 @@ std::vector<std::vector<double>> correlation(const MatrixXd& covariance) {
 
 using Limits = std::array<Limit, 2>;  // below and above
 
-/// The best place, and how far each parameter may go from it. Where going there finds a better
-/// place, all begins anew from that.
-struct Found {
-  Point best;
+/// The best position, and how far each parameter may go from it. Where going there finds a better
+/// position, all begins anew from that.
+struct BestFit {
+  Evaluation best;
   double rise = 0;
-  Shape shape;
+  Curvature curvature;
   std::vector<Limits> limits;
 };
-Found found(Search& search, Scatter scatter) {
+BestFit find_best_fit(Minimiser& search, ErrorScale scatter) {
   constexpr int most_times = 3;
-  Found made;
-  const std::vector<Point> begin = search.starts();
-  const double least_rise = rounding(search.seen());
-  for (const Point& start : begin) {
-    Point end = search.descend(search.roam(start));
+  BestFit made;
+  const std::vector<Evaluation> begin = search.start_points();
+  const double least_rise = rounding(search.evaluations());
+  for (const Evaluation& start : begin) {
+    Evaluation end = search.levenberg_marquardt(search.subplex_search(start));
     if (end.sum < made.best.sum) made.best = std::move(end);
   }
   const auto freedom =
       static_cast<int>(made.best.residuals.size()) - static_cast<int>(search.count());
   for (int time = 1;; ++time) {
     made.rise = std::max(least_rise, allowed_rise(made.best.sum, freedom, scatter));
-    made.shape = shape(search.slopes(made.best, true));
+    made.curvature = curvature(search.slopes(made.best, true));
     made.limits.clear();
     for (std::size_t i = 0; i < search.count(); ++i) {
       const auto at = static_cast<Index>(i);
-      const double spread = made.shape.covariance(at, at), guess = std::sqrt(made.rise * spread);
-      const VectorXd along = made.shape.covariance.col(at) / spread;
+      const double spread = made.curvature.covariance(at, at),
+                   guess = std::sqrt(made.rise * spread);
+      const VectorXd along = made.curvature.covariance.col(at) / spread;
       made.limits.push_back({limit(search, made.best, i, false, made.rise, guess, along),
                              limit(search, made.best, i, true, made.rise, guess, along)});
     }
-    const Point& lower = *std::ranges::min_element(search.seen(), {}, &Point::sum);
+    const Evaluation& lower = *std::ranges::min_element(search.evaluations(), {}, &Evaluation::sum);
     if (time == most_times || !(lower.sum < made.best.sum - 1e-3 * made.rise)) return made;
-    made.best = search.descend(search.look(std::vector(lower.place)));
+    made.best = search.levenberg_marquardt(search.evaluate(std::vector(lower.position)));
   }
 }
 
-/// Makes the limits of parameter `i` hold every place seen that fits as well; whether any lay far
-/// outside.
-bool widen(Limits& limits, const Found& found, const std::vector<Point>& seen, std::size_t i) {
-  const double far = 0.05 * (limits[1].place - limits[0].place);
-  const double low = limits[0].place - far, high = limits[1].place + far;
-  for (const Point& point : seen) {
-    if (!(point.sum <= found.best.sum + found.rise)) continue;
-    const double place = point.place[i];
-    if (place < limits[0].place) limits[0] = {place, place <= 0};
-    if (place > limits[1].place) limits[1] = {place, place >= 1};
+/// Makes the limits of parameter `i` hold every position seen that fits as well; whether any lay
+/// far outside.
+bool widen(Limits& limits, const BestFit& best_fit, const std::vector<Evaluation>& seen,
+           std::size_t i) {
+  const double far = 0.05 * (limits[1].position - limits[0].position);
+  const double low = limits[0].position - far, high = limits[1].position + far;
+  for (const Evaluation& point : seen) {
+    if (!(point.sum <= best_fit.best.sum + best_fit.rise)) continue;
+    const double position = point.position[i];
+    if (position < limits[0].position) limits[0] = {position, position <= 0};
+    if (position > limits[1].position) limits[1] = {position, position >= 1};
   }
-  return limits[0].place < low || limits[1].place > high;
+  return limits[0].position < low || limits[1].position > high;
 }
 
 /// The names of the others in `of`, listed.
@@ -186,36 +189,36 @@ std::string others(const std::vector<std::size_t>& of, std::size_t i,
 }
 
 /// What there is to say of a parameter's interval.
-void remark(const FreeParameter& range, double place, FittedParameter& p) {
+void remark(const FreeParameter& range, double position, FittedParameter& p) {
   constexpr double at_end = 1e-6;
   if (p.open_low && p.open_high)
     p.remarks.push_back("any value of its range fits within the scatter of the data");
   else if (p.open_low || p.open_high)
     p.remarks.push_back(
         fmt::format("the data give no {} limit within its range", p.open_low ? "lower" : "upper"));
-  const bool low = place<at_end, high = place> 1 - at_end;
+  const bool low = position<at_end, high = position> 1 - at_end;
   if (low || high)
-    p.remarks.push_back(
-        fmt::format("the best value lies at the {} end of its range{}", low ? "lower" : "upper",
-                    (low ? range.ends_least : range.ends_most) ? ", beyond which it makes no sense"
+    p.remarks.push_back(fmt::format(
+        "the best value lies at the {} end of its range{}", low ? "lower" : "upper",
+        (low ? range.least_is_natural : range.most_is_natural) ? ", beyond which it makes no sense"
                                                                : "; a wider range may fit better"));
 }
 
-FittedParameter fitted(const Found& found, const Search& search,
+FittedParameter fitted(const BestFit& best_fit, const Minimiser& search,
                        const std::vector<FreeParameter>& parameters, std::size_t i) {
   const FreeParameter& range = parameters[i];
-  const double place = found.best.place[i];
-  Limits limits = found.limits[i];
-  const bool elsewhere = widen(limits, found, search.seen(), i);
+  const double position = best_fit.best.position[i];
+  Limits limits = best_fit.limits[i];
+  const bool elsewhere = widen(limits, best_fit, search.evaluations(), i);
   FittedParameter p{.name = range.name,
-                    .value = value_at(range, place),
-                    .low = value_at(range, limits[0].place),
-                    .high = value_at(range, limits[1].place),
+                    .value = value_at(range, position),
+                    .low = value_at(range, limits[0].position),
+                    .high = value_at(range, limits[1].position),
                     .open_low = limits[0].open,
                     .open_high = limits[1].open,
                     .determined = !(limits[0].open && limits[1].open),
                     .remarks = {}};
-  for (const std::vector<std::size_t>& flat : found.shape.flat) {
+  for (const std::vector<std::size_t>& flat : best_fit.curvature.flat) {
     if (std::ranges::find(flat, i) == flat.end()) continue;
     p.determined = false;
     p.remarks.push_back(flat.size() == 1
@@ -224,16 +227,16 @@ FittedParameter fitted(const Found& found, const Search& search,
                                           others(flat, i, parameters)));
   }
   if (!p.remarks.empty()) return p;  // nothing else is to be said of it
-  remark(range, place, p);
+  remark(range, position, p);
   if (elsewhere) p.remarks.push_back("values far from the best one fit as well");
   return p;
 }
 
 /// Says which parameters can hardly be told apart; of those in flat directions it is said already.
-void remark_correlation(Fitted& fit, const Shape& shape) {
+void remark_correlation(LeastSquaresResult& fit, const Curvature& curvature) {
   constexpr double close = 0.98;
   std::vector<bool> flat(fit.parameters.size(), false);
-  for (const std::vector<std::size_t>& direction : shape.flat)
+  for (const std::vector<std::size_t>& direction : curvature.flat)
     for (const std::size_t i : direction) flat[i] = true;
   for (std::size_t i = 0; i < flat.size(); ++i)
     for (std::size_t k = 0; k < flat.size(); ++k)
@@ -243,17 +246,17 @@ void remark_correlation(Fitted& fit, const Shape& shape) {
             "hard to tell from {}: their correlation is {:.4f}", fit.parameters[k].name, c));
 }
 
-void remark_all(Fitted& fit, Scatter scatter) {
+void remark_all(LeastSquaresResult& fit, ErrorScale scatter) {
   const auto count = fit.residuals.size();
-  if (fit.freedom < 0)
+  if (fit.degrees_of_freedom < 0)
     fit.remarks.push_back(fmt::format("fewer measured values than parameters: {} and {}", count,
                                       fit.parameters.size()));
-  if (fit.freedom == 0 && scatter == Scatter::estimated)
+  if (fit.degrees_of_freedom == 0 && scatter == ErrorScale::estimated)
     fit.remarks.push_back(
         "as many measured values as parameters: nothing is left to tell how they scatter, and no "
         "interval can be given");
-  if (scatter == Scatter::known && fit.freedom > 0 &&
-      fit.sum_of_squares > fit.freedom + 3 * std::sqrt(2.0 * fit.freedom))
+  if (scatter == ErrorScale::known && fit.degrees_of_freedom > 0 &&
+      fit.sum_of_squares > fit.degrees_of_freedom + 3 * std::sqrt(2.0 * fit.degrees_of_freedom))
     fit.remarks.push_back(
         fmt::format("the data lie {:.2g} times as far from the fit as their errors say: the errors "
                     "are too small, or the model does not fit; the intervals allow for it",
@@ -262,25 +265,26 @@ void remark_all(Fitted& fit, Scatter scatter) {
 
 }  // namespace
 
-Fitted least_squares(const Residuals& residuals, const std::vector<FreeParameter>& parameters,
-                     Scatter scatter) {
+LeastSquaresResult least_squares(const Residuals& residuals,
+                                 const std::vector<FreeParameter>& parameters, ErrorScale scatter) {
   if (parameters.empty()) throw std::invalid_argument("no parameter to be found");
   for (const FreeParameter& p : parameters)
     if (!std::isfinite(p.least) || !std::isfinite(p.most) || !(p.least < p.most))
       throw std::invalid_argument("no interval to look for " + p.name + " in");
-  Search search(residuals, parameters);
-  const Found best = found(search, scatter);
-  Fitted fit;
+  Minimiser search(residuals, parameters);
+  const BestFit best = find_best_fit(search, scatter);
+  LeastSquaresResult fit;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     fit.parameters.push_back(fitted(best, search, parameters, i));
-  fit.correlation = correlation(best.shape.covariance);
+  fit.correlation = correlation(best.curvature.covariance);
   fit.residuals = best.best.residuals;
   fit.sum_of_squares = best.best.sum;
-  fit.freedom = static_cast<int>(fit.residuals.size()) - static_cast<int>(parameters.size());
-  fit.scatter = fit.freedom > 0 ? std::sqrt(fit.sum_of_squares / fit.freedom)
-                                : std::numeric_limits<double>::quiet_NaN();  // (fit.3)
-  fit.evaluations = static_cast<int>(search.seen().size());
-  remark_correlation(fit, best.shape);
+  fit.degrees_of_freedom =
+      static_cast<int>(fit.residuals.size()) - static_cast<int>(parameters.size());
+  fit.scatter = fit.degrees_of_freedom > 0 ? std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom)
+                                           : std::numeric_limits<double>::quiet_NaN();  // (fit.3)
+  fit.evaluations = static_cast<int>(search.evaluations().size());
+  remark_correlation(fit, best.curvature);
   remark_all(fit, scatter);
   return fit;
 }

@@ -13,9 +13,9 @@ namespace mahlwerk::campaign {
 /// A number to be found, and where to look for it.
 struct FreeParameter {
   std::string name;
-  double least = 0, most = 1;                  ///< finite, least < most
-  std::optional<double> start = std::nullopt;  ///< between them; none: their middle
-  bool ends_least = false, ends_most = false;  ///< nothing lies beyond that it could be
+  double least = 0, most = 1;                              ///< finite, least < most
+  std::optional<double> start = std::nullopt;              ///< between them; none: their middle
+  bool least_is_natural = false, most_is_natural = false;  ///< nothing lies beyond that it could be
 
   /// It is positive and may be ten times as large as another: searched in the logarithm.
   bool logarithmic() const { return least > 0 && most > 10 * least; }
@@ -25,7 +25,7 @@ struct FreeParameter {
 using Residuals = std::function<std::vector<double>(const std::vector<double>&)>;
 
 /// What residuals are measured in.
-enum class Scatter {
+enum class ErrorScale {
   known,     ///< standard deviations of the measurements
   estimated  ///< something alike for all: the residuals themselves tell how the data scatter
 };
@@ -39,12 +39,12 @@ struct FittedParameter {
   std::vector<std::string> remarks;  ///< sentences without a full stop; why, if not determined
 };
 
-struct Fitted {
+struct LeastSquaresResult {
   std::vector<FittedParameter> parameters;
   std::vector<std::vector<double>> correlation;  ///< (fit.7)
   std::vector<double> residuals;
   double sum_of_squares = 0;
-  int freedom = 0;                   ///< residuals less parameters
+  int degrees_of_freedom = 0;        ///< residuals less parameters
   double scatter = 0;                ///< [1] s of the residuals (fit.3); NaN without freedom
   int evaluations = 0;               ///< of the residuals
   std::vector<std::string> remarks;  ///< on all of it; sentences without a full stop
@@ -54,7 +54,7 @@ struct Fitted {
 /// them the data do not determine. A set whose residuals are not all finite fits worse than any
 /// other. Takes some hundred evaluations a parameter; the same for the same input. Throws RunError
 /// if no set that was tried has residuals, std::invalid_argument for bounds that hold no interval.
-Fitted least_squares(const Residuals& residuals, const std::vector<FreeParameter>& parameters,
-                     Scatter scatter);
+LeastSquaresResult least_squares(const Residuals& residuals,
+                                 const std::vector<FreeParameter>& parameters, ErrorScale scatter);
 
 }  // namespace mahlwerk::campaign

@@ -40,7 +40,8 @@ std::optional<Column> column_called(std::string_view name) {
     column.role = name == "time" ? Role::time : Role::size;
     return column;
   }
-  for (const Measured what : {Measured::passing, Measured::specific_surface, Measured::conversion})
+  for (const MeasuredQuantity what : {MeasuredQuantity::passing, MeasuredQuantity::specific_surface,
+                                      MeasuredQuantity::conversion})
     if (name == name_of(what, 0)) {
       column.what = what;
       return column;
@@ -60,7 +61,7 @@ std::string unit_from(std::string text) {
 
 }  // namespace
 
-std::string_view Column::kept_in() const {
+std::string_view Column::stored_unit() const {
   if (role == Role::time) return "s";
   return role == Role::size ? "m" : unit_of(what);
 }

@@ -17,13 +17,13 @@ enum class Role { time, size, measured, error, condition };
 
 struct Column {
   Role role = Role::condition;
-  std::string name;                     ///< "D90", also of its errors; the key of a condition
-  std::string unit;                     ///< as written
-  Measured what = Measured::quantile;   ///< of what is measured, and of its errors
-  int percent = 0;                      ///< of a quantile
+  std::string name;  ///< "D90", also of its errors; the key of a condition
+  std::string unit;  ///< as written
+  MeasuredQuantity what = MeasuredQuantity::quantile;  ///< of what is measured, and of its errors
+  int percent = 0;                                     ///< of a quantile
   std::optional<std::size_t> error_in;  ///< of what is measured: its column of errors
 
-  std::string_view kept_in() const;  ///< the unit its numbers are kept in
+  std::string_view stored_unit() const;  ///< the unit its numbers are kept in
 };
 
 /// The column of a heading: "D90 (um)", "D90 [um]", "D90_um" or "D90"; nothing if it is unknown.

@@ -85,9 +85,9 @@ class Reader {
   }
   void check_unit(const Column& column, const std::string& heading) {
     try {
-      parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.kept_in());
+      parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.stored_unit());
     } catch (const UnitError& error) {
-      const std::string unit(column.kept_in());
+      const std::string unit(column.stored_unit());
       fault(fmt::format("column \"{}\": {}", heading,
                         column.unit.empty() ? "the unit is missing" : error.what()),
             fmt::format("write for instance \"{}{} ({})\"", column.name,
@@ -128,7 +128,7 @@ class Reader {
     std::string text = cell;
     if (separator_ == ';') std::ranges::replace(text, ',', '.');  // as spreadsheets may write it
     try {
-      return parse_in(column.unit.empty() ? text : text + " " + column.unit, column.kept_in());
+      return parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit());
     } catch (const UnitError&) {
       fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
             "write a number without its unit, or nothing", "bad-quantity");
@@ -190,11 +190,12 @@ class Reader {
     m.value = numbers[i];
     if (column.error_in) m.error = numbers[*column.error_in];
     const std::size_t before = faults_.size();
-    const bool share = m.what == Measured::passing || m.what == Measured::conversion;
+    const bool share =
+        m.what == MeasuredQuantity::passing || m.what == MeasuredQuantity::conversion;
     if (share ? m.value < 0 || m.value > 1 : m.value <= 0)
       out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
     if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
-    if (m.what == Measured::passing) check_size(m, cells[i].empty(), cells);
+    if (m.what == MeasuredQuantity::passing) check_size(m, cells[i].empty(), cells);
     if (cells[i].empty() && !std::isnan(m.error))
       fault(fmt::format("an error of {}, but no value", column.name), "give both, or none");
     if (faults_.size() == before && !std::isnan(m.value)) made_.values.push_back(m);
@@ -212,12 +213,13 @@ class Reader {
     const std::vector<Measurement>& all = made_.values;
     for (std::size_t i = first; i < all.size(); ++i)
       for (std::size_t k = first; k < all.size(); ++k)
-        if (all[i].what == Measured::quantile && all[k].what == Measured::quantile &&
-            all[i].percent < all[k].percent && all[i].value > all[k].value)
+        if (all[i].what == MeasuredQuantity::quantile &&
+            all[k].what == MeasuredQuantity::quantile && all[i].percent < all[k].percent &&
+            all[i].value > all[k].value)
           fault(fmt::format("D{} is larger than D{}", all[i].percent, all[k].percent),
                 "correct one of them");
     for (std::size_t i = first; i < all.size(); ++i)
-      if (all[i].what == Measured::passing) {
+      if (all[i].what == MeasuredQuantity::passing) {
         const Measurement* last = last_passing_ ? &all[*last_passing_] : nullptr;
         if (last != nullptr && last->condition == all[i].condition &&
             (last->time == all[i].time || std::isnan(last->time + all[i].time)) &&
@@ -251,23 +253,23 @@ class Reader {
 
 }  // namespace
 
-std::string name_of(Measured what, int percent) {
+std::string name_of(MeasuredQuantity what, int percent) {
   switch (what) {
-    case Measured::quantile:
+    case MeasuredQuantity::quantile:
       return fmt::format("D{}", percent);
-    case Measured::passing:
+    case MeasuredQuantity::passing:
       return "passing";
-    case Measured::specific_surface:
+    case MeasuredQuantity::specific_surface:
       return "specific_surface";
-    case Measured::conversion:
+    case MeasuredQuantity::conversion:
       return "conversion";
   }
   return "";
 }
 
-std::string_view unit_of(Measured what) {
-  if (what == Measured::quantile) return "m";
-  return what == Measured::specific_surface ? "m2/kg" : "";
+std::string_view unit_of(MeasuredQuantity what) {
+  if (what == MeasuredQuantity::quantile) return "m";
+  return what == MeasuredQuantity::specific_surface ? "m2/kg" : "";
 }
 
 bool Measurements::errors_known() const {

@@ -12,7 +12,7 @@
 // What was measured of powder that a mill has milled (docs/formats.md, "Measurements").
 namespace mahlwerk::campaign {
 
-enum class Measured {
+enum class MeasuredQuantity {
   quantile,          ///< [m] size that a share of the mass is finer than
   passing,           ///< [1] of the mass, finer than a size
   specific_surface,  ///< [m2/kg]
@@ -20,13 +20,13 @@ enum class Measured {
 };
 
 /// "D90", "passing", "specific_surface" or "conversion"; the unit its value is kept in.
-std::string name_of(Measured what, int percent);
-std::string_view unit_of(Measured what);
+std::string name_of(MeasuredQuantity what, int percent);
+std::string_view unit_of(MeasuredQuantity what);
 
 struct Measurement {
   std::size_t condition = 0;
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] of milling; NaN: as in the case
-  Measured what = Measured::quantile;
+  MeasuredQuantity what = MeasuredQuantity::quantile;
   int percent = 0;  ///< of a quantile: 90 is D90
   double size = 0;  ///< [m] of what passes
   double value = 0;

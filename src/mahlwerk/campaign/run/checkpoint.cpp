@@ -36,7 +36,7 @@ Fault no_checkpoint(const std::filesystem::path& file, const std::string& why) {
 
 /// Takes the fingerprint of all else off the end of a file; whether it is right. A state with a bit
 /// turned would run on, wrongly.
-bool whole(std::string& bytes) {
+bool take_fingerprint(std::string& bytes) {
   std::uint64_t kept = 0;
   if (bytes.size() < sizeof kept) return false;
   std::memcpy(&kept, bytes.data() + bytes.size() - sizeof kept, sizeof kept);
@@ -44,8 +44,8 @@ bool whole(std::string& bytes) {
   return kept == fingerprint(bytes);
 }
 
-void carry(Archive& archive, std::string& title, std::string& what,
-           std::vector<std::string>& states) {
+void serialize(Archive& archive, std::string& title, std::string& what,
+               std::vector<std::string>& states) {
   archive(title)(what);
   auto count = static_cast<std::uint64_t>(states.size());
   archive(count);
@@ -56,15 +56,15 @@ void carry(Archive& archive, std::string& title, std::string& what,
 }  // namespace
 
 Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every,
-                       Trouble trouble)
+                       WriteErrorCallback on_write_error)
     : file_(std::move(file)),
-      what_(std::move(what)),
-      every_(every),
+      run_id_(std::move(what)),
+      interval_(every),
       states_(jobs),
-      kept_(jobs, std::chrono::steady_clock::now()),
-      told_(std::move(trouble)) {
+      saved_at_(jobs, std::chrono::steady_clock::now()),
+      on_write_error_(std::move(on_write_error)) {
   std::error_code none;
-  std::filesystem::remove(aside(), none);
+  std::filesystem::remove(temporary_file(), none);
 }
 
 void Checkpoint::load() {
@@ -77,31 +77,31 @@ void Checkpoint::load() {
     return bytes.find(with) == sizeof(std::uint64_t);  // after its length
   };
   const bool ours = begins(magic);
-  if (!begins(any_magic) || (ours && !whole(bytes))) throw damaged(file_);
+  if (!begins(any_magic) || (ours && !take_fingerprint(bytes))) throw damaged(file_);
   if (ours) try {
       Archive archive(std::move(bytes));
-      carry(archive, title, what, states_);
+      serialize(archive, title, what, states_);
       archive.finish();
     } catch (const RunError&) {
       throw damaged(file_);
     }
-  if (!ours || what != what_ || states_.size() != kept_.size())
+  if (!ours || what != run_id_ || states_.size() != saved_at_.size())
     throw refusal(file_, "the checkpoint is of another run: case, settings or version differ",
                   "resume with the case and settings it was started with, or start anew");
   loaded_ = true;
 }
 
-bool Checkpoint::holds(std::size_t job) const {
+bool Checkpoint::has_state(std::size_t job) const {
   const std::lock_guard lock(mutex_);
   return !states_[job].empty();
 }
 
-void Checkpoint::restore(std::size_t job, Replica& replica) {
+void Checkpoint::restore(std::size_t job, ReplicateRun& replica) {
   const std::lock_guard lock(mutex_);
   if (states_[job].empty()) return;
   try {
     Archive archive(states_[job]);
-    replica.carry(archive);
+    replica.serialize(archive);
     archive.finish();
   } catch (const RunError&) {
     throw damaged(file_);
@@ -110,52 +110,52 @@ void Checkpoint::restore(std::size_t job, Replica& replica) {
 
 bool Checkpoint::due(std::size_t job) const {
   const std::lock_guard lock(mutex_);
-  return std::chrono::steady_clock::now() - kept_[job] > every_;
+  return std::chrono::steady_clock::now() - saved_at_[job] > interval_;
 }
 
-void Checkpoint::keep(std::size_t job, Replica& replica, bool now) {
+void Checkpoint::save(std::size_t job, ReplicateRun& replica, bool now) {
   Archive archive;
-  replica.carry(archive);
+  replica.serialize(archive);
   const std::lock_guard lock(mutex_);
   states_[job] = archive.bytes();
-  kept_[job] = std::chrono::steady_clock::now();
-  waits_ = true;
-  if (now || kept_[job] - filed_ > every_) write();
+  saved_at_[job] = std::chrono::steady_clock::now();
+  unwritten_ = true;
+  if (now || saved_at_[job] - written_at_ > interval_) write();
 }
 
 void Checkpoint::flush() {
   const std::lock_guard lock(mutex_);
-  if (waits_) write();
+  if (unwritten_) write();
 }
 
 /// All that is kept, into the file.
 void Checkpoint::write() {
   Archive archive;
   std::string title(magic);
-  carry(archive, title, what_, states_);
+  serialize(archive, title, run_id_, states_);
   std::uint64_t seal = fingerprint(archive.bytes());
   archive(seal);
-  filed_ = std::chrono::steady_clock::now();
-  waits_ = false;
-  const bool fresh = !failed_;
-  failed_.reset();
+  written_at_ = std::chrono::steady_clock::now();
+  unwritten_ = false;
+  const bool fresh = !write_error_;
+  write_error_.reset();
   try {
-    results::write_text(aside(), archive.bytes());
-    std::filesystem::rename(aside(), file_);
+    results::write_text(temporary_file(), archive.bytes());
+    std::filesystem::rename(temporary_file(), file_);
   } catch (const InputError& e) {
-    failed_ = no_checkpoint(file_, e.faults().front().what);
+    write_error_ = no_checkpoint(file_, e.faults().front().what);
   } catch (const std::filesystem::filesystem_error& e) {
-    failed_ = no_checkpoint(file_, "cannot be written: " + e.code().message());
+    write_error_ = no_checkpoint(file_, "cannot be written: " + e.code().message());
   }
-  if (!failed_) return;
+  if (!write_error_) return;
   std::error_code none;
-  std::filesystem::remove(aside(), none);
-  if (fresh && told_) told_(*failed_);
+  std::filesystem::remove(temporary_file(), none);
+  if (fresh && on_write_error_) on_write_error_(*write_error_);
 }
 
-std::optional<Fault> Checkpoint::trouble() const {
+std::optional<Fault> Checkpoint::write_error() const {
   const std::lock_guard lock(mutex_);
-  return failed_;
+  return write_error_;
 }
 
 void Checkpoint::remove() {

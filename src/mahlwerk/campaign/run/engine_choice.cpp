@@ -40,10 +40,10 @@ Contacts contacts_of(const results::Outcome& outcome) {
   std::int64_t collisions = 0;
   for (const results::Replicate& r : outcome.replicates) {
     time += r.time() * static_cast<double>(balls(outcome.what));
-    contact += r.account.contact_time - r.at_settled.contact_time;
-    lost += r.account.lost() - r.at_settled.lost();
-    withheld += r.account.withheld - r.at_settled.withheld;
-    collisions += r.account.collisions;
+    contact += r.energy_balance.contact_time - r.at_settled.contact_time;
+    lost += r.energy_balance.lost() - r.at_settled.lost();
+    withheld += r.energy_balance.withheld - r.at_settled.withheld;
+    collisions += r.energy_balance.collisions;
   }
   return {time > 0 ? contact / time : 0, lost > 0 ? withheld / lost : 0, collisions};
 }
@@ -98,15 +98,15 @@ std::string pilot_in_words(const Pilot& p) {
 /// Why the event engine is not advised, as a pilot run shows; empty if it is.
 std::string against_event(const Pilot& p) {
   if (p.stopped) return "Physics stopped that run: balls are wedged.";
-  if (p.contact_share > most_contact)
+  if (p.contact_share > contact_share_limit)
     return fmt::format("Above {} contacts are better followed than counted as bounces.",
-                       percent(most_contact));
+                       percent(contact_share_limit));
   return "";
 }
 
 }  // namespace
 
-Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
+EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* stop) {
   if (what.run.engine != cases::EngineName::automatic) return {what.run.engine, {}};
   if (!geometry::exact_touches(*what.jar.shape))
     return {cases::EngineName::soft,
@@ -130,13 +130,13 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
   const Pilot p = pilot(event, stop);
   const std::string seen = pilot_in_words(p);
   std::string against = against_event(p);
-  if (against.empty() && p.withheld_share > doubtful)
+  if (against.empty() && p.withheld_share > withheld_share_limit)
     if (const ContactTimeEffect effect = contact_time_effect(event, stop); effect.matters())
       against = in_words(effect, event);
   if (against.empty())
     return {cases::EngineName::event,
             {fmt::format("Engine: event, chosen by auto. {} Up to {} it is advised.", seen,
-                         percent(most_contact))}};
+                         percent(contact_share_limit))}};
   if (const std::string why = against_soft(what); !why.empty())
     return {cases::EngineName::event,
             {fmt::format(
@@ -149,17 +149,18 @@ Choice choose(const cases::Case& what, const std::atomic<bool>* stop) {
 namespace {
 
 /// What sustained contacts do to a run of the event engine, by its shares and by two pilot runs.
-Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* stop) {
+Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>* stop) {
   const Contacts contacts = contacts_of(outcome);
   Notices notes;
-  if (contacts.share > most_contact)
+  if (contacts.share > contact_share_limit)
     notes.push_back(warning(
         "long-contacts",
         fmt::format("The balls were in contact {} of the time. The event engine makes small "
                     "bounces of such contacts: the number of all collisions and forces inside the "
                     "bed are not those of lasting contacts. engine = \"soft\" follows them.",
                     percent(contacts.share))));
-  if (contacts.share <= most_contact && contacts.withheld <= doubtful) return notes;
+  if (contacts.share <= contact_share_limit && contacts.withheld <= withheld_share_limit)
+    return notes;
   if (stop != nullptr && *stop) return notes;
   // A twentieth of the run's own work, but enough to tell something.
   const std::int64_t work =
@@ -176,7 +177,8 @@ Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* 
     notes.push_back(note("contact-time", words));
   else
     notes.push_back(
-        {"contact-time", contacts.share > most_contact ? Severity::invalid : Severity::warning,
+        {"contact-time",
+         contacts.share > contact_share_limit ? Severity::invalid : Severity::warning,
          fmt::format("Whether the result depends on contact.contact_time is not known well. {}",
                      words)});
   return notes;
@@ -184,14 +186,14 @@ Notices contact_notes(const results::Outcome& outcome, const std::atomic<bool>* 
 
 }  // namespace
 
-Notices notes_on(const results::Outcome& outcome, const Choice& choice,
-                 const std::atomic<bool>* stop) {
+Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choice,
+                       const std::atomic<bool>* stop) {
   Notices notes;
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
     notes.push_back(note("powder-as-grains", std::move(grains)));
   if (choice.engine == cases::EngineName::soft) {
-    append(notes, soft_notes(outcome.what));
+    append(notes, soft_notices(outcome.what));
     return notes;
   }
   if (const auto law = sticking(outcome.what))
@@ -200,7 +202,7 @@ Notices notes_on(const results::Outcome& outcome, const Choice& choice,
         fmt::format("law = \"{}\" holds balls together. The event engine does not know that: its "
                     "balls part without a pull (engine = \"soft\" follows it).",
                     *law)));
-  if (balls(outcome.what) > 1) append(notes, contact_notes(outcome, stop));
+  if (balls(outcome.what) > 1) append(notes, contact_notices(outcome, stop));
   return notes;
 }
 

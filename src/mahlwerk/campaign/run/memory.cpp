@@ -90,8 +90,8 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
                            : std::string("take ");
   remedy += fmt::format("fewer or larger balls: one replicate of some {:.2g} fits", fits);
   return {{largest.powder && largest.powder->grain_size
-               ? cases::place_of(largest, "powder.grain_size")
-               : cases::place_of(largest, "balls.1.count"),
+               ? cases::location_of(largest, "powder.grain_size")
+               : cases::location_of(largest, "balls.1.count"),
            fmt::format("{:.3g} balls in {:.0f} replicate{} at once need about {} of memory, and "
                        "there are {}",
                        balls, running, running == 1 ? "" : "s", in_megabytes(needed),

@@ -32,7 +32,7 @@ struct HitCounter final : scene::Observer {
 
 /// The run at the end of one of its parts.
 struct Sample {
-  scene::Account account;
+  scene::EnergyBalance energy_balance;
   std::int64_t hits = 0;
 };
 
@@ -41,9 +41,9 @@ observe::Estimate estimate(const std::vector<Sample>& samples, const Value& valu
   std::vector<double> rates;
   for (std::size_t i = 1; i < samples.size(); ++i)
     rates.push_back((value(samples[i]) - value(samples[i - 1])) /
-                    (samples[i].account.time - samples[i - 1].account.time));
+                    (samples[i].energy_balance.time - samples[i - 1].energy_balance.time));
   if (rates.empty()) return {0, std::numeric_limits<double>::quiet_NaN()};
-  return observe::over_time(rates);
+  return observe::time_series_estimate(rates);
 }
 
 ContactTimeEffect::Change change(const observe::Estimate& with, const observe::Estimate& shorter) {
@@ -60,25 +60,26 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   const auto trial = engine(what, 0, 1, stop);
   HitCounter counter(what.observe.threshold, most, stop);
   trial->stop_on(&counter.enough);
-  std::vector<Sample> samples{{trial->account(), 0}};
+  std::vector<Sample> samples{{trial->energy_balance(), 0}};
   Pilot seen;
   try {
     for (int i = 1; i <= parts && !counter.enough; ++i) {
       trial->advance(whole * i / parts, counter);
-      if (trial->account().time > samples.back().account.time)
-        samples.push_back({trial->account(), counter.hits});
+      if (trial->energy_balance().time > samples.back().energy_balance.time)
+        samples.push_back({trial->energy_balance(), counter.hits});
     }
   } catch (const RunError&) {  // what it showed until then has to do
     seen.stopped = true;
   }
   samples.erase(samples.begin(), samples.begin() + std::ssize(samples) / 2);
-  const scene::Account &middle = samples.front().account, &end = samples.back().account;
+  const scene::EnergyBalance &middle = samples.front().energy_balance,
+                             &end = samples.back().energy_balance;
   const double of_balls = (end.time - middle.time) * static_cast<double>(trial->balls().size());
   const double lost = end.lost() - middle.lost();
   seen.time = end.time;
   if (of_balls > 0) seen.contact_share = (end.contact_time - middle.contact_time) / of_balls;
   if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
-  seen.power = estimate(samples, [](const Sample& s) { return s.account.lost(); });
+  seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
   return seen;
 } catch (const Interrupted&) {  // while balls were placed: it shows nothing

@@ -33,7 +33,7 @@ struct ContactTimeEffect {
   /// A relative change with its 95 % half-width; NaN where it could not be measured.
   struct Change {
     double share = 0, ci95 = 0;
-    bool found(double limit) const {  ///< above the limit and above what chance makes
+    bool significant(double limit) const {  ///< above the limit and above what chance makes
       return (share < 0 ? -share : share) > limit && (share < 0 ? -share : share) > ci95;
     }
     bool known(double limit) const { return ci95 <= limit; }
@@ -42,7 +42,7 @@ struct ContactTimeEffect {
 
   static constexpr double shorter = 0.25;  ///< the second t_c, over the case's
   static constexpr double most = 0.05;     ///< [1] a change that no result should depend on
-  bool matters() const { return power.found(most) || hits.found(2 * most); }
+  bool matters() const { return power.significant(most) || hits.significant(2 * most); }
   bool known() const { return power.known(2 * most); }
 };
 

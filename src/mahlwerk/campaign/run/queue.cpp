@@ -38,9 +38,11 @@ double thread_cpu_seconds() {
 }
 
 /// Progress of all replicates together, told at most ten times a second.
-class Teller {
+class ProgressReporter {
  public:
-  Teller(const Options& options, double wanted) : options_(&options) { sum_.wanted = wanted; }
+  ProgressReporter(const RunOptions& options, double total) : options_(&options) {
+    sum_.total = total;
+  }
 
   void add(double simulated, double collisions, double residual) {
     if (!options_->progress) return;
@@ -49,20 +51,20 @@ class Teller {
     sum_.collisions += collisions;
     sum_.residual = std::max(sum_.residual, residual);
     const auto now = Clock::now();
-    if (now - told_ < std::chrono::milliseconds(100)) return;
-    told_ = now;
+    if (now - reported_ < std::chrono::milliseconds(100)) return;
+    reported_ = now;
     options_->progress(sum_);
   }
 
  private:
-  const Options* options_;
+  const RunOptions* options_;
   Progress sum_;
   std::mutex mutex_;
-  Clock::time_point told_ = Clock::now();
+  Clock::time_point reported_ = Clock::now();
 };
 
 /// Whether another point may fare better: not where a file cannot be written.
-bool of_the_point(const std::exception& why) {
+bool is_point_failure(const std::exception& why) {
   if (dynamic_cast<const std::system_error*>(&why) != nullptr) return false;
   const auto* input = dynamic_cast<const InputError*>(&why);
   return input == nullptr || std::ranges::none_of(input->faults(), [](const Fault& fault) {
@@ -72,9 +74,9 @@ bool of_the_point(const std::exception& why) {
 }
 
 /// A point at work.
-struct Open {
-  Open(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
-      : index(point), choice(choose(made, stop)), decided(made) {
+struct ActivePoint {
+  ActivePoint(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
+      : index(point), choice(choose_engine(made, stop)), decided(made) {
     decided.run.engine = choice.engine;
     const auto count = static_cast<std::size_t>(made.run.replicates);
     outcome.replicates = {count, results::empty_replicate(made)};
@@ -84,7 +86,7 @@ struct Open {
   }
 
   std::size_t index;
-  Choice choice;
+  EngineChoice choice;
   cases::Case decided;  // with the engine that runs it
   results::Outcome outcome;
   std::size_t next = 0;               // replicate to begin
@@ -96,48 +98,48 @@ struct Open {
 
 /// A replicate to be run.
 struct Task {
-  std::shared_ptr<Open> point;
+  std::shared_ptr<ActivePoint> point;
   std::size_t replicate = 0;
 };
 
-class Crew {
+class CampaignRunner {
  public:
-  Crew(const Queue& queue, const Options& options)
-      : queue_(queue), options_(options), teller_(options, queue.wanted) {}
+  CampaignRunner(const RunQueue& queue, const RunOptions& options)
+      : queue_(queue), options_(options), progress_(options, queue.total) {}
 
   void work(int threads) {
-    const auto hand = [this] {
+    const auto worker = [this] {
       try {
-        while (auto task = take()) finish(*task);
+        while (auto task = next_task()) finish(*task);
       } catch (...) {
-        give_up(std::current_exception());
+        fail_all(std::current_exception());
       }
     };
     {
       std::vector<std::jthread> team;
-      for (int i = 1; i < threads; ++i) team.emplace_back(hand);
-      hand();
+      for (int i = 1; i < threads; ++i) team.emplace_back(worker);
+      worker();
     }
     if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
   bool stopped() const {
-    return broken_.load() || (options_.stop != nullptr && options_.stop->load());
+    return failed_.load() || (options_.stop != nullptr && options_.stop->load());
   }
 
-  void give_up(std::exception_ptr why) {
+  void fail_all(std::exception_ptr why) {
     const std::lock_guard lock(mutex_);
     if (!failure_) failure_ = std::move(why);
-    broken_ = true;
+    failed_ = true;
     changed_.notify_all();
   }
 
   /// The next replicate of a point at work, else of a new point; nothing once all has begun.
-  std::optional<Task> take() {
+  std::optional<Task> next_task() {
     std::unique_lock lock(mutex_);
     for (;;) {
-      if (broken_) return std::nullopt;
+      if (failed_) return std::nullopt;
       for (const auto& point : open_)
         if (point->next < point->outcome.replicates.size()) return Task{point, point->next++};
       if (next_ < queue_.size && !stopped())
@@ -154,27 +156,27 @@ class Crew {
     const std::size_t index = next_++;
     ++opening_;
     lock.unlock();
-    std::shared_ptr<Open> point;
-    std::exception_ptr trouble;
+    std::shared_ptr<ActivePoint> point;
+    std::exception_ptr error;
     try {
       point = open(index);
     } catch (...) {
-      trouble = std::current_exception();
+      error = std::current_exception();
     }
     lock.lock();
     --opening_;
     changed_.notify_all();
-    if (trouble) std::rethrow_exception(trouble);
+    if (error) std::rethrow_exception(error);
     if (point) open_.push_back(std::move(point));
   }
 
   /// Nothing if it failed, which has been said then.
-  std::shared_ptr<Open> open(std::size_t index) try {
+  std::shared_ptr<ActivePoint> open(std::size_t index) try {
     cases::Case what = queue_.open(index);
     std::vector<Fault> wrong = run_faults(what);
     if (wrong.empty()) wrong = memory_faults({what}, threads(), options_.memory);
     if (!wrong.empty()) throw InputError(std::move(wrong));
-    return std::make_shared<Open>(index, std::move(what), options_.stop);
+    return std::make_shared<ActivePoint>(index, std::move(what), options_.stop);
   } catch (...) {
     failed(index, std::current_exception());
     return nullptr;
@@ -184,18 +186,18 @@ class Crew {
 
   /// Runs a replicate; with the last of its point, gives the outcome away.
   void finish(const Task& task) {
-    Open& point = *task.point;
-    std::exception_ptr trouble;
+    ActivePoint& point = *task.point;
+    std::exception_ptr error;
     try {
       point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
     } catch (const Interrupted&) {  // before it began
       point.outcome.replicates[task.replicate].complete = false;
     } catch (...) {
-      trouble = std::current_exception();
+      error = std::current_exception();
     }
     {
       const std::lock_guard lock(mutex_);
-      if (trouble && !point.failure) drop(point, trouble);
+      if (error && !point.failure) drop(point, error);
       if (--point.left > 0) return;
       open_.remove(task.point);
     }
@@ -210,16 +212,16 @@ class Crew {
   }
 
   /// The gravest first.
-  Notices notices(const Open& point) const {
+  Notices notices(const ActivePoint& point) const {
     Notices list = results::warnings(point.outcome);
-    append(list, rolling_notes(point.outcome));
-    append(list, notes_on(point.outcome, point.choice, options_.stop));
+    append(list, rolling_notices(point.outcome));
+    append(list, engine_notices(point.outcome, point.choice, options_.stop));
     std::ranges::stable_sort(list, std::ranges::greater(), &Notice::severity);
     return list;
   }
 
   /// No further replicate of it is begun, those at work end soon.
-  static void drop(Open& point, const std::exception_ptr& why) {
+  static void drop(ActivePoint& point, const std::exception_ptr& why) {
     point.failure = why;
     point.dropped = true;
     point.left -= point.outcome.replicates.size() - point.next;
@@ -229,63 +231,68 @@ class Crew {
   void failed(std::size_t index, const std::exception_ptr& why) try {
     std::rethrow_exception(why);
   } catch (const std::exception& e) {
-    if (!queue_.failed || !of_the_point(e)) throw;
+    if (!queue_.failed || !is_point_failure(e)) throw;
     queue_.failed(index, e);
   }
 
-  results::Replicate simulate(const Open& point, std::size_t replicate) {
+  results::Replicate simulate(const ActivePoint& point, std::size_t replicate) {
     const int r = static_cast<int>(replicate);
-    const Kept kept = queue_.kept ? queue_.kept(point.index) : Kept{};
-    const std::size_t job = kept.from + replicate;
+    const CheckpointSlot slot =
+        queue_.checkpoint_slot ? queue_.checkpoint_slot(point.index) : CheckpointSlot{};
+    const std::size_t job = slot.first_job + replicate;
     // What an earlier process computed is there again, even if nobody waits for more.
-    const bool begun = kept.in != nullptr && kept.in->holds(job);
-    Replica replica(point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
-                    options_.frames ? options_.frames(point.index, r) : nullptr,
-                    queue_.threads_each, begun ? nullptr : options_.stop);
+    const bool begun = slot.checkpoint != nullptr && slot.checkpoint->has_state(job);
+    ReplicateRun replica(point.decided, r,
+                         options_.records ? options_.records(point.index, r) : nullptr,
+                         options_.frames ? options_.frames(point.index, r) : nullptr,
+                         queue_.threads_per_replicate, begun ? nullptr : options_.stop);
     replica.stop_on(options_.stop);
-    if (kept.in != nullptr) kept.in->restore(job, replica);
+    if (slot.checkpoint != nullptr) slot.checkpoint->restore(job, replica);
     const double weight = queue_.weight ? queue_.weight(point.index) : 1;
-    teller_.add(weight * replica.account().time, 0, 0);  // what was done by an earlier process
+    progress_.add(weight * replica.energy_balance().time, 0,
+                  0);  // what was done by an earlier process
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
     while (!replica.done() && !stopped() && !point.dropped) {
-      const scene::Account before = replica.account();
-      replica.go_on();
-      const scene::Account& now = replica.account();
+      const scene::EnergyBalance before = replica.energy_balance();
+      replica.run_slice();
+      const scene::EnergyBalance& now = replica.energy_balance();
       replica.cpu_seconds() = thread_cpu_seconds() - cpu;
-      teller_.add(weight * (now.time - before.time),
-                  static_cast<double>(now.collisions - before.collisions), now.worst_collision);
-      if (kept.in != nullptr && kept.in->due(job)) kept.in->keep(job, replica);
+      progress_.add(weight * (now.time - before.time),
+                    static_cast<double>(now.collisions - before.collisions), now.worst_collision);
+      if (slot.checkpoint != nullptr && slot.checkpoint->due(job))
+        slot.checkpoint->save(job, replica);
     }
-    if (kept.in != nullptr && !point.dropped) keep_end(kept, job, replica, cpu);
+    if (slot.checkpoint != nullptr && !point.dropped) save_final_state(slot, job, replica, cpu);
     return replica.result();
   }
 
   /// `cpu`: [s] the thread's time when it would have begun here.
-  void keep_end(const Kept& kept, std::size_t job, Replica& replica, double cpu) const {
+  void save_final_state(const CheckpointSlot& slot, std::size_t job, ReplicateRun& replica,
+                        double cpu) const {
     constexpr double worth = 0.05;  // [s] of computing
     const bool long_enough = thread_cpu_seconds() - cpu > worth;
-    if (stopped() || kept.ended == Kept::Ended::written)
-      kept.in->keep(job, replica, true);
-    else if (kept.ended == Kept::Ended::noted && long_enough)
-      kept.in->keep(job, replica);
+    if (stopped() || slot.on_end == CheckpointSlot::OnEnd::write)
+      slot.checkpoint->save(job, replica, true);
+    else if (slot.on_end == CheckpointSlot::OnEnd::write_when_due && long_enough)
+      slot.checkpoint->save(job, replica);
   }
 
-  const Queue& queue_;
-  const Options& options_;
-  Teller teller_;
+  const RunQueue& queue_;
+  const RunOptions& options_;
+  ProgressReporter progress_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::list<std::shared_ptr<Open>> open_;  // points with replicates that have not ended
-  std::size_t next_ = 0;                   // point to open
-  int opening_ = 0;                        // points being opened
-  std::atomic<bool> broken_ = false;
+  std::list<std::shared_ptr<ActivePoint>> open_;  // points with replicates that have not ended
+  std::size_t next_ = 0;                          // point to open
+  int opening_ = 0;                               // points being opened
+  std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;
 };
 
 }  // namespace
 
-void work_off(const Queue& queue, const Options& options) {
-  Crew(queue, options).work(std::max(1, options.threads));
+void run_queue(const RunQueue& queue, const RunOptions& options) {
+  CampaignRunner(queue, options).work(std::max(1, options.threads));
 }
 
 }  // namespace mahlwerk::campaign

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double most_of_the_time = 0.5;
 
-struct Hits final : scene::Observer {
-  explicit Hits(double at_least) : threshold(at_least) {}
+struct ThresholdCounter final : scene::Observer {
+  explicit ThresholdCounter(double at_least) : threshold(at_least) {}
   void collisions(std::span<const scene::Collision> finished) override {
     for (const scene::Collision& c : finished) above += c.approach >= threshold ? 1 : 0;
   }
@@ -43,13 +43,13 @@ double contact_share(const std::vector<const results::Replicate*>& chosen) {
   double time = 0, contact = 0;
   for (const results::Replicate* r : chosen) {
     time += r->time();
-    contact += r->account.contact_time - r->at_settled.contact_time;
+    contact += r->energy_balance.contact_time - r->at_settled.contact_time;
   }
   return time > 0 ? contact / time : 0;
 }
 
 /// The first replicate as it ran, over the same time.
-Rates as_it_ran(const results::Replicate& r, double time) {
+Rates recorded_rates(const results::Replicate& r, double time) {
   Rates found;
   for (const results::Window& w : r.windows) {
     if (w.time > time * (1 + 1e-9)) break;
@@ -63,23 +63,24 @@ Rates as_it_ran(const results::Replicate& r, double time) {
 }
 
 /// The first replicate by the TC rule, for some seconds or collisions. The same on any machine.
-Rates by_tc(cases::Case what) {
+Rates tc_rates(cases::Case what) {
   constexpr double long_enough = 1;  // [s]
   constexpr std::int64_t enough = 20'000;
   constexpr int parts = 50;
-  what.contact.lasting = cases::Lasting::tc;
+  what.contact.lasting = cases::SustainedContactModel::tc;
   what.run.engine = cases::EngineName::event;
   const auto trial = engine(what, 0);
-  Hits ignored(what.observe.threshold), hits(what.observe.threshold);
+  ThresholdCounter ignored(what.observe.threshold), hits(what.observe.threshold);
   Rates found;
   try {
     trial->advance(what.run.settle, ignored);
-    const scene::Account before = trial->account();
+    const scene::EnergyBalance before = trial->energy_balance();
     const double whole = std::min(what.run.time, long_enough);
-    for (int i = 1; i <= parts && trial->account().collisions - before.collisions < enough; ++i) {
+    for (int i = 1; i <= parts && trial->energy_balance().collisions - before.collisions < enough;
+         ++i) {
       trial->advance(what.run.settle + whole * i / parts, hits);
-      found.time = trial->account().time - before.time;
-      found.power = (trial->account().lost() - before.lost()) / found.time;
+      found.time = trial->energy_balance().time - before.time;
+      found.power = (trial->energy_balance().lost() - before.lost()) / found.time;
       found.hits = hits.above / found.time;
     }
   } catch (const RunError&) {  // what it saw until then has to do
@@ -89,17 +90,17 @@ Rates by_tc(cases::Case what) {
 
 }  // namespace
 
-Notices rolling_notes(const results::Outcome& outcome) {
+Notices rolling_notices(const results::Outcome& outcome) {
   const cases::Case& what = outcome.what;
   const bool guessed =
       assumed(what, "contact.lasting") || assumed(what, "contact.lasting_friction");
   if (outcome.engine != cases::EngineName::event || results::count_of_balls(what) != 1 ||
-      !guessed || what.contact.lasting != cases::Lasting::roll || outcome.interrupted)
+      !guessed || what.contact.lasting != cases::SustainedContactModel::roll || outcome.interrupted)
     return {};
-  const auto chosen = results::averaged(outcome);
+  const auto chosen = results::averaged_replicates(outcome);
   const double rolled = contact_share(chosen);
   if (!(rolled > most_of_the_time)) return {};
-  const Rates tc = by_tc(what), roll = as_it_ran(outcome.replicates.front(), tc.time);
+  const Rates tc = tc_rates(what), roll = recorded_rates(outcome.replicates.front(), tc.time);
   const std::string other =
       tc.time > 0 && roll.time > 0
           ? fmt::format(

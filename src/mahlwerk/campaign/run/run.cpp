@@ -23,7 +23,7 @@ struct Load {
   std::vector<Fault> wrong;
   std::vector<std::size_t> first_job;  // of each point: replicates of those before it
   std::size_t jobs = 0;
-  double wanted = 0;  // [s] simulated, of all
+  double total = 0;  // [s] simulated, of all
 };
 
 Load load_of(const std::vector<cases::Case>& points) {
@@ -32,13 +32,13 @@ Load load_of(const std::vector<cases::Case>& points) {
     for (Fault& fault : run_faults(what)) load.wrong.push_back(std::move(fault));
     load.first_job.push_back(load.jobs);
     load.jobs += static_cast<std::size_t>(what.run.replicates);
-    load.wanted += (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+    load.total += (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
   }
   return load;
 }
 
 /// Of a point that was never begun.
-results::Outcome nothing_yet(const cases::Case& what) {
+results::Outcome unstarted_outcome(const cases::Case& what) {
   const auto count = static_cast<std::size_t>(what.run.replicates);
   results::Outcome outcome{.what = what, .replicates = {count, results::empty_replicate(what)}};
   outcome.interrupted = true;
@@ -49,41 +49,44 @@ results::Outcome nothing_yet(const cases::Case& what) {
 
 }  // namespace
 
-std::vector<results::Outcome> run(const std::vector<cases::Case>& points, const Options& options) {
+std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
+                                  const RunOptions& options) {
   Load load = load_of(points);
-  Options own = options;
-  own.threads = threads_of(options.threads);
+  RunOptions own = options;
+  own.threads = thread_count(options.threads);
   if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
   if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
   own.memory = std::nullopt;  // looked at for all of them together
   std::vector<std::optional<results::Outcome>> ended(points.size());
   const auto started = std::chrono::steady_clock::now();
-  Queue queue;
+  RunQueue queue;
   queue.size = points.size();
   queue.open = [&](std::size_t i) { return points[i]; };
   queue.done = [&](std::size_t i, results::Outcome&& outcome) { ended[i] = std::move(outcome); };
   if (options.checkpoint != nullptr)
-    queue.kept = [&](std::size_t i) { return Kept{options.checkpoint, load.first_job[i]}; };
+    queue.checkpoint_slot = [&](std::size_t i) {
+      return CheckpointSlot{options.checkpoint, load.first_job[i]};
+    };
   // Threads that no replicate is left for help those there are.
-  queue.threads_each = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
-  queue.wanted = load.wanted;
-  work_off(queue, own);
+  queue.threads_per_replicate = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
+  queue.total = load.total;
+  run_queue(queue, own);
   const double took =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   std::vector<results::Outcome> outcomes;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    outcomes.push_back(ended[i] ? std::move(*ended[i]) : nothing_yet(points[i]));
+    outcomes.push_back(ended[i] ? std::move(*ended[i]) : unstarted_outcome(points[i]));
     outcomes.back().wall_seconds = took;
   }
   return outcomes;
 }
 
-int threads_of(int asked) {
+int thread_count(int asked) {
   if (asked > 0) return asked;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-results::Outcome run(const cases::Case& what, const Options& options) {
+results::Outcome run(const cases::Case& what, const RunOptions& options) {
   return run(std::vector{what}, options).front();
 }
 

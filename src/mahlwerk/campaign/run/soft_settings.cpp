@@ -37,7 +37,7 @@ std::vector<scene::Ball> one_of_each(const cases::Case& what) {
 double meeting_speed(const cases::Case& what) {
   const double reach = geometry::reach(*what.jar.shape);
   const auto most = kinematics::bounds(*what.mill.motion);
-  const double parts = geometry::speed_of_parts(*what.jar.shape);
+  const double parts = geometry::rotor_tip_speed(*what.jar.shape);
   const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
   constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
   return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
@@ -47,12 +47,12 @@ double meeting_speed(const cases::Case& what) {
 std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
   if (what.run.time_step) return "as given";
   const double fraction = what.run.time_step_fraction;
-  const double usual = steps.usual(fraction);
+  const double usual = steps.recommended(fraction);
   if (usual == fraction * steps.rayleigh)
     return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
   if (usual == steps.damper / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
-  return fmt::format("a fiftieth of {}", contact::shortest(*what.contact.model.law));
+  return fmt::format("a fiftieth of {}", contact::shortest_time_name(*what.contact.model.law));
 }
 
 /// The largest of what the step leaves collisions off by, over all pairs of the case.
@@ -62,7 +62,7 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   const auto look = [&](const contact::Pair& pair) {
     const soft::StepError e =
         soft::step_error(*s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
-    worst = {std::max(worst.rebound, e.rebound), std::max(worst.across, e.across),
+    worst = {std::max(worst.rebound, e.rebound), std::max(worst.tangential, e.tangential),
              std::max(worst.spin, e.spin)};
   };
   for (int a = 0; a < pairs.kinds(); ++a) {
@@ -78,7 +78,7 @@ std::string error_note(const cases::Case& what, const SoftSettings& s) {
   return fmt::format(
       "In that step the shortest collision is off by at most about {} % of its speed of "
       "rebound, {} % of its speed across and {} % of its spin.",
-      two_digits(100 * e.rebound), two_digits(100 * e.across), two_digits(100 * e.spin));
+      two_digits(100 * e.rebound), two_digits(100 * e.tangential), two_digits(100 * e.spin));
 }
 
 /// To two digits, downwards.
@@ -92,12 +92,13 @@ double rounded_down(double x) {
 SoftSettings soft_settings(const cases::Case& what) {
   SoftSettings s;
   s.rules.model = what.contact.model;
-  s.rules.free_flight_skip = what.run.hop;
+  s.rules.free_flight_skip = what.run.free_flight_skip;
   s.speed = meeting_speed(what);
   s.steps =
       soft::time_steps(one_of_each(what), *s.rules.model.law, cases::pair_table(what), s.speed);
-  s.rules.time_step = what.run.time_step ? *what.run.time_step
-                                         : rounded_down(s.steps.usual(what.run.time_step_fraction));
+  s.rules.time_step = what.run.time_step
+                          ? *what.run.time_step
+                          : rounded_down(s.steps.recommended(what.run.time_step_fraction));
   return s;
 }
 
@@ -108,7 +109,7 @@ double soft_work(const cases::Case& what) {
          soft_settings(what).rules.time_step;
 }
 
-Notices soft_notes(const cases::Case& what) {
+Notices soft_notices(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   const double step = s.rules.time_step;
   Notices notes{
@@ -145,7 +146,7 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   if (what.run.engine != cases::EngineName::soft || !found.empty()) return found;
   const SoftSettings s = soft_settings(what);
   if (s.steps.overlap > sinking)
-    found.push_back({cases::place_of(what, "contact.softening"),
+    found.push_back({cases::location_of(what, "contact.softening"),
                      fmt::format("contacts are so soft that balls, which may meet at {}, "
                                  "would sink into each other by {} of their radius",
                                  show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap)),
@@ -155,21 +156,21 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   const double time = what.run.settle + what.run.time;
   if (time > most_steps * s.rules.time_step)
     found.push_back(
-        {cases::place_of(what, what.run.time_step ? "run.time_step" : "run.time"),
+        {cases::location_of(what, what.run.time_step ? "run.time_step" : "run.time"),
          fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
                      show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, most_steps),
          fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
-                     show_rounded(s.steps.usual(cases::step_share.standard.value()), "s")),
+                     show_rounded(s.steps.recommended(cases::step_share.standard.value()), "s")),
          "time-step-too-small"});
   if (s.rules.time_step > s.steps.limit)
     found.push_back(
-        {cases::place_of(what, "run.time_step"),
+        {cases::location_of(what, "run.time_step"),
          fmt::format("a time step of {} is unstable: at most {} for balls that may meet at {:.2g} "
                      "m/s",
                      show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"),
                      s.speed),
          fmt::format("write time_step = \"{}\" or less, or leave it out",
-                     show(rounded_down(s.steps.usual(what.run.time_step_fraction)), "s")),
+                     show(rounded_down(s.steps.recommended(what.run.time_step_fraction)), "s")),
          "time-step-too-large"});
   return found;
 }

@@ -24,7 +24,7 @@ SoftSettings soft_settings(const cases::Case& what);
 double soft_work(const cases::Case& what);
 
 /// In words: the time step, and what it rests on.
-Notices soft_notes(const cases::Case& what);
+Notices soft_notices(const cases::Case& what);
 /// Before a run: whether balls that meet at the highest speed would overlap by much. A run tells
 /// what it reached (results::warnings).
 Notices overlap_warnings(const cases::Case& what);

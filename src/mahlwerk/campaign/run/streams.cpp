@@ -31,7 +31,7 @@ std::unique_ptr<results::FrameFiles> Streams::frames(std::size_t point, int repl
   return p.frames ? p.frames(replicate) : nullptr;
 }
 
-void Streams::join(Options& options) const {
+void Streams::attach(RunOptions& options) const {
   options.records = [this](std::size_t point, int replicate) { return records(point, replicate); };
   options.frames = [this](std::size_t point, int replicate) { return frames(point, replicate); };
 }

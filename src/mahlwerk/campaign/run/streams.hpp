@@ -28,7 +28,7 @@ class Streams {
   std::unique_ptr<scene::Observer> records(std::size_t point, int replicate) const;
   std::unique_ptr<results::FrameFiles> frames(std::size_t point, int replicate) const;
   /// Lets a run of all points added write its files; it must end before the streams do.
-  void join(Options& options) const;
+  void attach(RunOptions& options) const;
 
   /// Ends the files. Call it before the folders' commit.
   void close();

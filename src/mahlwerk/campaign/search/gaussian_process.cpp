@@ -16,146 +16,148 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 /// Lets rounding not make a matrix indefinite; in parts of the variance.
 constexpr double jitter = 1e-9;
 
-double alike(const Kernel& k, const double* a, const double* b) {
+double matern(const Kernel& k, const double* a, const double* b) {
   double square = 0;
-  for (std::size_t i = 0; i < k.lengths.size(); ++i) {
-    const double step = (a[i] - b[i]) / k.lengths[i];
+  for (std::size_t i = 0; i < k.length_scales.size(); ++i) {
+    const double step = (a[i] - b[i]) / k.length_scales[i];
     square += step * step;
   }
   const double r = std::sqrt(5 * square);
-  return k.size * k.size * (1 + r + r * r / 3) * std::exp(-r) + k.level * k.level;  // (opt.1)
+  return k.amplitude * k.amplitude * (1 + r + r * r / 3) * std::exp(-r) +
+         k.constant * k.constant;  // (opt.1)
 }
 
-double own(const Kernel& k) {
-  return k.size * k.size + k.level * k.level;
+double prior_variance(const Kernel& k) {
+  return k.amplitude * k.amplitude + k.constant * k.constant;
 }
 
 }  // namespace
 
-double covariance(const Kernel& kernel, const Place& a, const Place& b) {
-  return alike(kernel, a.data(), b.data());
+double covariance(const Kernel& kernel, const DesignPoint& a, const DesignPoint& b) {
+  return matern(kernel, a.data(), b.data());
 }
 
-double normal_number(Random& random) {
+double standard_normal(Random& random) {
   const double size = std::sqrt(-2 * std::log(random.uniform()));
   return size * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
-double normal_share(double z) {
+double normal_cdf(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
 /// The process with its matrix taken apart.
-struct GaussianProcess::Solved {
+struct GaussianProcess::Factorisation {
   Kernel kernel;
-  std::vector<Seen> seen;
+  std::vector<Observation> observations;
   Eigen::LLT<MatrixXd> root;
   VectorXd weights;  // of what was seen, in a guess
 
-  VectorXd with(const Place& place) const {
-    VectorXd k(seen.size());
-    for (std::size_t i = 0; i < seen.size(); ++i)
-      k(static_cast<Index>(i)) = covariance(kernel, place, seen[i].place);
+  VectorXd covariances(const DesignPoint& point) const {
+    VectorXd k(observations.size());
+    for (std::size_t i = 0; i < observations.size(); ++i)
+      k(static_cast<Index>(i)) = covariance(kernel, point, observations[i].point);
     return k;
   }
 };
 
-GaussianProcess::GaussianProcess(Kernel kernel, std::vector<Seen> seen) {
-  auto made = std::make_shared<Solved>();
+GaussianProcess::GaussianProcess(Kernel kernel, std::vector<Observation> observations) {
+  auto made = std::make_shared<Factorisation>();
   made->kernel = std::move(kernel);
-  made->seen = std::move(seen);
-  const auto n = static_cast<Index>(made->seen.size());
+  made->observations = std::move(observations);
+  const auto n = static_cast<Index>(made->observations.size());
   MatrixXd all(n, n);
   VectorXd values(n);
   for (Index i = 0; i < n; ++i) {
-    const Seen& one = made->seen[static_cast<std::size_t>(i)];
+    const Observation& one = made->observations[static_cast<std::size_t>(i)];
     for (Index j = 0; j < i; ++j)
-      all(i, j) = all(j, i) =
-          covariance(made->kernel, one.place, made->seen[static_cast<std::size_t>(j)].place);
-    all(i, i) = own(made->kernel) * (1 + jitter) + one.variance;
+      all(i, j) = all(j, i) = covariance(made->kernel, one.point,
+                                         made->observations[static_cast<std::size_t>(j)].point);
+    all(i, i) = prior_variance(made->kernel) * (1 + jitter) + one.variance;
     values(i) = one.value;
   }
   made->root.compute(all);
   made->weights = made->root.solve(values);
-  solved_ = std::move(made);
+  factorisation_ = std::move(made);
 }
 
-Belief GaussianProcess::at(const Place& place) const {
-  const VectorXd k = solved_->with(place);
-  const double known = solved_->root.matrixL().solve(k).squaredNorm();
-  return {k.dot(solved_->weights), std::sqrt(std::max(0.0, own(solved_->kernel) - known))};
+Posterior GaussianProcess::at(const DesignPoint& point) const {
+  const VectorXd k = factorisation_->covariances(point);
+  const double known = factorisation_->root.matrixL().solve(k).squaredNorm();
+  return {k.dot(factorisation_->weights),
+          std::sqrt(std::max(0.0, prior_variance(factorisation_->kernel) - known))};
 }
 
-double GaussianProcess::evidence() const {
+double GaussianProcess::log_evidence() const {
   double fit = 0, volume = 0;
-  const MatrixXd& root = solved_->root.matrixLLT();
-  for (std::size_t i = 0; i < solved_->seen.size(); ++i) {
+  const MatrixXd& root = factorisation_->root.matrixLLT();
+  for (std::size_t i = 0; i < factorisation_->observations.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    fit += solved_->seen[i].value * solved_->weights(at);
+    fit += factorisation_->observations[i].value * factorisation_->weights(at);
     volume += std::log(2 * std::numbers::pi) / 2 + std::log(root(at, at));
   }
   return -fit / 2 - volume;  // (opt.3)
 }
 
 const Kernel& GaussianProcess::kernel() const {
-  return solved_->kernel;
+  return factorisation_->kernel;
 }
 
-const std::vector<Seen>& GaussianProcess::seen() const {
-  return solved_->seen;
+const std::vector<Observation>& GaussianProcess::observations() const {
+  return factorisation_->observations;
 }
 
-GaussianProcess GaussianProcess::believing(const Place& place, double variance) const {
-  std::vector<Seen> more = solved_->seen;
-  more.push_back({place, at(place).mean, variance});
-  return {solved_->kernel, std::move(more)};
+GaussianProcess GaussianProcess::with_fantasy(const DesignPoint& point, double variance) const {
+  std::vector<Observation> more = factorisation_->observations;
+  more.push_back({point, at(point).mean, variance});
+  return {factorisation_->kernel, std::move(more)};
 }
 
-Path GaussianProcess::path(Random& random) const {
+SamplePath GaussianProcess::sample_path(Random& random) const {
   constexpr Index waves = 128;
-  const Kernel& kernel = solved_->kernel;
-  const auto keys = static_cast<Index>(kernel.lengths.size());
+  const Kernel& kernel = factorisation_->kernel;
+  const auto keys = static_cast<Index>(kernel.length_scales.size());
   MatrixXd pace(waves, keys);
   VectorXd phase(waves), weight(waves);
   for (Index m = 0; m < waves; ++m) {  // frequencies of order 5/2: Student's t of 5 freedoms
     double square = 0;
-    for (int i = 0; i < 5; ++i) square += std::pow(normal_number(random), 2);
+    for (int i = 0; i < 5; ++i) square += std::pow(standard_normal(random), 2);
     for (Index i = 0; i < keys; ++i)
-      pace(m, i) = normal_number(random) / std::sqrt(square / 5) /
-                   kernel.lengths[static_cast<std::size_t>(i)];
+      pace(m, i) = standard_normal(random) / std::sqrt(square / 5) /
+                   kernel.length_scales[static_cast<std::size_t>(i)];
     phase(m) = 2 * std::numbers::pi * random.uniform();
-    weight(m) = kernel.size * std::sqrt(2.0 / waves) * normal_number(random);
+    weight(m) = kernel.amplitude * std::sqrt(2.0 / waves) * standard_normal(random);
   }
-  const double level = kernel.level * normal_number(random);
-  const auto before = [=](const Place& place) {
-    const Eigen::Map<const VectorXd> x(place.data(), keys);
+  const double level = kernel.constant * standard_normal(random);
+  const auto before = [=](const DesignPoint& point) {
+    const Eigen::Map<const VectorXd> x(point.data(), keys);
     return level + weight.dot((pace * x + phase).array().cos().matrix());
   };
-  VectorXd off(solved_->seen.size());
-  for (std::size_t i = 0; i < solved_->seen.size(); ++i) {
-    const Seen& one = solved_->seen[i];
+  VectorXd off(factorisation_->observations.size());
+  for (std::size_t i = 0; i < factorisation_->observations.size(); ++i) {
+    const Observation& one = factorisation_->observations[i];
     off(static_cast<Index>(i)) =
-        one.value - before(one.place) - std::sqrt(one.variance) * normal_number(random);
+        one.value - before(one.point) - std::sqrt(one.variance) * standard_normal(random);
   }
-  const VectorXd pull = solved_->root.solve(off);
-  return [before, pull, solved = solved_](const Place& place) {
-    return before(place) + pull.dot(solved->with(place));  // (opt.11)
+  const VectorXd pull = factorisation_->root.solve(off);
+  return [before, pull, solved = factorisation_](const DesignPoint& point) {
+    return before(point) + pull.dot(solved->covariances(point));  // (opt.11)
   };
 }
 
-std::vector<std::vector<double>> GaussianProcess::draws(const std::vector<Place>& places, int count,
-                                                        Random& random) const {
-  const auto n = static_cast<Index>(places.size());
-  MatrixXd apart(solved_->seen.size(), n), among(n, n);
+std::vector<std::vector<double>> GaussianProcess::joint_samples(
+    const std::vector<DesignPoint>& points, int count, Random& random) const {
+  const auto n = static_cast<Index>(points.size());
+  MatrixXd apart(factorisation_->observations.size(), n), among(n, n);
   VectorXd mean(n);
   for (Index i = 0; i < n; ++i) {
-    const Place& place = places[static_cast<std::size_t>(i)];
-    const VectorXd k = solved_->with(place);
-    mean(i) = k.dot(solved_->weights);
-    apart.col(i) = solved_->root.matrixL().solve(k);
+    const DesignPoint& point = points[static_cast<std::size_t>(i)];
+    const VectorXd k = factorisation_->covariances(point);
+    mean(i) = k.dot(factorisation_->weights);
+    apart.col(i) = factorisation_->root.matrixL().solve(k);
     for (Index j = 0; j <= i; ++j)
       among(i, j) = among(j, i) =
-          covariance(solved_->kernel, place, places[static_cast<std::size_t>(j)]);
+          covariance(factorisation_->kernel, point, points[static_cast<std::size_t>(j)]);
   }
   among -= apart.transpose() * apart;
   // What is all but known may have lost its last digits: eigenvalues below 0 are rounding.
@@ -165,7 +167,7 @@ std::vector<std::vector<double>> GaussianProcess::draws(const std::vector<Place>
   std::vector<std::vector<double>> made;
   for (int draw = 0; draw < count; ++draw) {
     VectorXd z(n);
-    for (Index i = 0; i < n; ++i) z(i) = normal_number(random);
+    for (Index i = 0; i < n; ++i) z(i) = standard_normal(random);
     const VectorXd values = mean + root * z;
     made.emplace_back(values.begin(), values.end());
   }

@@ -8,67 +8,67 @@
 
 #include "mahlwerk/base/random.hpp"
 
-// A function of places, guessed from values seen with noise (docs/theory/optimum.md).
+// A function of points, guessed from values seen with noise (docs/theory/optimum.md).
 namespace mahlwerk::campaign {
 
-using Place = std::vector<double>;
+using DesignPoint = std::vector<double>;
 
-/// How alike values at two places are: Matern's of order 5/2 with a length for each key, and a
+/// How alike values at two points are: Matern's of order 5/2 with a length for each key, and a
 /// constant (opt.1).
 struct Kernel {
-  double size = 1;              ///< standard deviation of what varies
-  std::vector<double> lengths;  ///< by key, in places
-  double level = 0;             ///< standard deviation of the constant
+  double amplitude = 1;               ///< standard deviation of what varies
+  std::vector<double> length_scales;  ///< by key, in points
+  double constant = 0;                ///< standard deviation of the constant
 };
-double covariance(const Kernel& kernel, const Place& a, const Place& b);
+double covariance(const Kernel& kernel, const DesignPoint& a, const DesignPoint& b);
 
-/// What was seen at a place: a mean, and the variance it has as one.
-struct Seen {
-  Place place;
+/// What was seen at a point: a mean, and the variance it has as one.
+struct Observation {
+  DesignPoint point;
   double value = 0, variance = 0;
 };
 
 /// A normal guess.
-struct Belief {
+struct Posterior {
   double mean = 0, deviation = 0;
 };
 
-using Path = std::function<double(const Place&)>;
+using SamplePath = std::function<double(const DesignPoint&)>;
 
 /// Normal numbers by Box and Muller's rule.
-double normal_number(Random& random);
+double standard_normal(Random& random);
 /// Below z, of a normal number.
-double normal_share(double z);
+double normal_cdf(double z);
 
 class GaussianProcess {
  public:
-  GaussianProcess(Kernel kernel, std::vector<Seen> seen);
+  GaussianProcess(Kernel kernel, std::vector<Observation> observations);
 
-  Belief at(const Place& place) const;  ///< of the function, without the noise (opt.2)
-  double evidence() const;              ///< ln of the probability of what was seen (opt.3)
+  Posterior at(const DesignPoint& point) const;  ///< of the function, without the noise (opt.2)
+  double log_evidence() const;                   ///< ln of the probability of what was seen (opt.3)
   const Kernel& kernel() const;
-  const std::vector<Seen>& seen() const;
+  const std::vector<Observation>& observations() const;
 
-  /// As if at `place` a value as expected had been seen.
-  GaussianProcess believing(const Place& place, double variance) const;
+  /// As if at `point` a value as expected had been seen.
+  GaussianProcess with_fantasy(const DesignPoint& point, double variance) const;
 
   /// A function drawn from all that may be (opt.11); it lives on without this object.
-  Path path(Random& random) const;
-  /// Values of `count` such functions at some places: exact, where `path` is nearly so.
-  std::vector<std::vector<double>> draws(const std::vector<Place>& places, int count,
-                                         Random& random) const;
+  SamplePath sample_path(Random& random) const;
+  /// Values of `count` such functions at some points: exact, where `sample_path` is nearly so.
+  std::vector<std::vector<double>> joint_samples(const std::vector<DesignPoint>& points, int count,
+                                                 Random& random) const;
 
  private:
-  struct Solved;
-  std::shared_ptr<const Solved> solved_;
+  struct Factorisation;
+  std::shared_ptr<const Factorisation> factorisation_;
 };
 
 /// The kernel under which what was seen is likeliest, lengths and size being likelier in the middle
 /// of what is usual (opt.4); values should have a mean near 0 and scatter by about 1.
-Kernel likeliest_kernel(const std::vector<Seen>& seen);
+Kernel most_probable_kernel(const std::vector<Observation>& observations);
 
 /// Kernels drawn as likely as they are, by slices (Neal 2003).
-std::vector<Kernel> plausible_kernels(const std::vector<Seen>& seen, const Kernel& likeliest,
-                                      int count, Random& random);
+std::vector<Kernel> sample_kernels(const std::vector<Observation>& observations,
+                                   const Kernel& likeliest, int count, Random& random);
 
 }  // namespace mahlwerk::campaign

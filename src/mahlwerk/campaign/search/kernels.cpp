@@ -14,29 +14,32 @@ namespace {
 /// Logarithms of size and lengths: what is usual, how much it varies, and its ends (opt.4).
 constexpr double usual_size = 0, size_spread = 1, length_spread = 0.6;
 constexpr double least_size = -3, most_size = 4, least_length = -4, most_length = 4;
-constexpr double level = 3;
+constexpr double usual_constant = 3;
 
 double usual_length(std::size_t keys) {
   return std::log(0.6 * std::sqrt(static_cast<double>(keys)));
 }
 
 Kernel kernel_of(const std::vector<double>& numbers) {
-  Kernel kernel{.size = std::exp(numbers.front()), .lengths = {}, .level = level};
-  for (std::size_t i = 1; i < numbers.size(); ++i) kernel.lengths.push_back(std::exp(numbers[i]));
+  Kernel kernel{
+      .amplitude = std::exp(numbers.front()), .length_scales = {}, .constant = usual_constant};
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    kernel.length_scales.push_back(std::exp(numbers[i]));
   return kernel;
 }
 
-double likelihood(const std::vector<Seen>& seen, const std::vector<double>& numbers) {
+double log_posterior(const std::vector<Observation>& observations,
+                     const std::vector<double>& numbers) {
   double likely = -std::pow((numbers.front() - usual_size) / size_spread, 2) / 2;
   const double usual = usual_length(numbers.size() - 1);
   for (std::size_t i = 1; i < numbers.size(); ++i)
     likely -= std::pow((numbers[i] - usual) / length_spread, 2) / 2;
-  return likely + GaussianProcess(kernel_of(numbers), seen).evidence();
+  return likely + GaussianProcess(kernel_of(numbers), observations).log_evidence();
 }
 
 /// A new value of one number, as likely as it is while the others stay (Neal 2003, figures 3, 5).
 void draw_along(std::vector<double>& at, double& likely, std::size_t i,
-                const std::vector<Seen>& seen, Random& random) {
+                const std::vector<Observation>& observations, Random& random) {
   constexpr double width = 1.5;
   const double low = i == 0 ? least_size : least_length, high = i == 0 ? most_size : most_length;
   const double height = likely + std::log(random.uniform());
@@ -44,7 +47,7 @@ void draw_along(std::vector<double>& at, double& likely, std::size_t i,
   const auto value = [&](double x) {
     if (x < low || x > high) return -1e300;
     at[i] = x;
-    return likelihood(seen, at);
+    return log_posterior(observations, at);
   };
   double left = here - width * random.uniform(), right = left + width;
   for (int step = 0; step < 3 && value(left) > height; ++step) left -= width;
@@ -63,8 +66,8 @@ void draw_along(std::vector<double>& at, double& likely, std::size_t i,
 
 }  // namespace
 
-Kernel likeliest_kernel(const std::vector<Seen>& seen) {
-  const std::size_t keys = seen.front().place.size();
+Kernel most_probable_kernel(const std::vector<Observation>& observations) {
+  const std::size_t keys = observations.front().point.size();
   std::vector<double> least(keys + 1, least_length), most(keys + 1, most_length);
   least.front() = least_size;
   most.front() = most_size;
@@ -73,20 +76,21 @@ Kernel likeliest_kernel(const std::vector<Seen>& seen) {
   std::vector<double> narrow = usual;
   for (std::size_t i = 1; i <= keys; ++i) narrow[i] -= 1.2;
   const int effort = 40 * static_cast<int>(keys + 1);
-  return kernel_of(highest([&](const std::vector<double>& at) { return likelihood(seen, at); },
-                           least, most, {usual, narrow}, {.wide = 0, .near = effort})
-                       .place);
+  return kernel_of(
+      find_maximum([&](const std::vector<double>& at) { return log_posterior(observations, at); },
+                   least, most, {usual, narrow}, {.global = 0, .local = effort})
+          .point);
 }
 
-std::vector<Kernel> plausible_kernels(const std::vector<Seen>& seen, const Kernel& likeliest,
-                                      int count, Random& random) {
+std::vector<Kernel> sample_kernels(const std::vector<Observation>& observations,
+                                   const Kernel& likeliest, int count, Random& random) {
   constexpr int forget = 5;  // sweeps before the first
-  std::vector<double> at{std::log(likeliest.size)};
-  for (const double length : likeliest.lengths) at.push_back(std::log(length));
-  double likely = likelihood(seen, at);
+  std::vector<double> at{std::log(likeliest.amplitude)};
+  for (const double length : likeliest.length_scales) at.push_back(std::log(length));
+  double likely = log_posterior(observations, at);
   std::vector<Kernel> made;
   for (int sweep = 0; sweep < forget + count; ++sweep) {
-    for (std::size_t i = 0; i < at.size(); ++i) draw_along(at, likely, i, seen, random);
+    for (std::size_t i = 0; i < at.size(); ++i) draw_along(at, likely, i, observations, random);
     if (sweep >= forget) made.push_back(kernel_of(at));
   }
   return made;

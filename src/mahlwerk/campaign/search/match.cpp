@@ -23,21 +23,22 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const double bin_width = std::log(2) / LogHistogram::per_octave;
 
 /// Replicates of a mill last equally long, so their spectra count alike.
-Milled mean_of(const std::vector<const Milled*>& some) {
-  Milled mean{.dose = none, .shares = std::vector<double>(LogHistogram::bins, 0), .energy = none};
+DoseSpectrum mean_of(const std::vector<const DoseSpectrum*>& some) {
+  DoseSpectrum mean{
+      .dose = none, .shares = std::vector<double>(LogHistogram::bins, 0), .mean_energy = none};
   if (some.empty()) return mean;
   const auto count = static_cast<double>(some.size());
-  mean.dose = mean.energy = 0;
-  for (const Milled* one : some) {
+  mean.dose = mean.mean_energy = 0;
+  for (const DoseSpectrum* one : some) {
     mean.dose += one->dose / count;
-    mean.energy += one->energy / count;
+    mean.mean_energy += one->mean_energy / count;
     for (std::size_t i = 0; i < mean.shares.size(); ++i) mean.shares[i] += one->shares[i] / count;
   }
   return mean;
 }
 
-bool counts(const Milled& m) {
-  return m.dose > 0 && m.energy > 0;
+bool has_collisions(const DoseSpectrum& m) {
+  return m.dose > 0 && m.mean_energy > 0;
 }
 
 /// Of a straight line from `a` to `b` over a unit: the area between it and zero.
@@ -48,10 +49,10 @@ double area(double a, double b) {
 
 /// The ratio of what b and a give, with the interval that the scatter of its logarithm has.
 template <class Of>
-Ratio ratio(const MillMark& a, const MillMark& b, const Of& of) {
-  const auto logarithm = [&](const MillMark& mill) {
+Ratio ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
+  const auto logarithm = [&](const MillSpectra& mill) {
     std::vector<double> values;
-    for (const Milled& m : mill.replicates) values.push_back(std::log(of(m)));
+    for (const DoseSpectrum& m : mill.replicates) values.push_back(std::log(of(m)));
     return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
   };
   const observe::Estimate first = logarithm(a), second = logarithm(b);
@@ -60,14 +61,15 @@ Ratio ratio(const MillMark& a, const MillMark& b, const Of& of) {
 }
 
 /// How often as much lies between two heaps that the replicates are dealt to at random (opt.17).
-double chance_of(const MillMark& a, const MillMark& b, double seen, std::uint64_t seed) {
+double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double seen,
+                           std::uint64_t seed) {
   constexpr int deals = 999;
   constexpr double rounding = 1e-9;  // sums in another order
   constexpr std::uint32_t stream = 0x53000000;
   if (a.replicates.size() < 2 || b.replicates.size() < 2 || !std::isfinite(seen)) return none;
-  std::vector<const Milled*> all;
-  for (const MillMark* mill : {&a, &b})
-    for (const Milled& m : mill->replicates) all.push_back(&m);
+  std::vector<const DoseSpectrum*> all;
+  for (const MillSpectra* mill : {&a, &b})
+    for (const DoseSpectrum& m : mill->replicates) all.push_back(&m);
   const auto share = static_cast<std::ptrdiff_t>(a.replicates.size());
   Random random(seed, stream);
   int as_much = 1;  // as they were dealt
@@ -83,17 +85,18 @@ double chance_of(const MillMark& a, const MillMark& b, double seen, std::uint64_
   return static_cast<double>(as_much) / (deals + 1);
 }
 
-observe::Estimate energies(const MillMark& mill) {
+observe::Estimate energies(const MillSpectra& mill) {
   std::vector<double> values;
-  for (const Milled& m : mill.replicates) values.push_back(m.energy);
+  for (const DoseSpectrum& m : mill.replicates) values.push_back(m.mean_energy);
   return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
 }
 
 }  // namespace
 
-Milled milled(const cases::Case& what, const results::Replicate& replicate, bool by_powder) {
+DoseSpectrum dose_spectrum(const cases::Case& what, const results::Replicate& replicate,
+                           bool by_powder) {
   const results::MeanSpectra spectra({&replicate});
-  Milled made{.dose = results::dissipated_power(replicate), .shares = {}, .energy = 0};
+  DoseSpectrum made{.dose = results::dissipated_power(replicate), .shares = {}, .mean_energy = 0};
   if (by_powder) made.dose /= what.powder->mass;
   double power = 0, rate = 0;
   for (int bin = 0; bin < LogHistogram::bins; ++bin) {
@@ -102,22 +105,22 @@ Milled milled(const cases::Case& what, const results::Replicate& replicate, bool
     rate += spectra.rate(&observe::Spectra::energy_lost, bin);
   }
   for (double& share : made.shares) share /= power;
-  made.energy = power / rate;
+  made.mean_energy = power / rate;
   return made;
 }
 
-MillMark mill_mark(const results::Outcome& outcome, bool by_powder) {
-  MillMark made;
-  for (const results::Replicate* r : results::averaged(outcome))
-    if (Milled one = milled(outcome.what, *r, by_powder); counts(one))
+MillSpectra mill_spectra(const results::Outcome& outcome, bool by_powder) {
+  MillSpectra made;
+  for (const results::Replicate* r : results::averaged_replicates(outcome))
+    if (DoseSpectrum one = dose_spectrum(outcome.what, *r, by_powder); has_collisions(one))
       made.replicates.push_back(std::move(one));
-  std::vector<const Milled*> all;
-  for (const Milled& m : made.replicates) all.push_back(&m);
+  std::vector<const DoseSpectrum*> all;
+  for (const DoseSpectrum& m : made.replicates) all.push_back(&m);
   made.mean = mean_of(all);
   return made;
 }
 
-double spectral_distance(const Milled& a, const Milled& b) {
+double spectral_distance(const DoseSpectrum& a, const DoseSpectrum& b) {
   if (a.shares.size() != b.shares.size()) return none;
   double sum = 0, before = 0, behind = 0;
   for (std::size_t i = 0; i < a.shares.size(); ++i) {
@@ -128,19 +131,19 @@ double spectral_distance(const Milled& a, const Milled& b) {
   return sum;
 }
 
-double overlap(const Milled& a, const Milled& b) {
+double overlap(const DoseSpectrum& a, const DoseSpectrum& b) {
   if (a.shares.size() != b.shares.size()) return none;
   double sum = 0;
   for (std::size_t i = 0; i < a.shares.size(); ++i) sum += std::min(a.shares[i], b.shares[i]);
   return sum;  // (opt.15)
 }
 
-double distance(const Milled& a, const Milled& b) {
-  if (!counts(a) || !counts(b)) return none;
+double distance(const DoseSpectrum& a, const DoseSpectrum& b) {
+  if (!has_collisions(a) || !has_collisions(b)) return none;
   return std::hypot(std::log(b.dose / a.dose), spectral_distance(a, b));  // (opt.16)
 }
 
-double half_power_energy(const Milled& m) {
+double half_power_energy(const DoseSpectrum& m) {
   double below = 0;
   for (std::size_t i = 0; i < m.shares.size(); ++i) {
     if (below + m.shares[i] >= 0.5) {
@@ -152,9 +155,9 @@ double half_power_energy(const Milled& m) {
   return none;
 }
 
-Difference difference(const MillMark& a, const MillMark& b, std::uint64_t seed) {
+Difference difference(const MillSpectra& a, const MillSpectra& b, std::uint64_t seed) {
   const observe::Estimate in_a = energies(a), in_b = energies(b);
-  Difference found{.dose = ratio(a, b, [](const Milled& m) { return m.dose; }),
+  Difference found{.dose = ratio(a, b, [](const DoseSpectrum& m) { return m.dose; }),
                    .half_power = ratio(a, b, half_power_energy),
                    .energy_a = in_a.mean,
                    .energy_b = in_b.mean,
@@ -163,8 +166,8 @@ Difference difference(const MillMark& a, const MillMark& b, std::uint64_t seed) 
                    .spectral = spectral_distance(a.mean, b.mean),
                    .overlap = overlap(a.mean, b.mean),
                    .distance = distance(a.mean, b.mean),
-                   .chance = none};
-  found.chance = chance_of(a, b, found.distance, seed);
+                   .p_value = none};
+  found.p_value = permutation_p_value(a, b, found.distance, seed);
   return found;
 }
 

@@ -12,33 +12,33 @@
 namespace mahlwerk::campaign {
 namespace {
 
-using Place = std::vector<double>;
+using Point = std::vector<double>;
 
 /// What NLopt calls back. It would not let exceptions of others through.
-struct Looking {
-  const std::function<double(const Place&)>& function;
-  const Place &least, &most;
-  Highest best = {{}, -std::numeric_limits<double>::infinity()};
+struct NloptCallback {
+  const std::function<double(const Point&)>& function;
+  const Point &least, &most;
+  Maximum best = {{}, -std::numeric_limits<double>::infinity()};
   std::exception_ptr thrown = {};
 
-  double look(Place place) {
+  double evaluate(Point point) {
     constexpr double lowest = -1e300;               // NLopt stops at what is not finite
-    for (std::size_t i = 0; i < place.size(); ++i)  // NLopt leaves the box by rounding
-      place[i] = std::clamp(place[i], least[i], most[i]);
-    const double value = function(place);
-    if (value > best.value || best.place.empty()) best = {std::move(place), value};
+    for (std::size_t i = 0; i < point.size(); ++i)  // NLopt leaves the box by rounding
+      point[i] = std::clamp(point[i], least[i], most[i]);
+    const double value = function(point);
+    if (value > best.value || best.point.empty()) best = {std::move(point), value};
     return std::isfinite(value) ? value : lowest;
   }
-  static double step(const Place& place, Place&, void* data) {
-    Looking& self = *static_cast<Looking*>(data);
+  static double step(const Point& point, Point&, void* data) {
+    NloptCallback& self = *static_cast<NloptCallback*>(data);
     try {
-      return self.look(place);
+      return self.evaluate(point);
     } catch (...) {
       self.thrown = std::current_exception();
       throw nlopt::forced_stop();
     }
   }
-  void search(nlopt::opt& by, Place from) {
+  void search(nlopt::opt& by, Point from) {
     double value = 0;
     by.set_max_objective(step, this);
     try {
@@ -50,7 +50,8 @@ struct Looking {
   }
 };
 
-nlopt::opt bounded(nlopt::algorithm how, const Place& least, const Place& most, int evaluations) {
+nlopt::opt bounded_optimiser(nlopt::algorithm how, const Point& least, const Point& most,
+                             int evaluations) {
   nlopt::opt by(how, static_cast<unsigned>(least.size()));
   by.set_lower_bounds(least);
   by.set_upper_bounds(most);
@@ -60,34 +61,35 @@ nlopt::opt bounded(nlopt::algorithm how, const Place& least, const Place& most, 
 
 }  // namespace
 
-Highest highest(const std::function<double(const Place&)>& function, const Place& least,
-                const Place& most, const std::vector<Place>& starts, const Effort& effort) {
+Maximum find_maximum(const std::function<double(const Point&)>& function, const Point& least,
+                     const Point& most, const std::vector<Point>& starts,
+                     const EvaluationBudget& budget) {
   constexpr double first_step = 0.05, fine = 1e-4;  // of the box
-  Looking looking{function, least, most};
-  std::vector<Place> from = starts;
-  for (const Place& place : starts) looking.look(place);
-  if (effort.wide > 0) {
-    Place middle;
+  NloptCallback callback{function, least, most};
+  std::vector<Point> from = starts;
+  for (const Point& point : starts) callback.evaluate(point);
+  if (budget.global > 0) {
+    Point middle;
     for (std::size_t i = 0; i < least.size(); ++i) middle.push_back((least[i] + most[i]) / 2);
-    Looking wide{function, least, most};
-    nlopt::opt by = bounded(nlopt::GN_DIRECT_L, least, most, effort.wide);
+    NloptCallback wide{function, least, most};
+    nlopt::opt by = bounded_optimiser(nlopt::GN_DIRECT_L, least, most, budget.global);
     wide.search(by, middle);
-    from.push_back(wide.best.place);
-    if (wide.best.value > looking.best.value) looking.best = wide.best;
+    from.push_back(wide.best.point);
+    if (wide.best.value > callback.best.value) callback.best = wide.best;
   }
-  if (effort.near > 0)
-    for (const Place& place : from) {
-      nlopt::opt by = bounded(nlopt::LN_SBPLX, least, most, effort.near);
-      Place step, tolerance;
+  if (budget.local > 0)
+    for (const Point& point : from) {
+      nlopt::opt by = bounded_optimiser(nlopt::LN_SBPLX, least, most, budget.local);
+      Point step, tolerance;
       for (std::size_t i = 0; i < least.size(); ++i) {
         step.push_back(first_step * (most[i] - least[i]));
         tolerance.push_back(fine * (most[i] - least[i]));
       }
       by.set_initial_step(step);
       by.set_xtol_abs(tolerance);
-      looking.search(by, place);
+      callback.search(by, point);
     }
-  return looking.best;
+  return callback.best;
 }
 
 }  // namespace mahlwerk::campaign

@@ -18,61 +18,61 @@ namespace {
 
 constexpr int first_replicates = 2;
 constexpr double told_apart = 0.95, still_possible = 0.05, small_loss = 0.01;
-constexpr double same_place = 1e-4;
+constexpr double same_point = 1e-4;
 
 /// Tries settings, and keeps what they gave.
 class Trials {
  public:
   Trials(const Goal& goal, const Simulation& simulation) : goal_(goal), simulation_(simulation) {}
 
-  std::vector<Tried>& tried() { return tried_; }
-  int left() const { return goal_.settings - static_cast<int>(tried_.size() + fresh_); }
+  std::vector<Trial>& all() { return trials_; }
+  int left() const { return goal_.settings - static_cast<int>(trials_.size() + fresh_); }
   bool ran() const {
-    return std::ranges::any_of(tried_, [](const Tried& t) { return t.failure.empty(); });
+    return std::ranges::any_of(trials_, [](const Trial& t) { return t.failure.empty(); });
   }
 
-  /// Asks for a place, or for more of a setting that is there already; false if neither makes
+  /// Asks for a point, or for more of a setting that is there already; false if neither makes
   /// sense.
-  bool ask(const Place& wanted) {
-    const Place place = goal_.snap ? goal_.snap(wanted) : wanted;
-    const auto same = [&](const Place& other) {
-      for (std::size_t i = 0; i < place.size(); ++i)
-        if (std::abs(place[i] - other[i]) > same_place) return false;
+  bool ask(const DesignPoint& wanted) {
+    const DesignPoint point = goal_.snap ? goal_.snap(wanted) : wanted;
+    const auto same = [&](const DesignPoint& other) {
+      for (std::size_t i = 0; i < point.size(); ++i)
+        if (std::abs(point[i] - other[i]) > same_point) return false;
       return true;
     };
-    for (std::size_t i = 0; i < tried_.size(); ++i)
-      if (same(tried_[i].place)) return ask_more(i);
-    for (const Asked& one : asked_)
-      if (same(one.place)) return false;
+    for (std::size_t i = 0; i < trials_.size(); ++i)
+      if (same(trials_[i].point)) return ask_more(i);
+    for (const TrialRequest& one : asked_)
+      if (same(one.point)) return false;
     if (left() <= 0) return false;
-    asked_.push_back({tried_.size() + fresh_, place, 0, first_replicates});
+    asked_.push_back({trials_.size() + fresh_, point, 0, first_replicates});
     ++fresh_;
     return true;
   }
 
   /// Asks for as many replicates of a setting as it has; false if it has all.
   bool ask_more(std::size_t setting) {
-    const Tried& t = tried_[setting];
+    const Trial& t = trials_[setting];
     const int have = static_cast<int>(t.replicates.size());
     const int more = std::min(have, goal_.replicates - have);
     if (!t.failure.empty() || more <= 0) return false;
-    for (const Asked& one : asked_)
+    for (const TrialRequest& one : asked_)
       if (one.setting == setting) return false;
-    asked_.push_back({setting, t.place, have, more});
+    asked_.push_back({setting, t.point, have, more});
     return true;
   }
 
   /// Runs what was asked for; false if that was nothing.
   bool run(int round) {
     if (asked_.empty()) return false;
-    const std::vector<Told> told = simulation_(asked_);
-    if (told.size() != asked_.size())
+    const std::vector<TrialResult> answers = simulation_(asked_);
+    if (answers.size() != asked_.size())
       throw std::logic_error("a simulation did not answer what it was asked");
-    for (std::size_t i = 0; i < told.size(); ++i) {
-      const Asked& one = asked_[i];
-      if (one.setting >= tried_.size())
-        tried_.push_back({.place = one.place, .replicates = {}, .failure = {}, .round = round});
-      keep(tried_[one.setting], told[i]);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const TrialRequest& one = asked_[i];
+      if (one.setting >= trials_.size())
+        trials_.push_back({.point = one.point, .replicates = {}, .failure = {}, .round = round});
+      keep(trials_[one.setting], answers[i]);
     }
     asked_.clear();
     fresh_ = 0;
@@ -80,11 +80,11 @@ class Trials {
   }
 
  private:
-  void keep(Tried& setting, const Told& told) {
-    setting.replicates.insert(setting.replicates.end(), told.replicates.begin(),
-                              told.replicates.end());
-    setting.failure = told.failure;
-    results::merge(setting.notices, told.notices);
+  void keep(Trial& setting, const TrialResult& result) {
+    setting.replicates.insert(setting.replicates.end(), result.replicates.begin(),
+                              result.replicates.end());
+    setting.failure = result.failure;
+    results::merge(setting.notices, result.notices);
     for (std::size_t outcome = 0; outcome <= goal_.bounds.size(); ++outcome)
       if (setting.failure.empty() && std::ranges::none_of(setting.replicates, [&](const auto& r) {
             return std::isfinite(r[outcome]);
@@ -94,8 +94,8 @@ class Trials {
 
   const Goal& goal_;
   const Simulation& simulation_;
-  std::vector<Tried> tried_;
-  std::vector<Asked> asked_;
+  std::vector<Trial> trials_;
+  std::vector<TrialRequest> asked_;
   std::size_t fresh_ = 0;  // settings asked for that are new
 };
 
@@ -110,29 +110,32 @@ std::vector<std::size_t> rivals(const std::vector<double>& chance) {
 }
 
 /// Expected improvement below which nothing better is looked for (opt.7).
-double not_worth(const Surrogate& model, const std::vector<Tried>& tried) {
+double improvement_threshold(const Surrogate& model, const std::vector<Trial>& trials) {
   const std::optional<std::size_t> best = model.best();
   if (!best) return 0;
-  return std::max(0.1 * model.better(tried[*best].place).deviation, 1e-4 * model.objective().unit);
+  return std::max(0.1 * model.objective_at(trials[*best].point).deviation,
+                  1e-4 * model.objective().scale);
 }
 
 /// A round: settings that promise most, the last of them where the model is highest, and replicates
 /// of the two likeliest to be the best. False if that is nothing, or nothing is worth it.
 bool ask_round(Trials& trials, const Goal& goal, Optimum& found) {
-  Surrogate model(goal, trials.tried());
-  const Place first = model.most_promising();
-  found.expected_gain = model.promise(first);
-  if (model.best() && found.expected_gain < not_worth(model, trials.tried())) {
+  Surrogate model(goal, trials.all());
+  const DesignPoint first = model.highest_acquisition();
+  found.expected_gain = model.acquisition(first);
+  if (model.best() && found.expected_gain < improvement_threshold(model, trials.all())) {
     return false;
   }
-  const std::vector<std::size_t> close = rivals(model.chances().of);
+  const std::vector<std::size_t> close = rivals(model.best_probabilities().by_trial);
   bool any = false;
   for (int slot = 0; slot < batch; ++slot) {
     const bool refine = slot == batch - 1 && model.best();
-    const Place place = slot == 0 ? first : refine ? model.highest_mean() : model.most_promising();
-    const std::optional<std::size_t> same = model.alike(place);
-    any = (same ? trials.ask_more(*same) : trials.ask(place)) || any;
-    model.believe(place);
+    const DesignPoint point = slot == 0 ? first
+                              : refine  ? model.highest_mean()
+                                        : model.highest_acquisition();
+    const std::optional<std::size_t> same = model.indistinguishable_trial(point);
+    any = (same ? trials.ask_more(*same) : trials.ask(point)) || any;
+    model.add_fantasy(point);
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(2, close.size()) && close.size() > 1; ++i)
     any = trials.ask_more(close[i]) || any;
@@ -143,14 +146,14 @@ bool ask_round(Trials& trials, const Goal& goal, Optimum& found) {
 /// the wrong one, or all have theirs (opt.10).
 void decide(Trials& trials, const Goal& goal, int& round) {
   for (bool more = true; more;) {
-    const Surrogate model(goal, trials.tried());
-    const Chances chance = model.chances();
-    if (*std::ranges::max_element(chance.of) >= told_apart ||
-        (model.best() && chance.loss < small_loss * model.objective().unit))
+    const Surrogate model(goal, trials.all());
+    const BestProbabilities probabilities = model.best_probabilities();
+    if (*std::ranges::max_element(probabilities.by_trial) >= told_apart ||
+        (model.best() && probabilities.expected_loss < small_loss * model.objective().scale))
       return;
     more = false;
     int asked = 0;
-    for (const std::size_t i : rivals(chance.of))
+    for (const std::size_t i : rivals(probabilities.by_trial))
       if (asked < batch && trials.ask_more(i)) ++asked;
     if (asked > 0) more = trials.run(++round);
   }
@@ -166,7 +169,7 @@ void check(const Goal& goal) {
 
 }  // namespace
 
-bool Tried::invalid() const {
+bool Trial::invalid() const {
   return std::ranges::find(notices, Severity::invalid, &Notice::severity) != notices.end();
 }
 
@@ -174,26 +177,26 @@ Optimum optimise(const Goal& goal, const Simulation& simulation) {
   check(goal);
   Optimum found;
   Trials trials(goal, simulation);
-  for (const Place& place : sobol_points(goal.keys, 4 + 2 * goal.keys)) trials.ask(place);
+  for (const DesignPoint& point : sobol_points(goal.keys, 4 + 2 * goal.keys)) trials.ask(point);
   trials.run(0);
   int round = 0;
   while (trials.left() > 0) {
     if (!trials.ran()) {  // anywhere else
-      const Places more = sobol_points(goal.keys, trials.tried().size() + batch);
+      const DesignMatrix more = sobol_points(goal.keys, trials.all().size() + batch);
       bool any = false;
-      for (std::size_t i = trials.tried().size(); i < more.size(); ++i)
+      for (std::size_t i = trials.all().size(); i < more.size(); ++i)
         any = trials.ask(more[i]) || any;
       if (!any || !trials.run(++round)) break;
       continue;
     }
     if (!ask_round(trials, goal, found)) {
-      found.ended = Ended::nothing;
+      found.stop_reason = StopReason::converged;
       break;
     }
     trials.run(++round);
   }
   if (trials.ran()) decide(trials, goal, round);
-  found.tried = std::move(trials.tried());
+  found.trials = std::move(trials.all());
   found.rounds = round;
   conclude(goal, found);
   return found;

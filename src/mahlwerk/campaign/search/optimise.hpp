@@ -11,7 +11,7 @@
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
 
-// The settings for which a noisy outcome is best (docs/theory/optimum.md). Settings are places, 0
+// The settings for which a noisy outcome is best (docs/theory/optimum.md). Settings are points, 0
 // to 1 in each key's range.
 namespace mahlwerk::campaign {
 
@@ -28,40 +28,41 @@ struct Goal {
   int settings = 40;               ///< tried at most
   int replicates = 16;             ///< of one setting at most; at least 2
   std::uint64_t seed = 1;
-  /// The place that is really run for one asked for (whole numbers of balls); empty: itself.
-  std::function<Place(const Place&)> snap = {};
+  /// The point that is really run for one asked for (whole numbers of balls); empty: itself.
+  std::function<DesignPoint(const DesignPoint&)> snap = {};
 };
 
 /// Replicates `first` to `first + count - 1` of a setting, asked for.
-struct Asked {
+struct TrialRequest {
   std::size_t setting = 0;  ///< number of it, from 0
-  Place place;
+  DesignPoint point;
   int first = 0, count = 0;
 };
-struct Told {
+struct TrialResult {
   /// By replicate: what is to be best, then what is bounded; NaN where it does not exist.
   std::vector<std::vector<double>> replicates;
   std::string failure;   ///< why the setting cannot be run; empty: it can
   Notices notices = {};  ///< of the run
 };
 /// Answers in the order asked; may work on all at once. The same question has the same answer.
-using Simulation = std::function<std::vector<Told>(const std::vector<Asked>&)>;
+using Simulation = std::function<std::vector<TrialResult>(const std::vector<TrialRequest>&)>;
 
-struct Guess {
+struct MeanCi95 {
   double mean = 0, ci95 = 0;
 };
 
 /// A setting that was tried.
-struct Tried {
-  Place place;
+struct Trial {
+  DesignPoint point;
   std::vector<std::vector<double>> replicates;
   std::string failure;
-  int round = 0;                 ///< in which it was tried first; 0: of the start
-  std::vector<Guess> seen = {};  ///< means of its replicates, by outcome; of two or more (sta.1)
-  Guess model = {};              ///< what the model says, all settings together
-  double allowed = 1;            ///< how likely it keeps all bounds, by the model
-  double chance = 0;             ///< how likely it is the best of those tried
-  Notices notices = {};          ///< of its runs, each code once
+  int round = 0;  ///< in which it was tried first; 0: of the start
+  std::vector<MeanCi95> observed =
+      {};                           ///< means of its replicates, by outcome; of two or more (sta.1)
+  MeanCi95 model = {};              ///< what the model says, all settings together
+  double probability_feasible = 1;  ///< how likely it keeps all bounds, by the model
+  double probability_best = 0;      ///< how likely it is the best of those tried
+  Notices notices = {};             ///< of its runs, each code once
 
   /// Its numbers lie outside the validity of the engine that ran it.
   bool invalid() const;
@@ -73,26 +74,26 @@ struct KeyOptimum {
   double good_low = 0, good_high = 1;            ///< this key alone moved: within 2 % of the best
   bool flat = false;                             ///< that is more than half of the range
   bool at_low_end = false, at_high_end = false;  ///< the model's best lies there
-  std::vector<Guess> slice;  ///< the model through its best, this key at 0, 1/40 ... 1
+  std::vector<MeanCi95> slice;  ///< the model through its best, this key at 0, 1/40 ... 1
 };
 
-enum class Ended {
-  settings,  ///< as many were tried as allowed
-  nothing,   ///< nothing better is expected beyond the noise (opt.7)
-  failed     ///< no setting gave an outcome
+enum class StopReason {
+  settings,   ///< as many were tried as allowed
+  converged,  ///< nothing better is expected beyond the noise (opt.7)
+  failed      ///< no setting gave an outcome
 };
 
 struct Optimum {
-  std::vector<Tried> tried;
+  std::vector<Trial> trials;
   std::optional<std::size_t> best;  ///< of those tried and likely allowed; none: there is none
-  Place model_place;                ///< where the model is best
-  Guess model_value;                ///< a prediction: it was not run
+  DesignPoint model_point;          ///< where the model is best
+  MeanCi95 model_value;             ///< a prediction: it was not run
   std::vector<KeyOptimum> keys;
   std::vector<bool> binds;   ///< by bound: without it the model's best would lie elsewhere
   double expected_gain = 0;  ///< of one more setting, when it ended (opt.5)
   double expected_loss = 0;  ///< that another setting tried is better than `best`
   int failed = 0, rounds = 0;
-  Ended ended = Ended::settings;
+  StopReason stop_reason = StopReason::settings;
 };
 
 /// So many settings are tried at once, however many cores there are, so that the answer does not

@@ -17,7 +17,7 @@ namespace {
 constexpr double normal95 = 1.959963984540054;
 constexpr int slice_steps = 40;
 
-Guess seen(const Tried& setting, std::size_t outcome) {
+MeanCi95 observed_mean(const Trial& setting, std::size_t outcome) {
   std::vector<double> values;
   for (const auto& replicate : setting.replicates)
     if (std::isfinite(replicate[outcome])) values.push_back(replicate[outcome]);
@@ -28,23 +28,25 @@ Guess seen(const Tried& setting, std::size_t outcome) {
 }
 
 /// In the sign of the outcome itself.
-Guess guess(const Goal& goal, const Surrogate& model, const Place& place) {
-  const Belief b = model.better(place);
+MeanCi95 prediction(const Goal& goal, const Surrogate& model, const DesignPoint& point) {
+  const Posterior b = model.objective_at(point);
   return {goal.maximise ? b.mean : -b.mean, normal95 * b.deviation};
 }
 
-void describe_tried(const Goal& goal, const Surrogate& model, Optimum& found) {
-  const Chances chance = model.chances();
-  for (std::size_t i = 0; i < found.tried.size(); ++i) {
-    Tried& t = found.tried[i];
+void describe_trials(const Goal& goal, const Surrogate& model, Optimum& found) {
+  const BestProbabilities probabilities = model.best_probabilities();
+  for (std::size_t i = 0; i < found.trials.size(); ++i) {
+    Trial& t = found.trials[i];
     for (std::size_t outcome = 0; outcome <= goal.bounds.size(); ++outcome)
-      t.seen.push_back(seen(t, outcome));
-    t.model = guess(goal, model, t.place);
-    t.allowed =
-        t.failure.empty() ? model.allowed(t.place) / std::max(1e-9, model.runs(t.place)) : 0;
-    t.chance = chance.of[i];
+      t.observed.push_back(observed_mean(t, outcome));
+    t.model = prediction(goal, model, t.point);
+    t.probability_feasible = t.failure.empty()
+                                 ? model.probability_feasible(t.point) /
+                                       std::max(1e-9, model.probability_runnable(t.point))
+                                 : 0;
+    t.probability_best = probabilities.by_trial[i];
   }
-  found.expected_loss = chance.loss;
+  found.expected_loss = probabilities.expected_loss;
 }
 
 /// The 2.5 and 97.5 % quantiles.
@@ -57,25 +59,27 @@ std::pair<double, double> middle(std::vector<double> values) {
   return {at(0.025), at(0.975)};
 }
 
-/// The model through its best place, one key moved alone, and how far that may be.
+/// The model through its best point, one key moved alone, and how far that may be.
 void slice(const Goal& goal, const Surrogate& model, const Optimum& found, std::size_t key,
            KeyOptimum& made) {
   constexpr double good = 0.02, edge = 5e-3;
   constexpr int steps = 400;
-  const double best = model.better(found.model_place).mean;
+  const double best = model.objective_at(found.model_point).mean;
   const double low_enough = best - good * std::abs(best);
-  const auto at = [&](double place) {
-    Place x = found.model_place;
-    x[key] = place;
+  const auto at = [&](double position) {
+    DesignPoint x = found.model_point;
+    x[key] = position;
     return x;
   };
-  const double here = found.model_place[key];
+  const double here = found.model_point[key];
   const auto reach = [&](double end) {
     double last = here;
     for (int i = 1; i <= steps; ++i) {
-      const double place = std::lerp(here, end, static_cast<double>(i) / steps);
-      if (model.better(at(place)).mean < low_enough || model.allowed(at(place)) < 0.5) break;
-      last = place;
+      const double position = std::lerp(here, end, static_cast<double>(i) / steps);
+      if (model.objective_at(at(position)).mean < low_enough ||
+          model.probability_feasible(at(position)) < 0.5)
+        break;
+      last = position;
     }
     return last;
   };
@@ -85,7 +89,7 @@ void slice(const Goal& goal, const Surrogate& model, const Optimum& found, std::
   made.at_low_end = here < edge;
   made.at_high_end = here > 1 - edge;
   for (int i = 0; i <= slice_steps; ++i)
-    made.slice.push_back(guess(goal, model, at(static_cast<double>(i) / slice_steps)));
+    made.slice.push_back(prediction(goal, model, at(static_cast<double>(i) / slice_steps)));
 }
 
 }  // namespace
@@ -93,30 +97,30 @@ void slice(const Goal& goal, const Surrogate& model, const Optimum& found, std::
 void conclude(const Goal& goal, Optimum& found) {
   constexpr int kernels = 10, paths = 20;
   found.failed = static_cast<int>(
-      std::ranges::count_if(found.tried, [](const Tried& t) { return !t.failure.empty(); }));
+      std::ranges::count_if(found.trials, [](const Trial& t) { return !t.failure.empty(); }));
   found.keys.assign(goal.keys, {});
   found.binds.assign(goal.bounds.size(), false);
-  if (found.failed == static_cast<int>(found.tried.size())) {
-    found.ended = Ended::failed;
+  if (found.failed == static_cast<int>(found.trials.size())) {
+    found.stop_reason = StopReason::failed;
     return;
   }
-  const Surrogate model(goal, found.tried);
+  const Surrogate model(goal, found.trials);
   found.best = model.best();
-  describe_tried(goal, model, found);
-  found.model_place = model.highest_mean();
-  found.model_value = guess(goal, model, found.model_place);
-  const Place free = model.highest_mean(false);
+  describe_trials(goal, model, found);
+  found.model_point = model.highest_mean();
+  found.model_value = prediction(goal, model, found.model_point);
+  const DesignPoint free = model.highest_mean(false);
   for (std::size_t b = 0; b < goal.bounds.size(); ++b) {
-    const double value = model.bounded(b).at(free).mean;
+    const double value = model.constraint(b).at(free).mean;
     found.binds[b] =
         goal.bounds[b].below ? value > goal.bounds[b].value : value < goal.bounds[b].value;
   }
-  const std::vector<Place> drawn = model.draws_of_best(kernels, paths);
+  const std::vector<DesignPoint> drawn = model.optimum_samples(kernels, paths);
   for (std::size_t key = 0; key < goal.keys; ++key) {
-    std::vector<double> places;
-    for (const Place& place : drawn) places.push_back(place[key]);
+    std::vector<double> points;
+    for (const DesignPoint& point : drawn) points.push_back(point[key]);
     KeyOptimum& made = found.keys[key];
-    std::tie(made.low, made.high) = middle(std::move(places));  // (opt.8)
+    std::tie(made.low, made.high) = middle(std::move(points));  // (opt.8)
     slice(goal, model, found, key, made);
   }
 }

@@ -18,7 +18,7 @@ namespace {
 std::string place_of_quantity(const cases::Case& what, const cases::Optimise& wanted,
                               const std::string& name) {
   const char* goal = wanted.maximise ? "optimise.maximise" : "optimise.minimise";
-  return cases::place_of(what, name == wanted.quantity ? goal : "optimise.limits." + name);
+  return cases::location_of(what, name == wanted.quantity ? goal : "optimise.limits." + name);
 }
 
 /// Names that mean the same with more behind: of "wear_rate" those of balls and of the jar.
@@ -31,14 +31,14 @@ std::vector<std::string> longer(const std::string& name, const std::vector<std::
 
 /// What to write instead of a quantity that the case does not have.
 std::string instead_of(const std::string& name, std::vector<std::string> known,
-                       const std::vector<results::MissingQuantity>& lacking) {
+                       const std::vector<results::MissingQuantity>& missing) {
   const auto section_of = [&](const std::string& of) {
-    const auto at = std::ranges::find(lacking, of, &results::MissingQuantity::name);
-    return at == lacking.end() ? std::string() : at->section;
+    const auto at = std::ranges::find(missing, of, &results::MissingQuantity::name);
+    return at == missing.end() ? std::string() : at->section;
   };
   if (const std::string section = section_of(name); !section.empty())
     return fmt::format("it comes with {}: add that to the case", section);
-  for (const results::MissingQuantity& one : lacking) known.push_back(one.name);
+  for (const results::MissingQuantity& one : missing) known.push_back(one.name);
   std::vector<std::string> meant = longer(name, known);
   if (const std::string near = nearest_word(name, known); !near.empty()) meant = {near};
   if (meant.empty()) return "choose one of summary.json: docs/formats.md lists them";
@@ -51,12 +51,12 @@ std::string instead_of(const std::string& name, std::vector<std::string> known,
 }
 
 /// Those that a search is judged by, in the order of their names here.
-std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wanted) {
+std::vector<SearchOutcome> search_outcomes(const cases::Case& what, const cases::Optimise& wanted) {
   const std::vector<results::Measure> known = results::measures(what);
   std::vector<std::string> names{wanted.quantity}, all;
   for (const cases::Limit& limit : wanted.limits) names.push_back(limit.quantity);
   for (const results::Measure& q : known) all.push_back(q.name);
-  std::vector<Judged> made;
+  std::vector<SearchOutcome> made;
   std::vector<Fault> wrong;
   for (const std::string& name : names) {
     const auto q = std::ranges::find(known, name, &results::Measure::name);
@@ -72,12 +72,12 @@ std::vector<Judged> judged(const cases::Case& what, const cases::Optimise& wante
   return made;
 }
 
-double bound_of(const cases::Case& what, const cases::Limit& limit, const Judged& of) try {
+double bound_of(const cases::Case& what, const cases::Limit& limit, const SearchOutcome& of) try {
   return parse_in(limit.bound, of.unit == "1" ? "" : of.unit);
 } catch (const UnitError& error) {
   const std::string unit =
       of.unit == "1" ? "give a number without a unit" : fmt::format("give it in {}", of.unit);
-  throw InputError(Fault{cases::place_of(what, "optimise.limits." + limit.quantity),
+  throw InputError(Fault{cases::location_of(what, "optimise.limits." + limit.quantity),
                          fmt::format("the limit of {}: {}", limit.quantity, error.what()), unit,
                          "bad-limit"});
 }
@@ -101,13 +101,13 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
 }
 
 Goal goal_of(const TrialRuns& runs, std::int64_t settings, std::int64_t replicates, bool maximise) {
-  return {.keys = runs.over().size(),
+  return {.keys = runs.ranges().size(),
           .maximise = maximise,
           .bounds = {},
           .settings = static_cast<int>(settings),
           .replicates = static_cast<int>(replicates),
           .seed = runs.base().seed,
-          .snap = [&runs](const Place& place) { return runs.snap(place); }};
+          .snap = [&runs](const DesignPoint& point) { return runs.snap(point); }};
 }
 
 SearchJob optimise_job(const TrialRuns& runs) {
@@ -115,14 +115,14 @@ SearchJob optimise_job(const TrialRuns& runs) {
   const cases::Optimise& wanted = *base.optimise;
   SearchJob job{.runs = &runs,
                 .goal = goal_of(runs, wanted.settings, wanted.replicates, wanted.maximise),
-                .outcomes = judged(base, wanted),
+                .outcomes = search_outcomes(base, wanted),
                 .limits = wanted.limits,
                 .measure = {}};
   for (std::size_t i = 0; i < wanted.limits.size(); ++i)
     job.goal.bounds.push_back({.below = wanted.limits[i].below,
                                .value = bound_of(base, wanted.limits[i], job.outcomes[i + 1])});
   std::vector<std::string> names;
-  for (const Judged& j : job.outcomes) {
+  for (const SearchOutcome& j : job.outcomes) {
     names.push_back(j.name);
     job.measure_name += j.name + " ";
   }

@@ -12,15 +12,15 @@
 namespace mahlwerk::campaign {
 
 /// An outcome that settings are judged by.
-struct Judged {
+struct SearchOutcome {
   std::string name, unit, about;  ///< as in summary.json
 };
 
 struct SearchJob {
   const TrialRuns* runs = nullptr;
   Goal goal;
-  std::vector<Judged> outcomes;      ///< what is to be best, then what is limited
-  std::vector<cases::Limit> limits;  ///< of the latter
+  std::vector<SearchOutcome> outcomes;  ///< what is to be best, then what is limited
+  std::vector<cases::Limit> limits;     ///< of the latter
   TrialRuns::Measure measure;
   std::string measure_name = {};  ///< tells it apart from others
 };

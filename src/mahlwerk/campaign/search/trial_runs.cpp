@@ -19,13 +19,13 @@ namespace mahlwerk::campaign {
 namespace {
 
 /// Where in a range a text lies.
-double place_in_range(const cases::SweptKey& range, const std::string& text) {
+double position_in_range(const cases::SweptKey& range, const std::string& text) {
   const double from = parse_quantity(range.values[0]).value;
   const double to = parse_quantity(range.values[1]).value;
   const double value = parse_quantity(text).value;
-  const double place = range.logarithmic ? std::log(value / from) / std::log(to / from)
-                                         : (value - from) / (to - from);
-  return std::clamp(place, 0.0, 1.0);
+  const double position = range.logarithmic ? std::log(value / from) / std::log(to / from)
+                                            : (value - from) / (to - from);
+  return std::clamp(position, 0.0, 1.0);
 }
 
 /// The first line of what is wrong.
@@ -45,34 +45,34 @@ std::string as_said(const std::string& what, const cases::SweptKey& range, std::
                      what.substr(name.size()));
 }
 
-Told told_by(const results::Outcome& outcome, const TrialRuns::Measure& measure) {
-  Told told;
-  told.notices = outcome.notices;
+TrialResult trial_result(const results::Outcome& outcome, const TrialRuns::Measure& measure) {
+  TrialResult result;
+  result.notices = outcome.notices;
   for (const results::Replicate& r : outcome.replicates) {
-    if (!r.stopped.empty()) told.failure = r.stopped;
-    told.replicates.push_back(measure(outcome, r));
+    if (!r.stop_reason.empty()) result.failure = r.stop_reason;
+    result.replicates.push_back(measure(outcome, r));
   }
-  return told;
+  return result;
 }
 
 }  // namespace
 
 TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
-                     std::vector<cases::Override> set, cases::Giver by)
+                     std::vector<cases::Override> set, cases::ValueSource source)
     : file_(file),
       catalogue_(catalogue),
       set_(std::move(set)),
-      by_(by),
+      source_(source),
       base_(file_.read(catalogue, set_)),
-      over_(by == cases::Giver::match ? base_.match->over : base_.optimise->over) {
+      ranges_(source == cases::ValueSource::match ? base_.match->over : base_.optimise->over) {
   std::vector<Fault> wrong;
-  for (const cases::SweptKey& range : over_) check(range, wrong);
+  for (const cases::SweptKey& range : ranges_) check(range, wrong);
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }
 
 std::string TrialRuns::place_of(const cases::SweptKey& range) const {
-  const char* section = by_ == cases::Giver::match ? "match" : "optimise";
-  return cases::place_of(base_, fmt::format("{}.over.{}", section, range.key));
+  const char* section = source_ == cases::ValueSource::match ? "match" : "optimise";
+  return cases::location_of(base_, fmt::format("{}.over.{}", section, range.key));
 }
 
 void TrialRuns::check(const cases::SweptKey& range, std::vector<Fault>& wrong) const {
@@ -95,7 +95,7 @@ void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
                             "out-of-range"};
   const std::string label = fmt::format("{} = {}", range.key, range.values[end]);
   std::vector<cases::Override> set = set_;
-  set.push_back({range.key, range.values[end], by_});
+  set.push_back({range.key, range.values[end], source_});
   try {
     file_.read(catalogue_, set);
   } catch (const InputError& error) {
@@ -111,23 +111,26 @@ void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
   }
 }
 
-std::vector<std::string> TrialRuns::values(const Place& place) const {
+std::vector<std::string> TrialRuns::values(const DesignPoint& point) const {
   std::vector<std::string> made;
-  for (std::size_t i = 0; i < over_.size(); ++i) made.push_back(value_in_range(over_[i], place[i]));
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    made.push_back(value_in_range(ranges_[i], point[i]));
   return made;
 }
 
-Place TrialRuns::snap(const Place& place) const {
-  Place made;
-  const std::vector<std::string> texts = values(place);
-  for (std::size_t i = 0; i < over_.size(); ++i) made.push_back(place_in_range(over_[i], texts[i]));
+DesignPoint TrialRuns::snap(const DesignPoint& point) const {
+  DesignPoint made;
+  const std::vector<std::string> texts = values(point);
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    made.push_back(position_in_range(ranges_[i], texts[i]));
   return made;
 }
 
-cases::Case TrialRuns::at(const Place& place, int first, int count) const {
+cases::Case TrialRuns::at(const DesignPoint& point, int first, int count) const {
   std::vector<cases::Override> set = set_;
-  const std::vector<std::string> texts = values(place);
-  for (std::size_t i = 0; i < over_.size(); ++i) set.push_back({over_[i].key, texts[i], by_});
+  const std::vector<std::string> texts = values(point);
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    set.push_back({ranges_[i].key, texts[i], source_});
   cases::Case made = file_.read(catalogue_, set);
   made.run.replicates = count;
   made.seed = base_.seed + static_cast<std::uint64_t>(first);
@@ -136,7 +139,7 @@ cases::Case TrialRuns::at(const Place& place, int first, int count) const {
   return made;
 }
 
-TrialRuns TrialRuns::by_engine(cases::EngineName engine) const {
+TrialRuns TrialRuns::with_engine(cases::EngineName engine) const {
   TrialRuns other = *this;
   constexpr const char* key = "run.engine";
   std::erase_if(other.set_, [&](const cases::Override& set) { return set.key == key; });
@@ -144,42 +147,42 @@ TrialRuns TrialRuns::by_engine(cases::EngineName engine) const {
   return other;
 }
 
-std::vector<Told> TrialRuns::run(const std::vector<Asked>& asked, const Measure& measure,
-                                 const Options& options, TrialStore& store,
-                                 std::string_view version) const {
-  struct Trial {
+std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& asked,
+                                        const Measure& measure, const RunOptions& options,
+                                        TrialStore& store, std::string_view version) const {
+  struct PendingRun {
     std::size_t number;  // in `asked`
     cases::Case what;
     RunHash hash;
   };
-  std::vector<Told> told(asked.size());
-  std::vector<Trial> trials;  // that are to be run
+  std::vector<TrialResult> result(asked.size());
+  std::vector<PendingRun> pending;  // that are to be run
   for (std::size_t i = 0; i < asked.size(); ++i) try {
-      cases::Case what = at(asked[i].place, asked[i].first, asked[i].count);
+      cases::Case what = at(asked[i].point, asked[i].first, asked[i].count);
       const RunHash hash = run_hash(what, version);
       if (auto known = store.find(hash))
-        told[i] = std::move(*known);
+        result[i] = std::move(*known);
       else
-        trials.push_back({i, std::move(what), hash});
+        pending.push_back({i, std::move(what), hash});
     } catch (const InputError& why) {
-      told[i].failure = short_reason(why);
+      result[i].failure = short_reason(why);
     }
-  Queue queue;
-  queue.size = trials.size();
-  queue.open = [&](std::size_t i) { return trials[i].what; };
+  RunQueue queue;
+  queue.size = pending.size();
+  queue.open = [&](std::size_t i) { return pending[i].what; };
   queue.done = [&](std::size_t i, results::Outcome&& outcome) {
     if (outcome.interrupted) return;
-    Told& mine = told[trials[i].number] = told_by(outcome, measure);
-    store.keep(trials[i].hash, mine);
+    TrialResult& mine = result[pending[i].number] = trial_result(outcome, measure);
+    store.keep(pending[i].hash, mine);
   };
   queue.failed = [&](std::size_t i, const std::exception& why) {
-    told[trials[i].number].failure = short_reason(why);
+    result[pending[i].number].failure = short_reason(why);
   };
-  Options with = options;
-  with.threads = threads_of(options.threads);
-  work_off(queue, with);
+  RunOptions with = options;
+  with.threads = thread_count(options.threads);
+  run_queue(queue, with);
   if (options.stop != nullptr && *options.stop) throw Interrupted();
-  return told;
+  return result;
 }
 
 }  // namespace mahlwerk::campaign

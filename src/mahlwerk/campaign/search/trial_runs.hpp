@@ -21,29 +21,30 @@ class TrialRuns {
   /// before. Throws InputError where the case cannot be read, or an end of a range cannot be one,
   /// whatever the other keys are.
   TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
-            std::vector<cases::Override> set, cases::Giver by);
+            std::vector<cases::Override> set, cases::ValueSource source);
 
   const cases::Case& base() const { return base_; }
-  const std::vector<cases::SweptKey>& over() const { return over_; }
+  const std::vector<cases::SweptKey>& ranges() const { return ranges_; }
 
   /// What the keys are set to, as the case says it, to six digits: "412.5 rpm".
-  std::vector<std::string> values(const Place& place) const;
-  /// The place of those values: of whole numbers and rounded ones not quite what was asked for.
-  Place snap(const Place& place) const;
+  std::vector<std::string> values(const DesignPoint& point) const;
+  /// The point of those values: of whole numbers and rounded ones not quite what was asked for.
+  DesignPoint snap(const DesignPoint& point) const;
   /// The case there. Replicates from `first` on begin from another seed than those before. Throws
   /// InputError where the setting cannot be read.
-  cases::Case at(const Place& place, int first, int count) const;
+  cases::Case at(const DesignPoint& point, int first, int count) const;
 
   /// The same case by another engine.
-  TrialRuns by_engine(cases::EngineName engine) const;
+  TrialRuns with_engine(cases::EngineName engine) const;
 
   /// What a search is told of a replicate.
   using Measure =
       std::function<std::vector<double>(const results::Outcome&, const results::Replicate&)>;
   /// A setting that cannot be built, or that physics stops, has failed. What `store` has been told
   /// by the same `version` is not run again. Throws Interrupted where options.stop was set.
-  std::vector<Told> run(const std::vector<Asked>& asked, const Measure& measure,
-                        const Options& options, TrialStore& store, std::string_view version) const;
+  std::vector<TrialResult> run(const std::vector<TrialRequest>& asked, const Measure& measure,
+                               const RunOptions& options, TrialStore& store,
+                               std::string_view version) const;
 
  private:
   std::string place_of(const cases::SweptKey& range) const;
@@ -53,9 +54,9 @@ class TrialRuns {
   cases::CaseFile file_;
   const cases::Catalogue& catalogue_;
   std::vector<cases::Override> set_;
-  cases::Giver by_;
+  cases::ValueSource source_;
   cases::Case base_;
-  std::vector<cases::SweptKey> over_;
+  std::vector<cases::SweptKey> ranges_;
 };
 
 }  // namespace mahlwerk::campaign

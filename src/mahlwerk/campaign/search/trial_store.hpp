@@ -20,16 +20,16 @@ namespace mahlwerk::campaign {
 class TrialStore {
  public:
   /// `measure` names what was told of each replicate: other measures are strangers. The file is
-  /// made once there is something to keep. Throws InputError where it cannot be read; `trouble` is
-  /// told where it cannot be written, and the search goes on.
+  /// made once there is something to keep. Throws InputError where it cannot be read;
+  /// `on_write_error` is told where it cannot be written, and the search goes on.
   TrialStore(const std::filesystem::path& file, std::string measure,
-             std::function<void(const Fault&)> trouble);
+             std::function<void(const Fault&)> on_write_error);
 
-  std::optional<Told> find(RunHash run);
-  void keep(RunHash run, const Told& told);
+  std::optional<TrialResult> find(RunHash run);
+  void keep(RunHash run, const TrialResult& result);
 
  private:
-  void write(RunHash run, const Told& told);
+  void write(RunHash run, const TrialResult& result);
   std::string name_of(RunHash run) const;
   void open();
 
@@ -37,7 +37,7 @@ class TrialStore {
   std::filesystem::path file_;
   std::optional<Database> database_;
   std::string measure_;
-  std::function<void(const Fault&)> trouble_;
+  std::function<void(const Fault&)> on_write_error_;
 };
 
 }  // namespace mahlwerk::campaign

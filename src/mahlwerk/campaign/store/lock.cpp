@@ -10,8 +10,8 @@ namespace {
 
 /// The lock, or the reason why there is none.
 std::unique_ptr<results::FileLock> taken(const std::filesystem::path& file,
-                                         results::FileLock::Holds holds) try {
-  return std::make_unique<results::FileLock>(file, holds);
+                                         results::FileLock::Mode mode) try {
+  return std::make_unique<results::FileLock>(file, mode);
 } catch (const std::system_error& e) {
   throw InputError(Fault{
       file.generic_string(), "the campaign's folder cannot be written to: " + e.code().message(),
@@ -20,15 +20,15 @@ std::unique_ptr<results::FileLock> taken(const std::filesystem::path& file,
 
 }  // namespace
 
-CampaignLock::CampaignLock(const std::filesystem::path& file, Holds holds)
-    : lock_(taken(file, holds)) {
+CampaignLock::CampaignLock(const std::filesystem::path& file, Mode mode)
+    : lock_(taken(file, mode)) {
   using State = results::FileLock::State;
-  if (lock_->state() == State::no_locks)
+  if (lock_->state() == State::unsupported)
     throw InputError(
         Fault{file.generic_string(),
               "the file cannot be locked: " + std::generic_category().message(lock_->error()),
               "use a file system that knows locks", "store"});
-  if (lock_->state() == State::another_has_it)
+  if (lock_->state() == State::held_elsewhere)
     throw InputError(Fault{
         file.parent_path().generic_string(), "another process is at work on this campaign",
         "wait until it ends; `mahlwerk sweep status` tells how far it is", "campaign-at-work"});

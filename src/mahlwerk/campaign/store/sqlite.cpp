@@ -112,7 +112,7 @@ double Statement::number(int column) const {
   return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
                          : sqlite3_column_double(statement_.get(), column);
 }
-std::int64_t Statement::whole(int column) const {
+std::int64_t Statement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 std::string Statement::text(int column) const {
@@ -135,7 +135,7 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   if (code != SQLITE_OK) fail(made, code, file_);
   sqlite3_busy_timeout(made, patience);
   if (access == Access::read) run("PRAGMA query_only=1");
-  word("SELECT count(*) FROM sqlite_master");  // that it is a database shows only now
+  query_text("SELECT count(*) FROM sqlite_master");  // that it is a database shows only now
 }
 
 void Database::run(const std::string& sql) {
@@ -147,7 +147,7 @@ Statement Database::prepare(std::string_view sql) const {
   return {database_.get(), file_, sql};
 }
 
-std::string Database::word(const std::string& sql) const {
+std::string Database::query_text(const std::string& sql) const {
   Statement asked = prepare(sql);
   return asked.step() ? asked.text(0) : "";
 }
@@ -169,7 +169,7 @@ void Transaction::commit() {
   open_ = false;
 }
 
-std::string as_name(std::string_view name) {
+std::string quoted_name(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
   return text + "\"";

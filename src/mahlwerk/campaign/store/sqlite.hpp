@@ -34,7 +34,7 @@ class Statement {
   bool is_null(int column) const;
   bool is_text(int column) const;
   double number(int column) const;  ///< NaN of NULL
-  std::int64_t whole(int column) const;
+  std::int64_t integer(int column) const;
   std::string text(int column) const;  ///< empty of NULL
 
  private:
@@ -56,7 +56,7 @@ class Database {
 
   void run(const std::string& sql);  ///< one or more lines that give no rows
   Statement prepare(std::string_view sql) const;
-  std::string word(const std::string& sql) const;  ///< the first value it gives, or nothing
+  std::string query_text(const std::string& sql) const;  ///< the first value it gives, or nothing
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -82,6 +82,6 @@ class Transaction {
 };
 
 /// A name as SQL takes it, whatever stands in it.
-std::string as_name(std::string_view name);
+std::string quoted_name(std::string_view name);
 
 }  // namespace mahlwerk::campaign

@@ -43,7 +43,7 @@ RunHash run_hash(const cases::Case& what, std::string_view version) {
   bare.match.reset();
   bare.fit.clear();
   return fingerprint(
-      fmt::format("{}\n{}{}", version, cases::write(bare), cases::contents_of_files(bare)));
+      fmt::format("{}\n{}{}", version, cases::write(bare), cases::input_files_fingerprint(bare)));
 }
 
 std::array<std::string, 2> columns_of(const results::Quantity& q) {
@@ -58,7 +58,7 @@ Store::Store(const std::filesystem::path& file, Access access)
     : writes_(access == Access::write),
       database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
   if (access == Access::read) {
-    if (database_.word("PRAGMA user_version") != std::to_string(format))
+    if (database_.query_text("PRAGMA user_version") != std::to_string(format))
       throw InputError(Fault{file.generic_string(), "this is no campaign's store of this version",
                              "name the folder of a campaign", "store"});
     return;
@@ -68,7 +68,7 @@ Store::Store(const std::filesystem::path& file, Access access)
   database_.run(access == Access::write
                     ? "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL"
                     : "PRAGMA journal_mode=TRUNCATE; PRAGMA synchronous=NORMAL");
-  const std::string found = database_.word("PRAGMA user_version");
+  const std::string found = database_.query_text("PRAGMA user_version");
   if (found == "0")
     make_tables();
   else if (found != std::to_string(format))
@@ -98,7 +98,7 @@ Store::~Store() {
 
 void Store::make_tables() {
   Transaction all(database_);
-  if (database_.word("SELECT count(*) FROM sqlite_master") != "0")
+  if (database_.query_text("SELECT count(*) FROM sqlite_master") != "0")
     throw InputError(Fault{database_.file().generic_string(), "this is another program's database",
                            "move it away", "store"});
   database_.run(
@@ -123,14 +123,14 @@ void Store::make_tables() {
 /// One row a point, with names as in campaign.csv.
 void Store::make_view() {
   std::string columns = "p.point";
-  for (const Swept& s : swept()) columns += ", p." + as_name(s.column);
+  for (const SweptColumn& s : swept()) columns += ", p." + quoted_name(s.column);
   columns +=
       ", r.status, r.engine, r.regime, r.wall_seconds, r.cpu_seconds, r.folder, r.message, "
       "r.warnings";
   Statement known =
       database_.prepare("SELECT \"column\", ci95_column FROM quantities ORDER BY position");
   while (known.step())
-    columns += fmt::format(", s.{}, s.{}", as_name(known.text(0)), as_name(known.text(1)));
+    columns += fmt::format(", s.{}, s.{}", quoted_name(known.text(0)), quoted_name(known.text(1)));
   database_.run(
       // Another store may be attached, whose view would be meant by the bare name.
       fmt::format("DROP VIEW IF EXISTS main.results; CREATE VIEW main.results AS SELECT {} FROM "
@@ -139,19 +139,19 @@ void Store::make_view() {
                   columns));
 }
 
-std::vector<Store::Swept> Store::swept() const {
-  std::vector<Swept> list;
+std::vector<Store::SweptColumn> Store::swept() const {
+  std::vector<SweptColumn> list;
   Statement asked = database_.prepare(
       "SELECT key, unit, \"column\", \"numeric\", follows FROM swept ORDER BY position");
   while (asked.step())
-    list.push_back(
-        {asked.text(0), asked.text(1), asked.text(2), asked.whole(3) != 0, asked.whole(4) != 0});
+    list.push_back({asked.text(0), asked.text(1), asked.text(2), asked.integer(3) != 0,
+                    asked.integer(4) != 0});
   return list;
 }
 
-void Store::plan(const Planned& planned) {
+void Store::plan(const CampaignPlan& planned) {
   const std::lock_guard lock(mutex_);
-  std::vector<Swept> swept;
+  std::vector<SweptColumn> swept;
   for (const std::string& key : planned.keys) swept.push_back({key, "", "", true});
   bool first = true;
   for (std::size_t i = 0; i < planned.runs.size(); ++i) {
@@ -169,11 +169,11 @@ void Store::plan(const Planned& planned) {
       "DELETE FROM swept; DELETE FROM overrides; DROP VIEW IF EXISTS results; DROP TABLE points");
   std::string columns;
   for (std::size_t k = 0; k < swept.size(); ++k) {
-    Swept& s = swept[k];
+    SweptColumn& s = swept[k];
     if (!s.numeric) s.unit.clear();
     s.column = column_of(s.key, s.unit);
-    columns += fmt::format(", {} {}", as_name(s.column), s.numeric ? "REAL" : "TEXT");
-    s.follows = std::ranges::find(planned.follow, s.key) != planned.follow.end();
+    columns += fmt::format(", {} {}", quoted_name(s.column), s.numeric ? "REAL" : "TEXT");
+    s.follows = std::ranges::find(planned.following_keys, s.key) != planned.following_keys.end();
     database_.prepare("INSERT INTO swept VALUES(?, ?, ?, ?, ?, ?)")
         .bind(1, static_cast<std::int64_t>(k))
         .bind(2, s.key)
@@ -190,7 +190,7 @@ void Store::plan(const Planned& planned) {
   say.bind(1, "version").bind(2, planned.version).run();
   say.bind(1, "case_file").bind(2, planned.case_file.generic_string()).run();
   say.bind(1, "planned")
-      .bind(2, database_.word("SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"))
+      .bind(2, database_.query_text("SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"))
       .run();
   Statement set = database_.prepare("INSERT INTO overrides(key, value) VALUES(?, ?)");
   for (const cases::Override& one : planned.overrides)
@@ -227,7 +227,7 @@ std::unordered_map<RunHash, RunState> Store::states() const {
   return found;
 }
 
-void Store::keep(const Finished& f) {
+void Store::keep(const RunRecord& f) {
   const std::lock_guard lock(mutex_);
   Transaction all(database_);
   try {
@@ -283,7 +283,7 @@ void Store::fail(RunHash hash, std::string_view why) {
 std::size_t Store::retry() {
   const std::lock_guard lock(mutex_);
   database_.run("UPDATE runs SET status = 'waiting' WHERE status = 'failed'");
-  return static_cast<std::size_t>(std::stoull(database_.word("SELECT changes()")));
+  return static_cast<std::size_t>(std::stoull(database_.query_text("SELECT changes()")));
 }
 
 }  // namespace mahlwerk::campaign

@@ -33,13 +33,13 @@ std::string hash_text(RunHash hash);  ///< 16 hexadecimal digits
 std::array<std::string, 2> columns_of(const results::Quantity& q);
 
 /// A campaign as it is planned.
-struct Planned {
+struct CampaignPlan {
   std::string title, version;
   std::filesystem::path case_file;
   std::vector<cases::Override> overrides;
-  std::vector<std::string> keys;    ///< that vary
-  std::vector<std::string> follow;  ///< of them: those that go side by side with others
-  std::vector<RunHash> runs;        ///< by point
+  std::vector<std::string> keys;            ///< that vary
+  std::vector<std::string> following_keys;  ///< of them: those that go side by side with others
+  std::vector<RunHash> runs;                ///< by point
   /// Of the keys at a point, as text; empty: not known.
   std::function<std::vector<std::string>(std::size_t point)> values;
 };
@@ -47,7 +47,7 @@ struct Planned {
 enum class RunState { waiting, done, failed };
 
 /// What came of a run.
-struct Finished {
+struct RunRecord {
   RunHash hash = 0;
   std::string resolved;  ///< its case
   std::string engine, regime;
@@ -70,7 +70,7 @@ struct StoredPoint {
   std::vector<double> value, ci95;  ///< of the quantities asked for; NaN where there is none
 };
 
-struct Counts {
+struct RunCounts {
   std::size_t points = 0;                         ///< of the plan
   std::size_t waiting = 0, done = 0, failed = 0;  ///< runs of the plan; points may share one
 };
@@ -90,19 +90,19 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   /// Makes this the plan. Runs that are known stay as they are, others wait.
-  void plan(const Planned& planned);
+  void plan(const CampaignPlan& planned);
   std::unordered_map<RunHash, RunState> states() const;  ///< of all runs, those of old plans, too
 
   /// Runs whose results should be in a folder below `place`, and are not.
   std::vector<RunHash> without_folder(const std::filesystem::path& place) const;
 
-  void keep(const Finished& finished);
+  void keep(const RunRecord& finished);
   void fail(RunHash hash, std::string_view why);
   std::size_t retry();  ///< failed runs wait again; how many
   /// Takes over what `other` has done, and its plan if that was made later; how many runs.
   std::size_t merge(const std::filesystem::path& other);
 
-  Counts counts() const;
+  RunCounts counts() const;
   std::string title() const;
   std::filesystem::path case_file() const;
   std::vector<cases::Override> overrides() const;
@@ -119,15 +119,15 @@ class Store {
   void write_csv(std::ostream& out) const;
 
  private:
-  struct Swept {
+  struct SweptColumn {
     std::string key, unit, column;
     bool numeric = false, follows = false;
   };
   void make_tables();
   void make_view();
-  void refuse_stranger(const std::filesystem::path& other) const;
+  void refuse_other_campaign(const std::filesystem::path& other) const;
   void take_newer_plan();
-  std::vector<Swept> swept() const;
+  std::vector<SweptColumn> swept() const;
   std::vector<results::Quantity> known_quantities() const;
   void keep_old_form();
   bool keep_form(const std::vector<results::Quantity>& form);
@@ -148,9 +148,9 @@ class Store {
 /// Holds a folder's campaign for this process, until it ends however it ends. The file stays.
 class CampaignLock {
  public:
-  using Holds = results::FileLock::Holds;  ///< with others: other shards, each of a part of its own
+  using Mode = results::FileLock::Mode;  ///< shared: with other shards, each of a part of its own
   /// Throws InputError where another process holds it, or it is held with others and wanted alone.
-  explicit CampaignLock(const std::filesystem::path& file, Holds holds = Holds::alone);
+  explicit CampaignLock(const std::filesystem::path& file, Mode mode = Mode::exclusive);
   static bool held(const std::filesystem::path& file);  ///< by any process
 
  private:

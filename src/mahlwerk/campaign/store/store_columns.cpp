@@ -86,7 +86,7 @@ bool Store::keep_form(const Quantities& form) {
 
 /// Of a store of an earlier version.
 void Store::keep_old_form() {
-  if (database_.word("SELECT count(*) FROM main.forms") != "0") return;
+  if (database_.query_text("SELECT count(*) FROM main.forms") != "0") return;
   if (const Quantities old = known_quantities(); !old.empty()) keep_form(old);
 }
 
@@ -101,8 +101,9 @@ void Store::add_columns(const Quantities& quantities) {
 /// The same of those that another store, attached as `other`, has.
 void Store::add_columns_of_other(const Quantities& quantities) {
   const bool has_forms =
-      database_.word("SELECT count(*) FROM other.sqlite_master WHERE name = 'forms'") != "0" &&
-      database_.word("SELECT count(*) FROM other.forms") != "0";
+      database_.query_text("SELECT count(*) FROM other.sqlite_master WHERE name = 'forms'") !=
+          "0" &&
+      database_.query_text("SELECT count(*) FROM other.forms") != "0";
   if (!has_forms) return add_columns(quantities);
   keep_old_form();
   database_.run("INSERT OR IGNORE INTO main.forms SELECT * FROM other.forms");
@@ -121,7 +122,7 @@ void Store::add_unknown(const Quantities& quantities) {
     database_.run(
         fmt::format("ALTER TABLE summary ADD COLUMN {} REAL; ALTER TABLE summary ADD "
                     "COLUMN {} REAL",
-                    as_name(column), as_name(ci95)));
+                    quoted_name(column), quoted_name(ci95)));
   }
 }
 
@@ -152,7 +153,7 @@ void Store::prepare_summary(const Quantities& quantities) {
   std::string columns = "hash", marks = "?";
   for (const Quantity& q : quantities) {
     const auto [column, ci95] = columns_of(q);
-    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
+    columns += fmt::format(", {}, {}", quoted_name(column), quoted_name(ci95));
     marks += ", ?, ?";
   }
   summary_.emplace(database_.prepare(

@@ -32,8 +32,8 @@ results::NoticeCounts Store::notices() const {
     of_point.clear();
   };
   while (asked.step()) {
-    if (asked.whole(3) != point) end_point();
-    point = asked.whole(3);
+    if (asked.integer(3) != point) end_point();
+    point = asked.integer(3);
     of_point.push_back({asked.text(0), severity_of(asked.text(1)), asked.text(2)});
   }
   end_point();

@@ -17,24 +17,24 @@ namespace mahlwerk::campaign {
 namespace {
 
 std::size_t count(const Database& database, const std::string& sql) {
-  return static_cast<std::size_t>(std::stoull(database.word(sql)));
+  return static_cast<std::size_t>(std::stoull(database.query_text(sql)));
 }
 
 /// Another store beside the one that is open, as `other`.
-class Attached {
+class AttachedDatabase {
  public:
-  Attached(Database& database, const std::filesystem::path& file) : database_(database) {
+  AttachedDatabase(Database& database, const std::filesystem::path& file) : database_(database) {
     database_.prepare("ATTACH ? AS other").bind(1, file.string()).run();
   }
-  ~Attached() {
+  ~AttachedDatabase() {
     try {
       database_.run("DETACH other");
     } catch (const InputError&) {
       // it goes with the database
     }
   }
-  Attached(const Attached&) = delete;
-  Attached& operator=(const Attached&) = delete;
+  AttachedDatabase(const AttachedDatabase&) = delete;
+  AttachedDatabase& operator=(const AttachedDatabase&) = delete;
 
  private:
   Database& database_;
@@ -42,14 +42,14 @@ class Attached {
 
 }  // namespace
 
-Counts Store::counts() const {
+RunCounts Store::counts() const {
   const std::lock_guard lock(mutex_);
-  Counts counts;
+  RunCounts counts;
   counts.points = count(database_, "SELECT count(*) FROM points");
   Statement asked = database_.prepare(
       "SELECT status, count(*) FROM runs WHERE hash IN (SELECT hash FROM points) GROUP BY status");
   while (asked.step()) {
-    const auto n = static_cast<std::size_t>(asked.whole(1));
+    const auto n = static_cast<std::size_t>(asked.integer(1));
     const std::string status = asked.text(0);
     (status == "done" ? counts.done : status == "failed" ? counts.failed : counts.waiting) = n;
   }
@@ -70,12 +70,12 @@ std::vector<RunHash> Store::without_folder(const std::filesystem::path& place) c
 
 std::string Store::title() const {
   const std::lock_guard lock(mutex_);
-  return database_.word("SELECT value FROM campaign WHERE key = 'title'");
+  return database_.query_text("SELECT value FROM campaign WHERE key = 'title'");
 }
 
 std::filesystem::path Store::case_file() const {
   const std::lock_guard lock(mutex_);
-  return database_.word("SELECT value FROM campaign WHERE key = 'case_file'");
+  return database_.query_text("SELECT value FROM campaign WHERE key = 'case_file'");
 }
 
 std::vector<cases::Override> Store::overrides() const {
@@ -89,14 +89,14 @@ std::vector<cases::Override> Store::overrides() const {
 std::vector<std::string> Store::keys() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> list;
-  for (const Swept& s : swept()) list.push_back(s.key);
+  for (const SweptColumn& s : swept()) list.push_back(s.key);
   return list;
 }
 
 bool Store::follows(const std::string& key) const {
   const std::lock_guard lock(mutex_);
-  const std::vector<Swept> keys = swept();
-  const auto found = std::ranges::find(keys, key, &Swept::key);
+  const std::vector<SweptColumn> keys = swept();
+  const auto found = std::ranges::find(keys, key, &SweptColumn::key);
   return found != keys.end() && found->follows;
 }
 
@@ -108,18 +108,18 @@ std::vector<results::Quantity> Store::quantities() const {
 void Store::read(const std::vector<std::string>& quantities,
                  const std::function<void(const StoredPoint&)>& take) const {
   const std::lock_guard lock(mutex_);
-  const std::vector<Swept> keys = swept();
+  const std::vector<SweptColumn> keys = swept();
   std::string columns =
       "p.point, r.status, r.engine, r.regime, r.folder, r.message, r.wall_seconds, r.cpu_seconds, "
       "r.warnings";
-  for (const Swept& s : keys) columns += ", p." + as_name(s.column);
+  for (const SweptColumn& s : keys) columns += ", p." + quoted_name(s.column);
   Statement named =
       database_.prepare("SELECT \"column\", ci95_column FROM quantities WHERE name = ?");
   for (const std::string& name : quantities) {
     std::string pair = ", NULL, NULL";
     named.bind(1, name);
     while (named.step())
-      pair = fmt::format(", s.{}, s.{}", as_name(named.text(0)), as_name(named.text(1)));
+      pair = fmt::format(", s.{}, s.{}", quoted_name(named.text(0)), quoted_name(named.text(1)));
     columns += pair;
   }
   Statement asked = database_.prepare(
@@ -129,7 +129,7 @@ void Store::read(const std::vector<std::string>& quantities,
   constexpr int fixed = 9;
   while (asked.step()) {
     StoredPoint point;
-    point.number = static_cast<std::size_t>(asked.whole(0));
+    point.number = static_cast<std::size_t>(asked.integer(0));
     const std::string status = asked.text(1);
     point.state = status == "done"     ? RunState::done
                   : status == "failed" ? RunState::failed
@@ -142,7 +142,7 @@ void Store::read(const std::vector<std::string>& quantities,
     point.cpu_seconds = asked.number(7);
     point.warnings = asked.text(8);
     int at = fixed;
-    for (const Swept& s : keys) {
+    for (const SweptColumn& s : keys) {
       if (!s.numeric || asked.is_null(at))
         point.values.push_back(asked.text(at));
       else
@@ -175,7 +175,7 @@ void Store::write_csv(std::ostream& out) const {
 }
 
 /// Throws InputError if `other`, attached, has points and shares none with this plan.
-void Store::refuse_stranger(const std::filesystem::path& other) const {
+void Store::refuse_other_campaign(const std::filesystem::path& other) const {
   if (count(database_, "SELECT count(*) FROM main.points") > 0 &&
       count(database_, "SELECT count(*) FROM other.points") > 0 &&
       count(database_,
@@ -188,12 +188,12 @@ void Store::refuse_stranger(const std::filesystem::path& other) const {
 /// since.
 void Store::take_newer_plan() {
   const auto made = [&](const std::string& store) {
-    return database_.word("SELECT value FROM " + store + ".campaign WHERE key = 'planned'");
+    return database_.query_text("SELECT value FROM " + store + ".campaign WHERE key = 'planned'");
   };
   const bool none = count(database_, "SELECT count(*) FROM main.points") == 0;
   if (!none && made("other") <= made("main")) return;
   const std::string points =
-      database_.word("SELECT sql FROM other.sqlite_master WHERE name = 'points'");
+      database_.query_text("SELECT sql FROM other.sqlite_master WHERE name = 'points'");
   database_.run(fmt::format(
       "DROP VIEW IF EXISTS main.results; DROP TABLE main.points; {}; INSERT INTO main.points "
       "SELECT * FROM other.points; DELETE FROM main.swept; INSERT INTO main.swept SELECT * FROM "
@@ -207,9 +207,9 @@ std::size_t Store::merge(const std::filesystem::path& other) {
   const Store source(other, Access::read);  // that it is one
   const std::vector<results::Quantity> quantities = source.quantities();
   const std::lock_guard lock(mutex_);
-  const Attached attached(database_, other);
+  const AttachedDatabase attached(database_, other);
   Transaction all(database_);
-  refuse_stranger(other);
+  refuse_other_campaign(other);
   take_newer_plan();
   database_.run(
       "INSERT OR IGNORE INTO main.runs(hash, status) SELECT hash, 'waiting' FROM other.runs");
@@ -222,7 +222,7 @@ std::size_t Store::merge(const std::filesystem::path& other) {
   std::string columns = "hash";
   for (const results::Quantity& q : quantities) {
     const auto [column, ci95] = columns_of(q);
-    columns += fmt::format(", {}, {}", as_name(column), as_name(ci95));
+    columns += fmt::format(", {}, {}", quoted_name(column), quoted_name(ci95));
   }
   database_.run(fmt::format(
       "INSERT OR REPLACE INTO main.summary({0}) SELECT {0} FROM other.summary WHERE {1}", columns,

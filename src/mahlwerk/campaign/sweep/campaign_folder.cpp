@@ -46,7 +46,7 @@ bool is_free(const fs::path& place) {
   return !fs::exists(place, none) || fs::is_empty(place, none);
 }
 
-void refuse_strangers(const fs::path& place, bool force) {
+void refuse_foreign_folder(const fs::path& place, bool force) {
   if (!is_free(place) && !holds_campaign(place)) const results::Folder tried(place, force);
 }
 
@@ -66,8 +66,8 @@ fs::path opened(const fs::path& place, const Shard& shard, bool force) {
 
 }  // namespace
 
-void prepare_place(const fs::path& place) {
-  refuse_strangers(place, false);
+void prepare_folder(const fs::path& place) {
+  refuse_foreign_folder(place, false);
   results::make_folder(place);
 }
 
@@ -76,24 +76,24 @@ CampaignFolder::CampaignFolder(CampaignSettings settings, const fs::path& case_f
     : settings_(std::move(settings)),
       file_(case_file),
       set_(std::move(set)),
-      place_(std::move(place)),
+      path_(std::move(place)),
       case_file_(fs::weakly_canonical(case_file)),
       shard_(shard) {
-  refuse_strangers(place_, settings_.force);
+  refuse_foreign_folder(path_, settings_.force);
 }
 
 /// Only once the case is known to be sound: until then nothing is written.
 void CampaignFolder::open() {
-  const fs::path own = opened(place_, shard_, settings_.force);
+  const fs::path own = opened(path_, shard_, settings_.force);
   own_lock_.emplace(own);
-  if (!shard_.whole()) lock_.emplace(place_ / "campaign.lock", CampaignLock::Holds::with_others);
+  if (!shard_.whole()) lock_.emplace(path_ / "campaign.lock", CampaignLock::Mode::shared);
   const std::string name = name_of(shard_);
-  results::list_campaign_files(place_);
-  results::list_files(place_, {"campaign.lock", name + ".lock", name + ".sqlite"});
-  store_.emplace(place_ / (name + ".sqlite"),
+  results::list_campaign_files(path_);
+  results::list_files(path_, {"campaign.lock", name + ".lock", name + ".sqlite"});
+  store_.emplace(path_ / (name + ".sqlite"),
                  shard_.whole() ? Store::Access::write : Store::Access::shard);
   refuse_other_case();
-  clear_remains();
+  remove_leftovers();
 }
 
 /// Two cases of one name would take turns in one folder. A case that was moved is the same.
@@ -103,17 +103,17 @@ void CampaignFolder::refuse_other_case() const {
   if (last.empty() || last == case_file_ || !fs::exists(last, none) ||
       fs::equivalent(last, case_file_, none))
     return;
-  throw InputError(Fault{place_.string(), "the folder holds the campaign of " + last.string(),
+  throw InputError(Fault{path_.string(), "the folder holds the campaign of " + last.string(),
                          "give another folder with --out, or replace it with --force",
                          "other-campaign"});
 }
 
 /// What runs of this part of the campaign that were killed had begun to write, and pages.
-void CampaignFolder::clear_remains() const {
+void CampaignFolder::remove_leftovers() const {
   std::error_code none;
   std::vector<fs::path> remains;
-  const auto listed = results::listed_files(place_);
-  for (const auto& entry : fs::directory_iterator(place_ / results::campaign_runs, none)) {
+  const auto listed = results::listed_files(path_);
+  for (const auto& entry : fs::directory_iterator(path_ / results::campaign_runs, none)) {
     const std::string name = entry.path().filename().string();
     std::size_t point = 0;
     const bool hidden = name.starts_with('.');
@@ -122,7 +122,7 @@ void CampaignFolder::clear_remains() const {
     if (mine && (hidden || entry.path().extension() == ".part")) remains.push_back(entry.path());
   }
   if (shard_.whole() && listed)
-    for (const std::string& name : *listed) remains.push_back(place_ / (name + ".part"));
+    for (const std::string& name : *listed) remains.push_back(path_ / (name + ".part"));
   for (const fs::path& one : remains) fs::remove_all(one, none);
 }
 
@@ -144,7 +144,7 @@ void CampaignFolder::plan(Plan plan) {
   runs_.assign(plan_->size(), {});
   std::optional<InputError> first;  // of the first point
   std::atomic<std::size_t> faulty = 0;
-  in_parallel(threads_of(settings_.threads), runs_.size(), [&](std::size_t i) {
+  in_parallel(thread_count(settings_.threads), runs_.size(), [&](std::size_t i) {
     if (stopped()) return;
     try {
       runs_[i] = read_run(i);
@@ -160,28 +160,28 @@ void CampaignFolder::plan(Plan plan) {
   if (stopped()) return;
   if (faulty == runs_.size() && first) throw *first;
   open();
-  Planned planned;
+  CampaignPlan planned;
   planned.title = base.title;
   planned.version = settings_.version;
   planned.case_file = case_file_;
   planned.overrides = set_;
   planned.keys = plan_->keys();
-  planned.follow = plan_->follow();
+  planned.following_keys = plan_->following_keys();
   for (const Run& run : runs_) planned.runs.push_back(run.hash);
-  planned.values = [&, own = own_values(*plan_, base)](std::size_t i) {
-    return said(*plan_, i, own);
+  planned.values = [&, own = base_values(*plan_, base)](std::size_t i) {
+    return point_values(*plan_, i, own);
   };
   store_->plan(planned);
 }
 
 /// Points whose runs wait, the longest first so that the last to end are short; those that a shard
 /// or the whole has done are not done again.
-std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
+std::vector<std::size_t> CampaignFolder::waiting_runs(WorkSummary& worked) const {
   auto states = store_->states();
-  for (const auto& entry : fs::directory_iterator(place_)) {
+  for (const auto& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("campaign") || entry.path().extension() != ".sqlite") continue;
-    if (entry.path() == place_ / (name_of(shard_) + ".sqlite")) continue;
+    if (entry.path() == path_ / (name_of(shard_) + ".sqlite")) continue;
     try {
       for (const auto& [hash, state] : Store(entry.path(), Store::Access::read).states())
         if (state == RunState::done) states[hash] = state;
@@ -189,7 +189,7 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
       // another shard's that is being made just now, or cannot be read: it has done nothing for us
     }
   }
-  for (const RunHash hash : store_->without_folder(place_))
+  for (const RunHash hash : store_->without_folder(path_))
     states[hash] = RunState::waiting;  // somebody took its results away
   std::vector<std::size_t> points;
   std::unordered_set<RunHash> met;
@@ -198,7 +198,7 @@ std::vector<std::size_t> CampaignFolder::to_do(Worked& worked) const {
     if (states.at(runs_[i].hash) == RunState::waiting)
       points.push_back(i);
     else
-      ++worked.there;
+      ++worked.already_done;
   }
   std::ranges::stable_sort(points, std::greater(), [&](std::size_t i) { return runs_[i].work; });
   return points;
@@ -208,7 +208,7 @@ bool CampaignFolder::keeps_folders() const {
   return settings_.folders.value_or(runs_.size() <= most_folders);
 }
 
-Store look_into(const fs::path& place) {
+Store open_store(const fs::path& place) {
   const fs::path file = place / "campaign.sqlite";
   std::error_code none;
   if (!fs::exists(file, none))

@@ -23,9 +23,9 @@ struct Shard {
 };
 
 /// How a stretch of work on a campaign went.
-struct Worked {
+struct WorkSummary {
   std::size_t done = 0, failed = 0;  ///< runs
-  std::size_t there = 0;             ///< that were done before
+  std::size_t already_done = 0;      ///< that were done before
   double seconds = 0;
   bool interrupted = false;
 };
@@ -48,7 +48,7 @@ struct CampaignSettings {
   /// Writes the results of a run.
   std::function<void(const results::Folder&, const results::Outcome&)> write;
   std::function<void(const WorkProgress&)> progress;  ///< never from two threads at once
-  std::function<void(const Fault&)> trouble;          ///< states that cannot be kept
+  std::function<void(const Fault&)> on_write_error;   ///< states that cannot be kept
 };
 
 /// A campaign in its folder: the store, and the results of runs beside it. It belongs to this
@@ -66,10 +66,10 @@ class CampaignFolder {
   /// process is at work there. Does nothing once a stop is wanted.
   void plan(Plan plan);
   /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
-  Worked work();
+  WorkSummary work();
 
   Store& store() { return *store_; }  ///< once there is a plan
-  const std::filesystem::path& place() const { return place_; }
+  const std::filesystem::path& path() const { return path_; }
   std::size_t size() const { return runs_.size(); }  ///< points
   RunHash run(std::size_t point) const { return runs_[point].hash; }
 
@@ -83,16 +83,16 @@ class CampaignFolder {
   bool stopped() const { return settings_.stop != nullptr && *settings_.stop; }
   void open();
   void refuse_other_case() const;
-  void clear_remains() const;
+  void remove_leftovers() const;
   std::vector<cases::Override> settings(std::size_t point) const;
   Run read_run(std::size_t point) const;
-  std::vector<std::size_t> to_do(Worked& worked) const;
+  std::vector<std::size_t> waiting_runs(WorkSummary& worked) const;
   bool keeps_folders() const;
 
   CampaignSettings settings_;
   cases::CaseFile file_;
   std::vector<cases::Override> set_;
-  std::filesystem::path place_, case_file_;
+  std::filesystem::path path_, case_file_;
   Shard shard_;
   std::optional<CampaignLock> own_lock_, lock_;
   std::optional<Store> store_;
@@ -102,9 +102,9 @@ class CampaignFolder {
 
 /// Makes the folder of a campaign that others will work on. Throws InputError if it holds something
 /// else, or cannot be made.
-void prepare_place(const std::filesystem::path& place);
+void prepare_folder(const std::filesystem::path& place);
 
 /// The store of a campaign's folder, for those who only look. Throws InputError if there is none.
-Store look_into(const std::filesystem::path& place);
+Store open_store(const std::filesystem::path& place);
 
 }  // namespace mahlwerk::campaign

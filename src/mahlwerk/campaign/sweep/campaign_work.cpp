@@ -28,9 +28,9 @@ std::string now() {
 }
 
 /// Why physics stopped a run; empty if it did not.
-std::string trouble(const results::Outcome& outcome) {
+std::string failure_of(const results::Outcome& outcome) {
   for (const results::Replicate& r : outcome.replicates)
-    if (!r.stopped.empty()) return r.stopped;
+    if (!r.stop_reason.empty()) return r.stop_reason;
   return "";
 }
 
@@ -41,14 +41,14 @@ class CampaignFolder::ActiveRuns {
  public:
   ActiveRuns(CampaignFolder& owner, std::vector<std::size_t> todo)
       : owner_(owner), todo_(std::move(todo)) {
-    for (const std::size_t point : todo_) wanted_ += owner_.runs_[point].work;
+    for (const std::size_t point : todo_) total_ += owner_.runs_[point].work;
   }
 
-  Worked work(Worked worked) {
-    worked_ = worked;
+  WorkSummary work(WorkSummary worked) {
+    summary_ = worked;
     const auto begin = std::chrono::steady_clock::now();
-    Options options;
-    options.threads = threads_of(owner_.settings_.threads);
+    RunOptions options;
+    options.threads = thread_count(owner_.settings_.threads);
     options.stop = owner_.settings_.stop;
     options.progress = [&](const Progress& p) { show(p); };
     options.records = [&](std::size_t i, int r) {
@@ -59,27 +59,27 @@ class CampaignFolder::ActiveRuns {
       const ActiveRun& mine = active(i);
       return mine.folder ? mine.streams.frames(0, r) : nullptr;
     };
-    Queue queue;
+    RunQueue queue;
     queue.size = todo_.size();
     queue.open = [&](std::size_t i) { return open(i); };
     queue.done = [&](std::size_t i, results::Outcome&& outcome) { done(i, outcome); };
     queue.failed = [&](std::size_t i, const std::exception& why) { failed(i, why); };
-    queue.kept = [&](std::size_t i) {
+    queue.checkpoint_slot = [&](std::size_t i) {
       ActiveRun& mine = active(i);
-      using Ended = Kept::Ended;
-      return Kept{.in = &*mine.checkpoint,
-                  .ended = mine.replicates > 1 ? Ended::noted : Ended::forgotten};
+      using OnEnd = CheckpointSlot::OnEnd;
+      return CheckpointSlot{.checkpoint = &*mine.checkpoint,
+                            .on_end = mine.replicates > 1 ? OnEnd::write_when_due : OnEnd::discard};
     };
-    queue.wanted = wanted_;
+    queue.total = total_;
     queue.weight = [&](std::size_t i) {
       const Run& run = owner_.runs_[todo_[i]];
       return run.work / run.seconds;
     };
-    work_off(queue, options);
-    worked_.seconds =
+    run_queue(queue, options);
+    summary_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    worked_.interrupted = owner_.stopped();
-    return worked_;
+    summary_.interrupted = owner_.stopped();
+    return summary_;
   }
 
  private:
@@ -111,7 +111,7 @@ class CampaignFolder::ActiveRuns {
     const std::string hash = hash_text(owner_.runs_[point].hash);
     made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));
-    const fs::path place = owner_.place_ / made->name;
+    const fs::path place = owner_.path_ / made->name;
     const bool streams = what.observe.frames || what.observe.collisions;
     results::make_folder(place.parent_path());
     if (owner_.keeps_folders() || streams)
@@ -120,7 +120,7 @@ class CampaignFolder::ActiveRuns {
     const fs::path kept = place.string() + ".checkpoint";
     const auto no_state = [&] {
       made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
-                               checkpoint_every, owner_.settings_.trouble);
+                               checkpoint_every, owner_.settings_.on_write_error);
     };
     no_state();
     if (!streams && fs::exists(kept)) try {
@@ -141,7 +141,7 @@ class CampaignFolder::ActiveRuns {
         owner_.settings_.write(*mine.folder, outcome);
         mine.folder->commit();
       }
-      Finished finished;
+      RunRecord finished;
       finished.hash = owner_.runs_[todo_[i]].hash;
       finished.resolved = cases::write(outcome.what);
       finished.engine = name_of(outcome.engine);
@@ -150,13 +150,13 @@ class CampaignFolder::ActiveRuns {
       finished.began = mine.began;
       finished.wall_seconds = outcome.wall_seconds;
       finished.cpu_seconds = outcome.cpu_seconds;
-      finished.failure = trouble(outcome);
+      finished.failure = failure_of(outcome);
       finished.quantities = outcome.summary.quantities;
       finished.notices = outcome.notices;
       owner_.store_->keep(finished);
       mine.checkpoint->remove();
       const std::lock_guard lock(mutex_);
-      ++(finished.failure.empty() ? worked_.done : worked_.failed);
+      ++(finished.failure.empty() ? summary_.done : summary_.failed);
     }
     clear(i);
   }
@@ -165,34 +165,34 @@ class CampaignFolder::ActiveRuns {
     owner_.store_->fail(owner_.runs_[todo_[i]].hash, why.what());
     clear(i);
     const std::lock_guard lock(mutex_);
-    ++worked_.failed;
+    ++summary_.failed;
   }
 
   void show(const Progress& p) {
     using Seconds = std::chrono::duration<double>;
     const double gone = Seconds(std::chrono::steady_clock::now() - began_).count();
-    const double share = p.wanted > 0 ? std::min(1.0, p.simulated / p.wanted) : 0;
+    const double share = p.total > 0 ? std::min(1.0, p.simulated / p.total) : 0;
     const std::lock_guard lock(mutex_);
     if (owner_.settings_.progress)
       owner_.settings_.progress({.share = share,
                                  .seconds = gone,
-                                 .done = worked_.done,
-                                 .failed = worked_.failed,
+                                 .done = summary_.done,
+                                 .failed = summary_.failed,
                                  .of = todo_.size()});
   }
 
   CampaignFolder& owner_;
   std::vector<std::size_t> todo_;
-  double wanted_ = 0;  // [s] of work, estimated
+  double total_ = 0;  // [s] of work, estimated
   std::mutex mutex_;
   std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;  // by place in todo_
-  Worked worked_;
+  WorkSummary summary_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-Worked CampaignFolder::work() {
-  Worked worked;
-  std::vector<std::size_t> todo = to_do(worked);
+WorkSummary CampaignFolder::work() {
+  WorkSummary worked;
+  std::vector<std::size_t> todo = waiting_runs(worked);
   return ActiveRuns(*this, std::move(todo)).work(worked);
 }
 

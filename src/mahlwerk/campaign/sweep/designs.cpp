@@ -14,7 +14,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 /// Streams of random numbers, one for each key from here on; engines use those near 0.
-constexpr std::uint32_t hypercube_stream = 0x10000000, way_stream = 0x20000000,
+constexpr std::uint32_t hypercube_stream = 0x10000000, trajectory_stream = 0x20000000,
                         shift_stream = 0x30000000;
 
 std::size_t below(std::size_t count, Random& random) {
@@ -56,14 +56,14 @@ class Sobol {
   boost::random::sobol engine_;
 };
 
-double place(std::uint64_t digits) {
+double unit_interval(std::uint64_t digits) {
   return static_cast<double>(digits >> 11U) * 0x1p-53;
 }
 
 }  // namespace
 
-Places latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_t seed) {
-  Places rows(samples, std::vector<double>(keys));
+DesignMatrix latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_t seed) {
+  DesignMatrix rows(samples, std::vector<double>(keys));
   for (std::size_t key = 0; key < keys; ++key) {
     Random random = stream(seed, hypercube_stream, key);
     const std::vector<std::size_t> parts = shuffled(samples, random);
@@ -74,16 +74,16 @@ Places latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_t seed
   return rows;
 }
 
-Places sobol_points(std::size_t keys, std::size_t samples) {
+DesignMatrix sobol_points(std::size_t keys, std::size_t samples) {
   Sobol sequence(keys);  // boost's begins behind the corner
-  Places rows(samples);
+  DesignMatrix rows(samples);
   for (std::vector<double>& row : rows)
-    for (const std::uint64_t digits : sequence.next()) row.push_back(place(digits));
+    for (const std::uint64_t digits : sequence.next()) row.push_back(unit_interval(digits));
   return rows;
 }
 
-Places one_at_a_time_design(std::size_t keys, double base) {
-  Places rows(2 * keys + 1, std::vector<double>(keys, base));
+DesignMatrix one_at_a_time_design(std::size_t keys, double base) {
+  DesignMatrix rows(2 * keys + 1, std::vector<double>(keys, base));
   for (std::size_t key = 0; key < keys; ++key) {
     rows[2 * key + 1][key] = 0;
     rows[2 * key + 2][key] = 1;
@@ -91,13 +91,13 @@ Places one_at_a_time_design(std::size_t keys, double base) {
   return rows;
 }
 
-Places morris_design(std::size_t keys, std::size_t ways, std::uint64_t seed) {
+DesignMatrix morris_design(std::size_t keys, std::size_t trajectories, std::uint64_t seed) {
   constexpr int levels = 4, step = levels / 2;  // (sen.1)
   const auto level = [](int number) { return static_cast<double>(number) / (levels - 1); };
-  Places rows;
-  rows.reserve(ways * (keys + 1));
-  for (std::size_t way = 0; way < ways; ++way) {
-    Random random = stream(seed, way_stream, way);
+  DesignMatrix rows;
+  rows.reserve(trajectories * (keys + 1));
+  for (std::size_t trajectory = 0; trajectory < trajectories; ++trajectory) {
+    Random random = stream(seed, trajectory_stream, trajectory);
     std::vector<int> at(keys);
     for (int& number : at) number = static_cast<int>(below(levels, random));
     const auto add = [&] {
@@ -113,7 +113,7 @@ Places morris_design(std::size_t keys, std::size_t ways, std::uint64_t seed) {
   return rows;
 }
 
-Places saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed) {
+DesignMatrix saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed) {
   Sobol sequence(2 * keys);
   // The plain sequence begins with rows whose halves are alike, which would tell nothing.
   std::vector<std::uint64_t> shift(2 * keys);
@@ -121,7 +121,7 @@ Places saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed) {
     Random random = stream(seed, shift_stream, i);
     shift[i] = static_cast<std::uint64_t>(random.uniform() * 0x1p53) << 11U;
   }
-  Places rows;
+  DesignMatrix rows;
   rows.reserve(base * (keys + 2));
   for (std::size_t group = 0; group < base; ++group) {
     // The corner belongs to the sequence: with it 2^m rows are a net.
@@ -129,8 +129,8 @@ Places saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed) {
         group == 0 ? std::vector<std::uint64_t>(2 * keys) : sequence.next();
     std::vector<double> a, b;
     for (std::size_t i = 0; i < keys; ++i) {
-      a.push_back(place(digits[i] ^ shift[i]));
-      b.push_back(place(digits[keys + i] ^ shift[keys + i]));
+      a.push_back(unit_interval(digits[i] ^ shift[i]));
+      b.push_back(unit_interval(digits[keys + i] ^ shift[keys + i]));
     }
     rows.push_back(a);
     for (std::size_t i = 0; i < keys; ++i) {

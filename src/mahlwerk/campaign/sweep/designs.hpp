@@ -11,28 +11,29 @@ namespace mahlwerk::campaign {
 
 /// By row and key: a place in the key's range, 0 to 1 from end to end. The same input gives the
 /// same rows.
-using Places = std::vector<std::vector<double>>;
+using DesignMatrix = std::vector<std::vector<double>>;
 
 /// Each key's range is cut into `samples` equal parts, and each part is met once (McKay 1979).
-Places latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_t seed);
+DesignMatrix latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_t seed);
 
 /// The sequence of Sobol' (1967) with the numbers of Joe and Kuo (2008), without the corner it
 /// begins with. Even whatever `samples` is, most so for one less than a power of 2. More samples
 /// begin with the same rows. At most 3667 keys, else std::invalid_argument.
-Places sobol_points(std::size_t keys, std::size_t samples);
+DesignMatrix sobol_points(std::size_t keys, std::size_t samples);
 
 /// First a row with all keys at `base`, then two for each key: it alone at 0, then at 1. With a
 /// base of NaN, which stands for what the case says, a key is only moved by its own rows.
-Places one_at_a_time_design(std::size_t keys, double base = 0.5);
+DesignMatrix one_at_a_time_design(std::size_t keys, double base = 0.5);
 
-/// `ways` ways of keys + 1 rows each through a grid of four levels. From row to row one key moves,
-/// by two thirds of its range (Morris 1991, sen.1). More ways begin with the same rows.
-Places morris_design(std::size_t keys, std::size_t ways, std::uint64_t seed);
+/// `trajectories` trajectories of keys + 1 rows each through a grid of four levels. From row to row
+/// one key moves, by two thirds of its range (Morris 1991, sen.1). More ways begin with the same
+/// rows.
+DesignMatrix morris_design(std::size_t keys, std::size_t trajectories, std::uint64_t seed);
 
 /// `base` groups of keys + 2 rows each: a, then a with one key after the other taken from b, then
 /// b (Saltelli 2010, sen.6); a and b are the halves of a row of Sobol's sequence, shifted at random
 /// digit by digit, which keeps it even, most so for a `base` that is a power of 2. More groups
 /// begin with the same rows. At most 1833 keys, else std::invalid_argument.
-Places saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed = 1);
+DesignMatrix saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed = 1);
 
 }  // namespace mahlwerk::campaign

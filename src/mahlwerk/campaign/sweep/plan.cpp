@@ -21,7 +21,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 /// Keys whose values are whole numbers.
-bool counts(std::string_view key) {
+bool is_count(std::string_view key) {
   static const std::set<std::string_view> names{
       "count",   "replicates", "cycles", "classes",     "classes_per_octave",
       "lifters", "arms",       "sample", "jars_carried"};
@@ -82,7 +82,7 @@ void check_size(const cases::Sweep& sweep) {
 }
 
 /// Places in the ranges; NaN where a key stays as the case has it.
-Places rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
+DesignMatrix rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
   const std::size_t keys = sweep.keys.size();
   const auto samples = static_cast<std::size_t>(sweep.samples);
   switch (sweep.design) {
@@ -107,7 +107,7 @@ std::string value_in_range(const cases::SweptKey& range, double place, int digit
   const Ends ends = ends_of(range);
   double value = range.logarithmic ? ends.from * std::pow(ends.to / ends.from, place)
                                    : std::lerp(ends.from, ends.to, place);
-  if (counts(range.key)) value = std::round(value);
+  if (is_count(range.key)) value = std::round(value);
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                  std::chars_format::general, digits);
@@ -118,13 +118,13 @@ std::string value_in_range(const cases::SweptKey& range, double place, int digit
 Plan::Plan(const cases::Sweep& sweep, std::uint64_t seed) {
   for (const cases::SweptKey& key : sweep.keys) keys_.push_back(key.key);
   for (const std::vector<std::string>& group : sweep.together)
-    follow_.insert(follow_.end(), group.begin() + 1, group.end());
+    following_keys_.insert(following_keys_.end(), group.begin() + 1, group.end());
   if (sweep.design != cases::Design::grid && !keys_.empty()) {
     ranges_ = sweep.keys;
     for (const cases::SweptKey& range : ranges_) ends_of(range);  // that it is one
     check_size(sweep);
-    rows_ = rows_of(sweep, seed);
-    size_ = rows_.size();
+    design_ = rows_of(sweep, seed);
+    size_ = design_.size();
     return;
   }
   for (const cases::SweptKey& key : sweep.keys) lists_.push_back(list_of(key));
@@ -154,9 +154,9 @@ void Plan::make_groups(const cases::Sweep& sweep) {
 
 std::vector<std::string> Plan::values(std::size_t point) const {
   std::vector<std::string> values(keys_.size());
-  if (!rows_.empty()) {
+  if (!design_.empty()) {
     for (std::size_t k = 0; k < keys_.size(); ++k)
-      if (const double place = rows_[point][k]; !std::isnan(place))
+      if (const double place = design_[point][k]; !std::isnan(place))
         values[k] = value_in_range(ranges_[k], place);
     return values;
   }
@@ -172,19 +172,19 @@ std::vector<cases::Override> Plan::overrides(std::size_t point) const {
   std::vector<cases::Override> list;
   const std::vector<std::string> said = values(point);
   for (std::size_t k = 0; k < said.size(); ++k)
-    if (!said[k].empty()) list.push_back({keys_[k], said[k], cases::Giver::sweep});
+    if (!said[k].empty()) list.push_back({keys_[k], said[k], cases::ValueSource::sweep});
   return list;
 }
 
-std::vector<std::string> said(const Plan& plan, std::size_t point,
-                              const std::vector<std::string>& own) {
+std::vector<std::string> point_values(const Plan& plan, std::size_t point,
+                                      const std::vector<std::string>& own) {
   std::vector<std::string> values = plan.values(point);
   for (std::size_t k = 0; k < values.size(); ++k)
     if (values[k].empty()) values[k] = own[k];
   return values;
 }
 
-std::vector<std::string> own_values(const Plan& plan, const cases::Case& what) {
+std::vector<std::string> base_values(const Plan& plan, const cases::Case& what) {
   std::vector<std::string> own;
   for (const std::string& key : plan.keys()) {
     const auto origin = std::ranges::find(what.origins, key, &cases::Origin::key);

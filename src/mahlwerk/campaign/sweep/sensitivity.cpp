@@ -24,11 +24,11 @@ int count_failed(const std::vector<double>& outcomes) {
       std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
 }
 
-Sure around(double value, double half) {
+IntervalEstimate around(double value, double half) {
   return {value, value - half, value + half};
 }
 
-Sure mean_of(const std::vector<double>& values) {
+IntervalEstimate mean_of(const std::vector<double>& values) {
   if (values.empty()) return {unknown, unknown, unknown};
   const observe::Estimate e = observe::estimate(values);
   return around(e.mean, e.ci95);
@@ -40,7 +40,7 @@ double deviation(double sum, double squares, double count) {
 }
 
 /// Its error from how much it changes as one value after the other is left out (Quenouille 1956).
-Sure spread_of(const std::vector<double>& values) {
+IntervalEstimate deviation_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return {unknown, unknown, unknown};
   double mean = 0, squares = 0;
@@ -65,11 +65,11 @@ std::optional<bool> either(std::optional<bool> one, std::optional<bool> other) {
 }
 
 /// Whether mu* is more than errors make it. Without an interval chance may have made it larger.
-std::optional<bool> told_from(double noise, const Sure& mean_size) {
-  if (mean_size.value <= (std::isfinite(noise) ? noise : 0)) return false;
-  if (!std::isfinite(mean_size.low)) return std::nullopt;
-  if (std::isfinite(noise)) return mean_size.low > noise;
-  return mean_size.low > 0 ? std::nullopt : std::optional(false);
+std::optional<bool> is_significant(double noise, const IntervalEstimate& mean_absolute) {
+  if (mean_absolute.value <= (std::isfinite(noise) ? noise : 0)) return false;
+  if (!std::isfinite(mean_absolute.low)) return std::nullopt;
+  if (std::isfinite(noise)) return mean_absolute.low > noise;
+  return mean_absolute.low > 0 ? std::nullopt : std::optional(false);
 }
 
 /// Steps of a key, as they are met along the ways.
@@ -78,7 +78,7 @@ struct Steps {
   double noise = 0;  // sum of the squares that errors alone would give
 };
 
-std::vector<Steps> steps_of(const Places& design, const std::vector<double>& outcomes,
+std::vector<Steps> steps_of(const DesignMatrix& design, const std::vector<double>& outcomes,
                             const std::vector<double>& errors) {
   const std::size_t keys = design.empty() ? 0 : design.front().size();
   std::vector<Steps> steps(keys);
@@ -140,24 +140,25 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
     found.keys.push_back(
         {.at_low = at(row),
          .at_high = at(row + 1),
-         .told = either(differs(row), differs(row + 1)),
-         .idle = outcomes[row] == outcomes[0] && outcomes[row + 1] == outcomes[0]});
+         .significant = either(differs(row), differs(row + 1)),
+         .inactive = outcomes[row] == outcomes[0] && outcomes[row + 1] == outcomes[0]});
   return found;
 }
 
-ElementaryEffects elementary_effects(const Places& design, const std::vector<double>& outcomes,
+ElementaryEffects elementary_effects(const DesignMatrix& design,
+                                     const std::vector<double>& outcomes,
                                      const std::vector<double>& errors) {
   check(design.size(), outcomes, errors);
   ElementaryEffects found{.keys = {}, .failed = count_failed(outcomes)};
   for (const Steps& steps : steps_of(design, outcomes, errors)) {
-    Effects& effects = found.keys.emplace_back();
-    effects.mean_size = mean_of(steps.sizes);  // (sen.3)
+    KeyEffects& effects = found.keys.emplace_back();
+    effects.mean_absolute = mean_of(steps.sizes);  // (sen.3)
     effects.mean = mean_of(steps.effects);
-    effects.spread = spread_of(steps.effects);  // (sen.4)
+    effects.deviation = deviation_of(steps.effects);  // (sen.4)
     effects.of_noise = of_noise(steps);
     effects.count = steps.effects.size();
-    effects.told = told_from(effects.of_noise, effects.mean_size);
-    effects.idle = effects.mean_size.value == 0;
+    effects.significant = is_significant(effects.of_noise, effects.mean_absolute);
+    effects.inactive = effects.mean_absolute.value == 0;
   }
   return found;
 }

@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 
 InputError missing(const CatalogueEntry& entry, std::string_view key) {
   return InputError(
-      Fault{entry.file, fmt::format("{} '{}' gives no {}", entry.room, entry.name, key),
+      Fault{entry.file, fmt::format("{} '{}' gives no {}", entry.category, entry.name, key),
             fmt::format("add [{}] with a value and a source, or remove the check", key),
             "bad-catalogue-file"});
 }

@@ -12,9 +12,9 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// What a room adds to the fields of its motions or shapes.
+/// What a category adds to the fields of its motions or shapes.
 struct Extra {
-  std::string_view room, kind;  // an empty kind stands for all
+  std::string_view category, kind;  // an empty kind stands for all
   std::string_view key, unit;
   Range range;
   std::string_view about;
@@ -86,23 +86,23 @@ std::vector<std::string> names_of(const Register* models) {
 
 }  // namespace
 
-std::vector<std::string> catalogue_kinds(std::string_view room) {
-  if (room == "mills") return names_of(motions);
-  if (room == "jars") return names_of(shapes);
+std::vector<std::string> catalogue_kinds(std::string_view category) {
+  if (category == "mills") return names_of(motions);
+  if (category == "jars") return names_of(shapes);
   return {};
 }
 
-std::vector<CatalogueKey> catalogue_keys(std::string_view room, std::string_view kind) {
+std::vector<CatalogueKey> catalogue_keys(std::string_view category, std::string_view kind) {
   std::vector<CatalogueKey> keys;
-  if (room == "jars") keys = fields_of(shapes, kind);
-  if (room == "mills") {
+  if (category == "jars") keys = fields_of(shapes, kind);
+  if (category == "mills") {
     for (const CatalogueKey& field : fields_of(motions, kind)) {
       keys.push_back(field);
       add_range(keys, field);
     }
   }
   for (const Extra& extra : extras) {
-    if (extra.room == room && (extra.kind.empty() || extra.kind == kind))
+    if (extra.category == category && (extra.kind.empty() || extra.kind == kind))
       keys.push_back({std::string(extra.key), extra.unit, extra.range, std::string(extra.about)});
   }
   return keys;

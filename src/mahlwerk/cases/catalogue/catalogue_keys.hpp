@@ -14,7 +14,7 @@ namespace mahlwerk::cases {
 /// The unit of a value that is no number but the name of an entry in materials.
 constexpr std::string_view a_material = "name of a material";
 
-/// One value a file of some room and kind may give.
+/// One value a file of some category and kind may give.
 struct CatalogueKey {
   std::string key;
   std::string_view unit;  ///< as in Field, or `a_material`
@@ -22,14 +22,14 @@ struct CatalogueKey {
   std::string about;
 };
 
-/// Names a file of this room may give as `kind`: motions for mills, shapes for jars, none
+/// Names a file of this category may give as `kind`: motions for mills, shapes for jars, none
 /// otherwise.
-std::vector<std::string> catalogue_kinds(std::string_view room);
+std::vector<std::string> catalogue_kinds(std::string_view category);
 
 /// Every value an entry may give. For a mill the fields of its motion, each also with _least and
-/// _most, the range the machine offers; for a jar the fields of its shape; and what the room adds
-/// to them.
-std::vector<CatalogueKey> catalogue_keys(std::string_view room, std::string_view kind);
+/// _most, the range the machine offers; for a jar the fields of its shape; and what the category
+/// adds to them.
+std::vector<CatalogueKey> catalogue_keys(std::string_view category, std::string_view kind);
 
 /// The number a value's text stands for, measured in the key's unit; "1:-2" of a speed ratio is -2.
 /// Throws UnitError. Not for names of materials.

@@ -25,7 +25,7 @@ class EntryReader {
     entry_.title = text(top, "title");
     entry_.about = text(top, "about");
     read_kind(top);
-    const auto keys = catalogue_keys(entry_.room, entry_.kind);
+    const auto keys = catalogue_keys(entry_.category, entry_.kind);
     for (const auto& [key, node] : top) read_top(key.str(), node, keys);
     if (entry_.values.empty() && faults_.empty())
       fault(top, "the file gives no value", "add at least one value with its source");
@@ -49,14 +49,14 @@ class EntryReader {
     return {};
   }
 
-  void only(const toml::table& table, const std::vector<std::string>& known) {
+  void check_keys(const toml::table& table, const std::vector<std::string>& known) {
     for (const auto& [key, node] : table)
       if (std::ranges::find(known, key.str()) == known.end())
         fault(node, fmt::format("unknown key '{}'", key.str()), suggestion(key.str(), known));
   }
 
   void read_kind(const toml::table& top) {
-    const auto kinds = catalogue_kinds(entry_.room);
+    const auto kinds = catalogue_kinds(entry_.category);
     if (kinds.empty()) return;  // read_top() refuses a kind where there is none
     entry_.kind = text(top, "kind");
     if (entry_.kind.empty() || std::ranges::find(kinds, entry_.kind) != kinds.end()) return;
@@ -68,8 +68,8 @@ class EntryReader {
   void read_top(std::string_view key, const toml::node& node,
                 const std::vector<CatalogueKey>& keys) {
     if (key == "title" || key == "about") return;
-    if (key == "kind" && !catalogue_kinds(entry_.room).empty()) return;
-    if (key == "jars" && entry_.room == "mills") return read_jars(node);
+    if (key == "kind" && !catalogue_kinds(entry_.category).empty()) return;
+    if (key == "jars" && entry_.category == "mills") return read_jars(node);
     if (key == "check") return read_checks(node);
     const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
     if (known != keys.end()) return read_value(*known, node);
@@ -84,7 +84,7 @@ class EntryReader {
     if (!table)
       return fault(node, fmt::format("{} has no source", key.key),
                    fmt::format("write [{}] with value = \"...\" and source = \"...\"", key.key));
-    only(*table, {"value", "source", "confidence"});
+    check_keys(*table, {"value", "source", "confidence"});
     CatalogueValue value{text(*table, "value"), text(*table, "source"), false};
     if (table->contains("confidence")) {
       value.unverified = text(*table, "confidence") == "unverified";
@@ -126,7 +126,7 @@ class EntryReader {
   }
 
   void read_check(const toml::table& table) {
-    only(table, {"quantity", "equals", "within", "source"});
+    check_keys(table, {"quantity", "equals", "within", "source"});
     CatalogueCheck check{text(table, "quantity"), 0, 0, text(table, "source")};
     std::vector<std::string> known;
     for (const CheckQuantity& q : check_quantities()) known.emplace_back(q.name);
@@ -178,15 +178,15 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  const std::string near = nearest(word, known);
+  const std::string near = nearest_name(word, known);
   if (!near.empty()) return fmt::format("did you mean '{}'?", near);
   return known.empty() ? "remove it" : "one of: " + joined(known, ", ");
 }
 
-CatalogueEntry read_entry(std::string_view text, std::string_view room, std::string_view name,
+CatalogueEntry read_entry(std::string_view text, std::string_view category, std::string_view name,
                           std::string_view file) {
   CatalogueEntry entry;
-  entry.room = room;
+  entry.category = category;
   entry.name = name;
   entry.file = file;
   EntryReader(entry).read(parsed(text, file));

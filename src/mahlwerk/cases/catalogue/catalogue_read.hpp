@@ -12,7 +12,7 @@ namespace mahlwerk::cases {
 
 /// Reads the text of a catalogue file. `file` is the name faults cite. Throws InputError with every
 /// fault: unknown keys, values without a source, values that are not what their key asks for.
-CatalogueEntry read_entry(std::string_view text, std::string_view room, std::string_view name,
+CatalogueEntry read_entry(std::string_view text, std::string_view category, std::string_view name,
                           std::string_view file);
 
 /// The words with `between` between them.

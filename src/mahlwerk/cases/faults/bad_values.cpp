@@ -24,23 +24,23 @@ class ValueCheck : public CaseVisitor {
   void section(std::string_view name, std::size_t number = 0) override {
     prefix_ = number > 0 ? fmt::format("{}.{}.", name, number) : fmt::format("{}.", name);
   }
-  void number(const Wanted& wanted, double& value) override {
-    if (!std::isfinite(value) || !wanted.range.holds(value))
-      fault(wanted.key, "{} = {} is out of range", show(value, wanted.unit));
+  void number(const NumberSpec& spec, double& value) override {
+    if (!std::isfinite(value) || !spec.range.holds(value))
+      fault(spec.key, "{} = {} is out of range", show(value, spec.unit));
   }
-  void maybe(const Wanted& wanted, std::optional<double>& value) override {
-    if (value) number(wanted, *value);
+  void optional_number(const NumberSpec& spec, std::optional<double>& value) override {
+    if (value) number(spec, *value);
   }
-  void whole(const Whole& wanted, std::int64_t& n) override {
-    if (n < wanted.least || n > wanted.most)
-      fault(wanted.key, "{} = {} must be from {} to {}", n, wanted.least, wanted.most);
+  void integer(const IntegerSpec& spec, std::int64_t& n) override {
+    if (n < spec.least || n > spec.most)
+      fault(spec.key, "{} = {} must be from {} to {}", n, spec.least, spec.most);
   }
   bool visits_all() override { return true; }
   void flag(const Flag&, bool&) override {}
   void text(std::string_view, std::string&) override {}
-  bool choose(const Choice& choice, std::size_t& place) override {
-    const bool sound = place < choice.words.size();
-    if (!sound) fault(choice.key, "{} must be {}", listed(choice.words));
+  bool choose(const Choice& choice, std::size_t& word_index) override {
+    const bool sound = word_index < choice.words.size();
+    if (!sound) fault(choice.key, "{} must be {}", quoted_list(choice.words));
     return sound;
   }
   void custom(const CustomKey& key, const std::function<std::string()>&) override {
@@ -51,7 +51,7 @@ class ValueCheck : public CaseVisitor {
   void fault(std::string_view key, fmt::format_string<const std::string&, const Values&...> what,
              const Values&... values) {
     const std::string dotted = prefix_ + std::string(key);
-    found.push_back({place_of(c_, dotted), fmt::format(what, dotted, values...),
+    found.push_back({location_of(c_, dotted), fmt::format(what, dotted, values...),
                      "see docs/cases.md for the values of a case", "out-of-range"});
   }
 
@@ -68,7 +68,7 @@ void check_classes(ValueCheck& check, BallSet& set) {
   std::int64_t count = 0;
   for (SizeClass& size : set.classes) {
     check.number({"diameter", "m", positive, ""}, size.diameter);
-    check.whole({"count", 1, most_balls, ""}, size.count);
+    check.integer({"count", 1, most_balls, ""}, size.count);
     count += size.count;
   }
   if (count != set.count)

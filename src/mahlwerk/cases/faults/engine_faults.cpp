@@ -17,7 +17,7 @@ std::vector<Fault> soft_faults(const Case& c) {
   const auto check = [&](const std::string& section, const contact::Restitution& e) {
     if (e.law() == contact::Restitution::Law::constant) return;
     found.push_back(
-        {place_of(c, section + "restitution_law"),
+        {location_of(c, section + "restitution_law"),
          fmt::format("restitution_law = \"{}\": the soft engine takes one restitution for all "
                      "speeds",
                      restitution_laws()[static_cast<std::size_t>(e.law())]),
@@ -34,26 +34,26 @@ std::vector<Fault> soft_faults(const Case& c) {
 
 std::vector<Fault> event_faults(const Case& c) {
   if (!geometry::exact_touches(*c.jar.shape))
-    return {{place_of(c, "run.engine"),
+    return {{location_of(c, "run.engine"),
              fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
                          "times of touch from a formula",
                          geometry::name_of(*c.jar.shape)),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
   if (c.run.engine == EngineName::event && fits_exactly(c))
     return {
-        {place_of(c, "run.engine"),
+        {location_of(c, "run.engine"),
          "two balls fit exactly across the jar: hard spheres would be wedged there without any "
          "room to bounce",
          "write engine = \"soft\" or \"auto\", or change the diameter of a ball by a thousandth",
          "exact-fit"}};
-  if (c.contact.lasting != Lasting::roll) return {};
+  if (c.contact.lasting != SustainedContactModel::roll) return {};
   const std::int64_t count = balls_count(c.balls);
   if (count > 1)
-    return {{place_of(c, "contact.lasting"),
+    return {{location_of(c, "contact.lasting"),
              fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
              "write lasting = \"tc\"", "roll-one-ball"}};
   if (c.contact.model.rolling == contact::Rolling::viscous)
-    return {{place_of(c, "contact.rolling"),
+    return {{location_of(c, "contact.rolling"),
              "rolling = \"viscous\" is for the soft engine: in the event engine the resistance is "
              "the same at every speed",
              "write rolling = \"cdt\" with a rolling_friction without unit", "viscous-rolling"}};

@@ -42,7 +42,7 @@ void balls_too_large(const Case& c, std::vector<Fault>& found) {
     if (c.balls[i].count < 1) continue;  // reported elsewhere
     const double ball = largest_ball({c.balls[i]});
     if (!(ball >= jar * (1 - room))) continue;
-    found.push_back({place_of(c, c.balls[i].grains ? "powder.grain_size" : size_key(c, i)),
+    found.push_back({location_of(c, c.balls[i].grains ? "powder.grain_size" : size_key(c, i)),
                      fmt::format("the ball ({}) is larger than the jar ({}): it cannot move",
                                  show(ball, "m"), show_rounded(jar, "m")),
                      "give a smaller ball or a larger jar", "ball-too-large"});
@@ -55,7 +55,7 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
   const double most = 0.5 * std::min(jar->diameter, jar->height);
   if (!(jar->fillet > most)) return;
   found.push_back(
-      {place_of(c, "jar.fillet"),
+      {location_of(c, "jar.fillet"),
        fmt::format("the fillet ({}) is larger than half the jar's diameter or height ({})",
                    show(jar->fillet, "m"), show_rounded(most, "m")),
        "give a smaller fillet; a jar that is all fillet is a capsule or a sphere",
@@ -67,7 +67,7 @@ void impossible_jar(const Case& c, std::vector<Fault>& found) {
   if (std::isnan(geometry::volume(*c.jar.shape))) return;  // a size was no good: said already
   const std::string flaw = geometry::flaw(*c.jar.shape);
   if (flaw.empty()) return;
-  found.push_back({place_of(c, "jar.kind"),
+  found.push_back({location_of(c, "jar.kind"),
                    fmt::format("there is no such {}: {}", geometry::name_of(*c.jar.shape), flaw),
                    "see docs/theory/geometry.md for what the sizes mean", "impossible-jar"});
 }
@@ -77,7 +77,7 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
   const auto* box = geometry::as<geometry::PeriodicBox>(*c.jar.shape);
   if (box == nullptr) return;
   const auto fault = [&](const char* key, const char* what, const char* remedy) {
-    found.push_back({place_of(c, key), what, remedy, "periodic-box"});
+    found.push_back({location_of(c, key), what, remedy, "periodic-box"});
   };
   if (kinematics::as<kinematics::Still>(*c.mill.motion) == nullptr)
     fault("mill.kind", "a periodic box has no walls that a mill could move",
@@ -107,7 +107,7 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
   const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
   if (!(volume > most * jar)) return;
   found.push_back(
-      {place_of(c, "balls.1.count"),
+      {location_of(c, "balls.1.count"),
        fmt::format("the balls ({}) fill more than {} % of the jar ({}), the densest packing",
                    show_rounded(volume, "m3"), show_rounded(100 * most, ""),
                    show_rounded(jar, "m3")),
@@ -115,13 +115,13 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
 }
 
 /// A wall faster than any material bears: a slip of a unit.
-void absurd_speed(const Case& c, std::vector<Fault>& found) {
+void wall_too_fast(const Case& c, std::vector<Fault>& found) {
   constexpr double most = 1000;  // [m/s]
   const kinematics::Bounds bounds = kinematics::bounds(*c.mill.motion);
   const double reach = geometry::reach(*c.jar.shape);
   const double speed = bounds.speed + bounds.spin * reach;
   if (!(speed > most)) return;
-  found.push_back({place_of(c, "mill.kind"),
+  found.push_back({location_of(c, "mill.kind"),
                    fmt::format("the jar's wall would move at up to {}, more than {} m/s",
                                show_rounded(speed, "m/s"), most),
                    "check the units of the mill's numbers", "absurd-speed"});
@@ -130,7 +130,7 @@ void absurd_speed(const Case& c, std::vector<Fault>& found) {
 /// Each two have rules and statistics of their own.
 void too_many_sets(const Case& c, std::vector<Fault>& found) {
   if (c.balls.size() <= most_sets) return;
-  found.push_back({place_of(c, "balls"),
+  found.push_back({location_of(c, "balls"),
                    fmt::format("there are {} ball sets, more than {}", c.balls.size(), most_sets),
                    "let sets differ by material or rules only: one set may have a distribution of "
                    "sizes",
@@ -144,7 +144,7 @@ void too_many_frames(const Case& c, std::vector<Fault>& found) {
   const double each = frame_bytes(c), size = count * each;
   if (!(count > most_frames) && !(size > largest_frames)) return;
   const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames);
-  found.push_back({place_of(c, "observe.frames"),
+  found.push_back({location_of(c, "observe.frames"),
                    fmt::format("a frame every {} makes {:.2g} frames and about {:.2g} GB for each "
                                "replicate, more than {:.0g} frames or {:.0f} GB",
                                show_rounded(*c.observe.frames, "s"), count, size / 1e9, most_frames,
@@ -156,23 +156,23 @@ void too_many_frames(const Case& c, std::vector<Fault>& found) {
 
 /// Names that mean nobody, and pairs that never meet. Silent where the jar or its balls could not
 /// be read.
-void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
+void unmatched_pairs(const Case& c, std::vector<Fault>& found) {
   if (c.balls.empty() || std::isnan(jar_volume(c.jar))) return;
-  const std::vector<std::string> known = party_names(c);
+  const std::vector<std::string> known = pair_selector_names(c);
   for (std::size_t i = 0; i < c.contact.pairs.size(); ++i) {
     const auto& [one, other] = c.contact.pairs[i].between;
     if (one.empty() && other.empty()) continue;  // reported where it was read
-    const std::string place = place_of(c, fmt::format("contact.pairs.{}.between", i + 1));
-    const Party a = party(one, c), b = party(other, c);
+    const std::string place = location_of(c, fmt::format("contact.pairs.{}.between", i + 1));
+    const PairSelector a = pair_selector(one, c), b = pair_selector(other, c);
     for (const auto& [name, who] : {std::pair{&one, &a}, std::pair{&other, &b}}) {
-      if (!who->nobody()) continue;
+      if (!who->empty()) continue;
       const std::string near = nearest_word(*name, known);
       found.push_back({place, fmt::format("nothing in the case is called \"{}\"", *name),
                        (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) +
-                           fmt::format("known: {}", listed(known)),
+                           fmt::format("known: {}", quoted_list(known)),
                        "unknown-name"});
     }
-    if (!a.nobody() && !b.nobody() && a.kinds.empty() && b.kinds.empty())
+    if (!a.empty() && !b.empty() && a.kinds.empty() && b.kinds.empty())
       found.push_back({place, fmt::format("\"{}\" and \"{}\" are both the jar", one, other),
                        "name balls as one of the two", "no-such-pair"});
   }
@@ -180,7 +180,7 @@ void pairs_of_nobody(const Case& c, std::vector<Fault>& found) {
 
 }  // namespace
 
-std::string place_of(const Case& c, const std::string& key) {
+std::string location_of(const Case& c, const std::string& key) {
   const auto origin = std::ranges::find(c.origins, key, &Origin::key);
   if (origin == c.origins.end() || origin->source.starts_with("default: ")) return key;
   const std::string place = origin->source.substr(0, origin->source.find(": "));
@@ -189,9 +189,9 @@ std::string place_of(const Case& c, const std::string& key) {
                                                         : place;
 }
 
-std::vector<Fault> misfits(const Case& c) {
+std::vector<Fault> inconsistencies(const Case& c) {
   std::vector<Fault> found;
-  pairs_of_nobody(c, found);
+  unmatched_pairs(c, found);
   const std::size_t so_far = found.size();
   balls_too_large(c, found);
   fillet_too_large(c, found);
@@ -199,8 +199,8 @@ std::vector<Fault> misfits(const Case& c) {
   periodic_box_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_powder(c, found);
-  if (found.size() == so_far) bad_places(c, found);
-  if (found.size() == so_far) absurd_speed(c, found);
+  if (found.size() == so_far) bad_positions(c, found);
+  if (found.size() == so_far) wall_too_fast(c, found);
   too_many_sets(c, found);
   too_many_frames(c, found);
   bad_grinding(c, found);
@@ -209,7 +209,7 @@ std::vector<Fault> misfits(const Case& c) {
 
 std::vector<Fault> faults(const Case& c) {
   std::vector<Fault> found = bad_values(c);
-  std::ranges::move(misfits(c), std::back_inserter(found));
+  std::ranges::move(inconsistencies(c), std::back_inserter(found));
   return found;
 }
 

@@ -12,14 +12,14 @@ namespace mahlwerk::cases {
 
 /// Values out of range, for a case that no reader has seen.
 std::vector<Fault> bad_values(const Case& c);
-/// Faults of parts that were read but do not go together; silent about what is `unread`.
-std::vector<Fault> misfits(const Case& c);
+/// Faults of parts that were read but do not go together; silent about what is `invalid_value`.
+std::vector<Fault> inconsistencies(const Case& c);
 
-// Within misfits().
+// Within inconsistencies().
 
 /// Given starting places outside the jar, in its wall or in each other. For parts that fit
 /// otherwise.
-void bad_places(const Case& c, std::vector<Fault>& found);
+void bad_positions(const Case& c, std::vector<Fault>& found);
 /// Of the powder and the sections of grinding.
 void bad_powder(const Case& c, std::vector<Fault>& found);
 void bad_grinding(const Case& c, std::vector<Fault>& found);

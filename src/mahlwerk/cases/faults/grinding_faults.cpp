@@ -28,7 +28,7 @@ class GrindingCheck {
 
  private:
   void fault(const std::string& key, std::string what, std::string remedy, std::string code) {
-    found_.push_back({place_of(c_, key), std::move(what), std::move(remedy), std::move(code)});
+    found_.push_back({location_of(c_, key), std::move(what), std::move(remedy), std::move(code)});
   }
 
   void capture() {
@@ -51,7 +51,7 @@ class GrindingCheck {
             "leave out `as`: collisions of the balls then tell what is caught",
             "grains-and-capture");
     const auto* barrios = std::get_if<powder::Barrios>(&*c_.capture->model);
-    const bool known = c_.grinding && powder::knows_strength(*c_.grinding->breakage);
+    const bool known = c_.grinding && powder::has_median_strength(*c_.grinding->breakage);
     if (barrios != nullptr && barrios->fracture_energy == 0 && !known)
       fault("capture.fracture_energy",
             "capture.fracture_energy = 0 leaves it to [breakage], which knows none",
@@ -77,14 +77,14 @@ class GrindingCheck {
         [](const auto& m) {
           bool read = true;
           for (const auto& field : m.fields()) read = read && !std::isnan(m.*field.value);
-          return std::pair{m.tells_fineness || !read, m.name};
+          return std::pair{m.predicts_t10 || !read, m.name};
         },
         *g.breakage);
     if (t10 != nullptr && t10->t10 == 0 && !told)
       fault("fragments.model",
             fmt::format("[fragments] lacks `t10`, and [breakage] model = \"{}\" tells none", name),
             "write t10 = 0.3 or so, or choose \"shi-kojovic\" or \"tavares\"", "missing-value");
-    const bool remembers = powder::remembers(*g.breakage);
+    const bool remembers = powder::tracks_strength(*g.breakage);
     if (remembers && g.bed == powder::Bed::mixed && g.method != Grinding::Method::statistical)
       fault(
           "grinding.bed",
@@ -112,7 +112,7 @@ class GrindingCheck {
             "out-of-range");
       return;
     }
-    const bool remembers = powder::remembers(*g.breakage);
+    const bool remembers = powder::tracks_strength(*g.breakage);
     const double most = remembers ? most_remembering_classes : most_size_classes;
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);
@@ -150,7 +150,7 @@ void bad_powder(const Case& c, std::vector<Fault>& found) {
   const double jar = jar_volume(c.jar);
   if (!(powder + balls > jar)) return;
   found.push_back(
-      {place_of(c, "powder.mass"),
+      {location_of(c, "powder.mass"),
        fmt::format("the powder's solid ({}) and the balls ({}) are more than the jar "
                    "holds ({})",
                    show_rounded(powder, "m3"), show_rounded(balls, "m3"), show_rounded(jar, "m3")),

@@ -19,7 +19,7 @@
 namespace mahlwerk::cases {
 
 /// A number a section may or must give; a Field without the place where it lives.
-struct Wanted {
+struct NumberSpec {
   std::string_view key, unit;
   Range range;
   std::string_view about;
@@ -27,11 +27,11 @@ struct Wanted {
   std::string_view source = "";
   std::string_view instead = "";  ///< another key that would do as well
 
-  constexpr Wanted(std::string_view k, std::string_view u, Range r, std::string_view a,
-                   std::optional<double> s = std::nullopt, std::string_view from = "")
+  constexpr NumberSpec(std::string_view k, std::string_view u, Range r, std::string_view a,
+                       std::optional<double> s = std::nullopt, std::string_view from = "")
       : key(k), unit(u), range(r), about(a), standard(s), source(from) {}
   template <class Model>
-  constexpr explicit Wanted(const Field<Model>& f)
+  constexpr explicit NumberSpec(const Field<Model>& f)
       : key(f.key),
         unit(f.unit),
         range(f.range),
@@ -39,8 +39,8 @@ struct Wanted {
         standard(f.standard),
         source(f.source) {}
 
-  Wanted with_default(double value, std::string_view from) const {
-    Wanted made = *this;
+  NumberSpec with_default(double value, std::string_view from) const {
+    NumberSpec made = *this;
     made.standard = value;
     made.source = from;
     return made;
@@ -56,7 +56,7 @@ struct Choice {
 };
 
 /// A whole number a section may or must give.
-struct Whole {
+struct IntegerSpec {
   std::string_view key;
   std::int64_t least, most;
   std::string_view about;
@@ -77,30 +77,30 @@ struct CustomKey {
   bool sound = true;  ///< whether the value makes sense
 };
 
-class Section;
+class SectionReader;
 
 /// Visits the keys of a section, which a function `describe` of the section names one by one, each
-/// with its value. Section reads them, Writer writes them, ValueCheck looks for values out of
+/// with its value. SectionReader reads them, Writer writes them, ValueCheck looks for values out of
 /// range, KeyList lists the keys.
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
 
-  virtual void number(const Wanted& wanted, double& value) = 0;
-  virtual void maybe(const Wanted& wanted, std::optional<double>& value) = 0;
-  virtual void whole(const Whole& wanted, std::int64_t& value) = 0;
+  virtual void number(const NumberSpec& spec, double& value) = 0;
+  virtual void optional_number(const NumberSpec& spec, std::optional<double>& value) = 0;
+  virtual void integer(const IntegerSpec& spec, std::int64_t& value) = 0;
   virtual void flag(const Flag& flag, bool& value) = 0;
   virtual void text(std::string_view key, std::string& value) = 0;  ///< empty: left out
-  /// `place` is that of the word; false after a fault, the first then.
-  virtual bool choose(const Choice& choice, std::size_t& place) = 0;
+  /// `word_index` is that of the word; false after a fault, the first then.
+  virtual bool choose(const Choice& choice, std::size_t& word_index) = 0;
   /// `text` is how it is written. Its own function reads it.
   virtual void custom(const CustomKey& key, const std::function<std::string()>& text) = 0;
   /// A number that may be given in place of others, where they are read.
-  virtual void alternative(const Wanted&) {}
+  virtual void alternative(const NumberSpec&) {}
 
   /// The section, where it is read: some values are found in more ways than they are written. Null
   /// for other visitors.
-  virtual Section* reading() { return nullptr; }
+  virtual SectionReader* reader() { return nullptr; }
   /// Whether the section is read and says something under `key`.
   virtual bool gives(std::string_view) { return false; }
   /// Whether keys are asked for, too, that say nothing under the values there are.
@@ -113,22 +113,22 @@ class KeyVisitor {
 
   template <class Model, class Fields>
   void fields(Model& model, const Fields& all) {
-    for (const auto& f : all) number(Wanted(f), model.*f.value);
+    for (const auto& f : all) number(NumberSpec(f), model.*f.value);
   }
   /// A word by its place in an enum; false after a fault.
   template <class Enum>
   bool word(const Choice& choice, Enum& value) {
-    auto place = static_cast<std::size_t>(value);
-    const bool sound = choose(choice, place);
-    value = static_cast<Enum>(place);
+    auto word_index = static_cast<std::size_t>(value);
+    const bool sound = choose(choice, word_index);
+    value = static_cast<Enum>(word_index);
     return sound;
   }
   /// The same of a value that is the word itself.
   void word_text(const Choice& choice, std::string& value) {
-    auto place =
+    auto word_index =
         static_cast<std::size_t>(std::ranges::find(choice.words, value) - choice.words.begin());
-    choose(choice, place);
-    if (place < choice.words.size()) value = choice.words[place];
+    choose(choice, word_index);
+    if (word_index < choice.words.size()) value = choice.words[word_index];
   }
   /// One of a register, by its name, with its default numbers where it is read; false after a
   /// fault, `any` is then as it was.
@@ -136,9 +136,9 @@ class KeyVisitor {
   bool model(std::string_view key, std::variant<Models...>& any, std::string standard = "",
              std::string_view source = "") {
     const auto names = model_names(std::type_identity<std::variant<Models...>>{});
-    std::size_t place = any.index();
-    if (!choose({key, names, std::move(standard), source}, place)) return false;
-    if (reading() != nullptr || place != any.index()) choose_model(any, names[place]);
+    std::size_t word_index = any.index();
+    if (!choose({key, names, std::move(standard), source}, word_index)) return false;
+    if (reader() != nullptr || word_index != any.index()) choose_model(any, names[word_index]);
     return true;
   }
 };

@@ -74,7 +74,7 @@ void fill(Node& node, const toml::node& from, const std::string& file) {
     node.text = text->get();
   } else if (const auto* integer = from.as_integer()) {
     node.kind = Node::Kind::number;
-    node.whole = true;
+    node.is_integer = true;
     node.number = static_cast<double>(integer->get());
     node.text = std::to_string(integer->get());
   } else if (const auto* real = from.as_floating_point()) {
@@ -88,10 +88,10 @@ void fill(Node& node, const toml::node& from, const std::string& file) {
   }
 }
 
-void set_place(Node& node, const std::string& where, Rank rank) {
+void set_place(Node& node, const std::string& where, Precedence precedence) {
   node.where = node.source = where;
-  node.rank = rank;
-  for (Node& item : node.items) set_place(item, where, rank);
+  node.precedence = precedence;
+  for (Node& item : node.items) set_place(item, where, precedence);
 }
 
 /// The parts between the dots; a quoted TOML key has none inside, so plain cutting will do.
@@ -187,7 +187,7 @@ Node parse_tree(std::string_view text, const std::string& file) {
   return root;
 }
 
-Node loose_value(std::string_view text, const std::string& where, Rank rank) {
+Node value_from_text(std::string_view text, const std::string& where, Precedence precedence) {
   Node node;
   check_depth(text, where);
   try {
@@ -201,7 +201,7 @@ Node loose_value(std::string_view text, const std::string& where, Rank rank) {
   if (node.kind == Node::Kind::other || node.kind == Node::Kind::table) node = {};
   if (node.kind == Node::Kind::other) node.kind = Node::Kind::text;
   if (!in_quotes) node.text = text;
-  set_place(node, where, rank);
+  set_place(node, where, precedence);
   return node;
 }
 
@@ -218,7 +218,7 @@ const Node* value_at(const Node& root, std::string_view key) {
   return table != nullptr && parts.size() == 1 ? table->find(parts.front()) : nullptr;
 }
 
-std::string put(Node& root, std::string_view key, Node value) {
+std::string set_value(Node& root, std::string_view key, Node value) {
   std::vector<std::string_view> parts = key_parts(key);
   if (std::ranges::any_of(parts, &std::string_view::empty))
     return fmt::format("\"{}\" is not a key", key);

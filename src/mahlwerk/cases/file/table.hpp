@@ -13,7 +13,7 @@
 namespace mahlwerk::cases {
 
 /// Who said a value; the later ones win where two exclude each other.
-enum class Rank { catalogue, file, sweep, command };
+enum class Precedence { catalogue, file, sweep, command };
 
 struct Member;
 
@@ -23,19 +23,21 @@ struct Node {
   Kind kind = Kind::other;
   std::string text;             ///< of a text: itself; otherwise the value as one would write it
   double number = 0;            ///< of a number
-  bool whole = false;           ///< the number was written as an integer
+  bool is_integer = false;      ///< the number was written as an integer
   bool boolean = false;         ///< of a boolean
   std::vector<Node> items;      ///< of a list
   std::vector<Member> members;  ///< of a table
 
   std::string where;   ///< the place a fault cites: "case.toml:14"
   std::string source;  ///< the place an origin cites
-  Rank rank = Rank::file;
+  Precedence precedence = Precedence::file;
   bool unverified = false;  ///< its source is weak
 
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);
-  bool loose() const { return rank != Rank::file; }  ///< was text before it was TOML
+  bool given_as_text() const {
+    return precedence != Precedence::file;
+  }  ///< was text before it was TOML
 };
 
 struct Member {
@@ -47,13 +49,13 @@ struct Member {
 Node parse_tree(std::string_view text, const std::string& file);
 
 /// A value given as text outside a file: as TOML if it is a value there, otherwise as it stands.
-Node loose_value(std::string_view text, const std::string& where, Rank rank);
+Node value_from_text(std::string_view text, const std::string& where, Precedence precedence);
 
-/// The value under the dotted `key`, see put(); null if there is none.
+/// The value under the dotted `key`, see set_value(); null if there is none.
 const Node* value_at(const Node& root, std::string_view key);
 
 /// Puts `value` under the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" is
 /// that of the first set). Returns what hinders it, or an empty text.
-std::string put(Node& root, std::string_view key, Node value);
+std::string set_value(Node& root, std::string_view key, Node value);
 
 }  // namespace mahlwerk::cases

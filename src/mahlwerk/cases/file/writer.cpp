@@ -46,16 +46,16 @@ void Writer::plain(std::string_view key, std::string_view value) {
   text_ += fmt::format("{} = {}\n", key, value);
 }
 
-void Writer::number(const Wanted& wanted, double& value) {
-  line(wanted.key, wanted.unit.empty() ? shortest(value) : in_quotes(show(value, wanted.unit)));
+void Writer::number(const NumberSpec& spec, double& value) {
+  line(spec.key, spec.unit.empty() ? shortest(value) : in_quotes(show(value, spec.unit)));
 }
 
 void Writer::text(std::string_view key, std::string& value) {
   if (!value.empty()) line(key, in_quotes(value));
 }
 
-bool Writer::choose(const Choice& choice, std::size_t& place) {
-  if (place < choice.words.size()) line(choice.key, in_quotes(choice.words[place]));
+bool Writer::choose(const Choice& choice, std::size_t& word_index) {
+  if (word_index < choice.words.size()) line(choice.key, in_quotes(choice.words[word_index]));
   return true;
 }
 
@@ -70,7 +70,7 @@ std::string write(const Case& c) {
   return out.text();
 }
 
-std::string contents_of_files(const Case& c) {
+std::string input_files_fingerprint(const Case& c) {
   std::string bytes;
   const auto add = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);

@@ -16,16 +16,16 @@ class Writer : public CaseVisitor {
   explicit Writer(const Case& c) : c_(c) {}
 
   void section(std::string_view name, std::size_t number = 0) override;
-  void number(const Wanted& wanted, double& value) override;
-  void maybe(const Wanted& wanted, std::optional<double>& value) override {
-    if (value) number(wanted, *value);
+  void number(const NumberSpec& spec, double& value) override;
+  void optional_number(const NumberSpec& spec, std::optional<double>& value) override {
+    if (value) number(spec, *value);
   }
-  void whole(const Whole& wanted, std::int64_t& value) override {
-    line(wanted.key, std::to_string(value));
+  void integer(const IntegerSpec& spec, std::int64_t& value) override {
+    line(spec.key, std::to_string(value));
   }
   void flag(const Flag& flag, bool& value) override { line(flag.key, value ? "true" : "false"); }
   void text(std::string_view key, std::string& value) override;
-  bool choose(const Choice& choice, std::size_t& place) override;
+  bool choose(const Choice& choice, std::size_t& word_index) override;
   void custom(const CustomKey& key, const std::function<std::string()>& text) override {
     line(key.key, text());
   }

@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-std::int64_t nearest_count(Section& in, const Node& at, std::string_view key, double share) {
+std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view key, double share) {
   if (std::isnan(share)) return 0;  // reported where it comes from
   const double n = std::max(1.0, std::round(share));
   if (n > static_cast<double>(most_balls)) {
@@ -24,26 +24,28 @@ std::int64_t nearest_count(Section& in, const Node& at, std::string_view key, do
     return 0;
   }
   const auto count = static_cast<std::int64_t>(n);
-  in.note("count", std::to_string(count), &at, fmt::format("nearest to {} = \"{}\"", key, at.text));
+  in.record_origin("count", std::to_string(count), &at,
+                   fmt::format("nearest to {} = \"{}\"", key, at.text));
   return count;
 }
 
-/// One ball's place; nothing after a fault.
-std::optional<Vec3> read_place(Section& in, const Node& row, std::size_t number) {
+/// One ball's position; nothing after a fault.
+std::optional<Vec3> read_position(SectionReader& in, const Node& row, std::size_t number) {
   if (row.kind != Node::Kind::list || row.items.size() != 3) {
     in.fault(row, fmt::format("ball {} of `positions` must have three coordinates", number),
              "write x, y, z in the jar's own axes: [\"9 mm\", \"0 mm\", \"-7.74 mm\"]",
              "wrong-type");
     return std::nullopt;
   }
-  const Wanted coordinate("positions", "m", any_number, "places of centres, from the jar's centre");
+  const NumberSpec coordinate("positions", "m", any_number,
+                              "places of centres, from the jar's centre");
   std::array<double, 3> at{};
   for (std::size_t i = 0; i < 3; ++i) at[i] = in.quantity(row.items[i], coordinate);
-  const Vec3 place{at[0], at[1], at[2]};
-  return std::isnan(place.x + place.y + place.z) ? std::nullopt : std::optional(place);
+  const Vec3 position{at[0], at[1], at[2]};
+  return std::isnan(position.x + position.y + position.z) ? std::nullopt : std::optional(position);
 }
 
-std::string places_text(const std::vector<Vec3>& positions) {
+std::string positions_text(const std::vector<Vec3>& positions) {
   std::string rows;
   for (const Vec3& p : positions)
     rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, "m")),
@@ -52,37 +54,37 @@ std::string places_text(const std::vector<Vec3>& positions) {
 }
 
 /// Where the balls of a set start; none after a fault.
-std::vector<Vec3> read_places(Section& in, const Node& at) {
-  std::vector<Vec3> places;
+std::vector<Vec3> read_positions(SectionReader& in, const Node& at) {
+  std::vector<Vec3> positions;
   bool sound = at.kind == Node::Kind::list && !at.items.empty();
   if (!sound)
     in.fault(at, "`positions` must be a list of places",
              "write positions = [[\"9 mm\", \"0 mm\", \"-7.74 mm\"]]", "wrong-type");
   for (const Node& row : at.items) {
-    const auto place = read_place(in, row, places.size() + 1);
-    sound = sound && place;
-    places.push_back(place.value_or(Vec3{}));
+    const auto position = read_position(in, row, positions.size() + 1);
+    sound = sound && position;
+    positions.push_back(position.value_or(Vec3{}));
   }
   if (!sound) return {};
-  in.note("positions", places_text(places), &at);
-  in.note("count", std::to_string(places.size()), &at, "one for each of `positions`");
-  return places;
+  in.record_origin("positions", positions_text(positions), &at);
+  in.record_origin("count", std::to_string(positions.size()), &at, "one for each of `positions`");
+  return positions;
 }
 
-constexpr Wanted mass_of_set("mass", "kg", positive, "mass of all balls of this set");
-constexpr Wanted filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
-                                "volume of the balls over volume of the jar");
+constexpr NumberSpec mass_of_set("mass", "kg", positive, "mass of all balls of this set");
+constexpr NumberSpec filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
+                                    "volume of the balls over volume of the jar");
 
 /// By number, by mass, by the balls' share of the jar's volume, or by the places they start at.
-std::int64_t read_count(Section& in, BallSet& set, const Jar& jar) {
+std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
   const std::string_view key = in.one_of({"count", "mass", "filling", "positions"});
   if (key == "positions") {
-    set.positions = read_places(in, *in.find(key));
+    set.positions = read_positions(in, *in.find(key));
     return static_cast<std::int64_t>(set.positions.size());
   }
-  if (key == "count") return in.whole("count", most_balls).value_or(0);
+  if (key == "count") return in.integer("count", most_balls).value_or(0);
   if (key.empty()) {
-    in.note_default("count", "1", "one ball");
+    in.record_default("count", "1", "one ball");
     return 1;
   }
   const Node& at = *in.find(key);
@@ -104,32 +106,32 @@ void describe_count(KeyVisitor& v, BallSet& set) {
   v.alternative({"model", "", any_number, "name of a ball set in the catalogue"});
   v.alternative(mass_of_set);
   v.alternative(filling_of_set);
-  const std::vector<Vec3>& places = set.positions;
-  if (!places.empty() || v.visits_all())
+  const std::vector<Vec3>& positions = set.positions;
+  if (!positions.empty() || v.visits_all())
     v.custom(
         {"positions", "places of centres, from the jar's centre",
-         (places.empty() || std::cmp_equal(places.size(), set.count)) &&
-             std::ranges::all_of(places, [](const Vec3& p) { return std::isfinite(norm(p)); })},
-        [&] { return places_text(places); });
-  if (places.empty() || v.visits_all())
-    v.whole({"count", 1, most_balls, "how many balls"}, set.count);
+         (positions.empty() || std::cmp_equal(positions.size(), set.count)) &&
+             std::ranges::all_of(positions, [](const Vec3& p) { return std::isfinite(norm(p)); })},
+        [&] { return positions_text(positions); });
+  if (positions.empty() || v.visits_all())
+    v.integer({"count", 1, most_balls, "how many balls"}, set.count);
 }
 
 /// False after a fault.
 bool describe_sizes(KeyVisitor& v, BallSet& set) {
   const bool sound = describe(v, set.distribution, set.diameter);
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr || set.distribution.law == Distribution::Law::equal) return sound;
-  set.diameter = sound ? mean_diameter(set.distribution) : unread;
-  if (const Node* places = in->find("positions"); places != nullptr)
-    in->fault(*places, "balls whose sizes differ cannot be told where to start",
+  set.diameter = sound ? mean_diameter(set.distribution) : invalid_value;
+  if (const Node* positions = in->find("positions"); positions != nullptr)
+    in->fault(*positions, "balls whose sizes differ cannot be told where to start",
               "give each size a set of its own, with its positions", "too-much");
   return sound;
 }
 
 void describe_material(KeyVisitor& v, BallSet& set) {
-  const Wanted density("density", "kg/m3", positive, "density of a ball");
-  if (Section* in = v.reading()) {
+  const NumberSpec density("density", "kg/m3", positive, "density of a ball");
+  if (SectionReader* in = v.reader()) {
     const auto given = read_density(*in, density, set.material);
     if (!given)
       in->missing(
@@ -139,7 +141,7 @@ void describe_material(KeyVisitor& v, BallSet& set) {
                 "materials` shows"
               : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
                             set.material));
-    set.density = given.value_or(unread);
+    set.density = given.value_or(invalid_value);
   } else {
     v.number(density, set.density);
     v.text("material", set.material);
@@ -151,12 +153,12 @@ void describe_material(KeyVisitor& v, BallSet& set) {
 }  // namespace
 
 void describe(KeyVisitor& v, BallSet& set, const Jar& jar) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) {
     describe_count(v, set);
   } else if (const Node* model = in->find("model")) {
     in->text("model");
-    if (const auto entry = look_up(*in, "media", *model)) in->lend(*entry);
+    if (const auto entry = find_entry(*in, "media", *model)) in->add_defaults(*entry);
   }
   const bool sound = describe_sizes(v, set);
   describe_material(v, set);
@@ -183,9 +185,9 @@ std::vector<BallSet> read_balls(const Node* list, const Jar& jar, Findings& find
     return balls;
   }
   for (const Node& item : list->items) {
-    Section in(&item, fmt::format("balls.{}", balls.size() + 1), findings);
+    SectionReader in(&item, fmt::format("balls.{}", balls.size() + 1), findings);
     describe(in, balls.emplace_back(), jar);
-    in.close();
+    in.report_unknown_keys();
   }
   return balls;
 }

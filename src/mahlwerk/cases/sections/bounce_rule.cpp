@@ -21,20 +21,20 @@ using RestitutionLaw = Restitution::Law;
 
 constexpr std::string_view inherited = "as [contact] says";
 
-const Wanted& restitution_value() {
-  static const Wanted wanted("restitution", "", restitution_range,
-                             "normal speed after over before a bounce");
-  return wanted;
+const NumberSpec& restitution_value() {
+  static const NumberSpec spec("restitution", "", restitution_range,
+                               "normal speed after over before a bounce");
+  return spec;
 }
 
-const Wanted& restitution_speed() {
-  static const Wanted wanted("restitution_speed", "m/s", positive,
-                             "the speed at which `restitution` holds");
-  return wanted;
+const NumberSpec& restitution_speed() {
+  static const NumberSpec spec("restitution_speed", "m/s", positive,
+                               "the speed at which `restitution` holds");
+  return spec;
 }
 
 /// One row of a table, speed and value; nothing after a fault.
-std::optional<std::pair<double, double>> read_row(Section& in, const Node& row) {
+std::optional<std::pair<double, double>> read_row(SectionReader& in, const Node& row) {
   if (row.kind != Node::Kind::list || row.items.size() != 2) {
     in.fault(row, "a row of `restitution_table` is a speed and a value",
              "write it as [\"1 m/s\", 0.8]", "wrong-type");
@@ -56,7 +56,7 @@ std::string table_text(const contact::Restitution& tabulated) {
   return "[" + rows + "]";
 }
 
-Restitution read_table(Section& in, const Node& at) {
+Restitution read_table(SectionReader& in, const Node& at) {
   Restitution::Points points;
   bool sound = at.kind == Node::Kind::list && !at.items.empty();
   if (!sound)
@@ -74,14 +74,14 @@ Restitution read_table(Section& in, const Node& at) {
       }
       points.push_back(*point);
     }
-  if (!sound) return unread;
+  if (!sound) return invalid_value;
   const Restitution made = Restitution::tabulated(std::move(points));
-  in.note("restitution_table", table_text(made), &at);
+  in.record_origin("restitution_table", table_text(made), &at);
   return made;
 }
 
 /// The word under `restitution_law`; what is given decides where it is not said.
-RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* all) {
+RestitutionLaw read_law(SectionReader& in, std::string_view given, const Restitution* all) {
   Choice choice{"restitution_law", restitution_laws(), "constant", "the same at every speed"};
   if (given == "restitution_table") {
     choice.standard = "tabulated";
@@ -91,29 +91,30 @@ RestitutionLaw read_law(Section& in, std::string_view given, const Restitution* 
     choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
     choice.source = inherited;
   }
-  return word_of<RestitutionLaw>(in.choice(choice), restitution_laws());
+  return to_enum<RestitutionLaw>(in.choice(choice), restitution_laws());
 }
 
 /// A key that a law has no use for.
-void useless(Section& in, std::string_view key, std::string_view law, const std::string& remedy) {
+void refuse_unused(SectionReader& in, std::string_view key, std::string_view law,
+                   const std::string& remedy) {
   in.refuse({key}, fmt::format("under restitution_law = \"{}\"", law), remedy);
 }
 
-Restitution read_tabulated(Section& in, const Restitution* all) {
-  useless(in, "restitution_speed", "tabulated", "remove it");
+Restitution read_tabulated(SectionReader& in, const Restitution* all) {
+  refuse_unused(in, "restitution_speed", "tabulated", "remove it");
   if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
   if (all != nullptr && all->law() == RestitutionLaw::tabulated) {
-    in.note_default("restitution_table", table_text(*all), inherited);
+    in.record_default("restitution_table", table_text(*all), inherited);
     return *all;
   }
   in.missing("restitution_table", "speeds of approach with their restitution",
              "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]");
-  return unread;
+  return invalid_value;
 }
 
-Restitution read_viscoelastic(Section& in, double value, const Restitution* all) {
-  useless(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
-  Wanted speed = restitution_speed();
+Restitution read_viscoelastic(SectionReader& in, double value, const Restitution* all) {
+  refuse_unused(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
+  NumberSpec speed = restitution_speed();
   if (all != nullptr && all->law() == RestitutionLaw::viscoelastic)
     speed = speed.with_default(all->speed(), inherited);
   const double at = in.value(speed);
@@ -122,31 +123,32 @@ Restitution read_viscoelastic(Section& in, double value, const Restitution* all)
              "out-of-range");
   else if (value == 0)
     in.missing("restitution", "a viscoelastic one is above 0", "give a restitution above 0");
-  return std::isnan(value) || std::isnan(at) || value == 0 ? Restitution(unread)
+  return std::isnan(value) || std::isnan(at) || value == 0 ? Restitution(invalid_value)
                                                            : Restitution::viscoelastic(value, at);
 }
 
-Restitution read_restitution(Section& in, const Restitution* all) {
+Restitution read_restitution(SectionReader& in, const Restitution* all) {
   const std::string_view given = in.one_of({"restitution", "restitution_table"});
   const RestitutionLaw law = read_law(in, given, all);
   if (law == RestitutionLaw::tabulated) {
-    if (given == "restitution") useless(in, given, "tabulated", "remove it, or restitution_law");
+    if (given == "restitution")
+      refuse_unused(in, given, "tabulated", "remove it, or restitution_law");
     return read_tabulated(in, all);
   }
-  Wanted wanted = restitution_value().with_default(
+  NumberSpec spec = restitution_value().with_default(
       0.8, "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
   if (all != nullptr && all->law() != RestitutionLaw::tabulated)
-    wanted = wanted.with_default(all->value(), inherited);
-  const double value = in.value(wanted);
+    spec = spec.with_default(all->value(), inherited);
+  const double value = in.value(spec);
   if (law == RestitutionLaw::viscoelastic) return read_viscoelastic(in, value, all);
   if (given == "restitution_table")
-    useless(in, given, "constant", "write restitution_law = \"tabulated\"");
-  useless(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
+    refuse_unused(in, given, "constant", "write restitution_law = \"tabulated\"");
+  refuse_unused(in, "restitution_speed", "constant", "write restitution_law = \"viscoelastic\"");
   return value;
 }
 
 void describe_restitution(KeyVisitor& v, Restitution& e, const Restitution* all) {
-  if (Section* in = v.reading()) {
+  if (SectionReader* in = v.reader()) {
     e = read_restitution(*in, all);
     return;
   }
@@ -184,8 +186,8 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
   describe_restitution(v, rule.restitution, all ? &all->restitution : nullptr);
   std::size_t walton = rule.friction == std::numeric_limits<double>::infinity() ? 0 : 1;
   if (!v.choose(bounce_of(v, all), walton)) walton = 1;
-  Wanted tangential("tangential_restitution", "", tangential_range,
-                    "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
+  NumberSpec tangential("tangential_restitution", "", tangential_range,
+                        "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
   tangential = tangential.with_default(
       0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
   if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
@@ -195,8 +197,9 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
              "remove friction, or write bounce = \"walton\"");
     return;
   }
-  Wanted friction = Wanted("friction", "", not_negative, "Coulomb's friction coefficient mu")
-                        .with_default(0.3, "uncalibrated, 0.1-0.6");
+  NumberSpec friction =
+      NumberSpec("friction", "", not_negative, "Coulomb's friction coefficient mu")
+          .with_default(0.3, "uncalibrated, 0.1-0.6");
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, inherited);
   v.number(friction, rule.friction);

@@ -20,7 +20,7 @@ double field_of(const Case& c) {
   const kinematics::AnyMotion& motion = *c.mill.motion;
   return kinematics::strongest_field({0, 0, -c.gravity}, kinematics::bounds(motion).acceleration,
                                      kinematics::period(motion),
-                                     [&](double t) { return kinematics::ride(motion, t); });
+                                     [&](double t) { return kinematics::frame_motion(motion, t); });
 }
 
 /// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
@@ -28,23 +28,23 @@ void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
   /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
   constexpr Range times{.least = 0, .most = 1e-3, .without_least = true};
   constexpr double one_g = 9.80665, usual = 1e-4;  // [m/s2], [s]
-  const double strength = v.reading() != nullptr ? field_of(c) / one_g : 1;
+  const double strength = v.reader() != nullptr ? field_of(c) / one_g : 1;
   const std::string stronger = fmt::format(
       "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
       "its motion shorter by the root of that",
       strength);
-  Wanted time("contact_time", "s", times,
-              "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
-              "a few times a steel ball's contact time, at 1 g or less");
+  NumberSpec time("contact_time", "s", times,
+                  "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
+                  "a few times a steel ball's contact time, at 1 g or less");
   if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
   v.number(time, contact.contact_time);
 }
 
 /// Numbers of the event engine, and how soft all is.
 void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
-  Wanted friction("lasting_friction", "", not_negative,
-                  "Coulomb's friction coefficient of lasting contacts", 0.3,
-                  "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
+  NumberSpec friction(
+      "lasting_friction", "", not_negative, "Coulomb's friction coefficient of lasting contacts",
+      0.3, "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
   if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
   v.number(friction, contact.lasting_friction);
@@ -70,14 +70,14 @@ void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, cons
   for (const auto& field : touch_fields<Owner>()) {
     const auto of_all = general[i++].value;
     if (!has_use(v, field.key, model)) {
-      if (v.reading() != nullptr) owner.*field.value = 0;
+      if (v.reader() != nullptr) owner.*field.value = 0;
       continue;
     }
-    Wanted wanted(field);
-    wanted.unit = unit_of(field.key, field.unit, *model);
-    if (wanted.unit != field.unit) wanted.standard.reset();  // none is known in that unit
-    if (all != nullptr) wanted = wanted.with_default(all->*of_all, "as [contact] says");
-    v.number(wanted, owner.*field.value);
+    NumberSpec spec(field);
+    spec.unit = unit_of(field.key, field.unit, *model);
+    if (spec.unit != field.unit) spec.standard.reset();  // none is known in that unit
+    if (all != nullptr) spec = spec.with_default(all->*of_all, "as [contact] says");
+    v.number(spec, owner.*field.value);
   }
 }
 
@@ -88,7 +88,7 @@ std::string between_text(const PairRule& pair) {
 void describe_between(KeyVisitor& v, PairRule& pair) {
   constexpr CustomKey between{"between", "the two the rule is for"};
   v.custom(between, [&] { return between_text(pair); });
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) return;
   constexpr std::string_view form = "write for instance between = [\"balls.1\", \"jar\"]";
   const auto is_text = [](const Node& n) { return n.kind == Node::Kind::text; };
@@ -99,7 +99,7 @@ void describe_between(KeyVisitor& v, PairRule& pair) {
     in->fault(*at, "`between` must name two", std::string(form), "wrong-type");
   } else {
     pair.between = {at->items[0].text, at->items[1].text};
-    in->note(between.key, between_text(pair), at);
+    in->record_origin(between.key, between_text(pair), at);
   }
 }
 
@@ -114,9 +114,9 @@ std::vector<PairRule> read_pairs(const Node* list, const Contact& all, const Con
     return pairs;
   }
   for (const Node& item : list->items) {
-    Section in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
+    SectionReader in(&item, fmt::format("contact.pairs.{}", pairs.size() + 1), findings);
     describe(in, pairs.emplace_back(), all, model);
-    in.close();
+    in.report_unknown_keys();
   }
   return pairs;
 }
@@ -133,9 +133,9 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
   const bool known = describe(v, contact.model);
   const ContactModel* model = known ? &contact.model : nullptr;
   describe(v, contact.rule, nullptr);
-  if (v.reading() == nullptr) describe_touch(v, contact, model, nullptr);
+  if (v.reader() == nullptr) describe_touch(v, contact, model, nullptr);
   describe_numbers(v, contact, c);
-  if (v.reading() != nullptr) describe_touch(v, contact, model, nullptr);
+  if (v.reader() != nullptr) describe_touch(v, contact, model, nullptr);
   const bool several = balls_count(c.balls) > 1;
   v.word({"lasting",
           {"roll", "tc", "none"},
@@ -148,10 +148,10 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
 
 Contact read_contact(const Node* table, const Case& c, Findings& findings) {
   Contact contact;
-  Section in(table, "contact", findings);
+  SectionReader in(table, "contact", findings);
   const ContactModel* model = describe(in, contact, c);
   const Node* pairs = in.find("pairs");
-  in.close();
+  in.report_unknown_keys();
   contact.pairs = read_pairs(pairs, contact, model, findings);
   return contact;
 }

@@ -62,7 +62,7 @@ const std::vector<std::string>& rolling_words() {
   return words;
 }
 
-const std::vector<std::string>& until_words() {
+const std::vector<std::string>& until_quantities() {
   static const std::vector<std::string> words{"dissipated_power", "drawn_power", "collision_rate",
                                               "collision_rate_above_threshold",
                                               "energy_normal_mean"};
@@ -75,7 +75,7 @@ const std::vector<std::string>& engines() {
 }
 
 std::string_view name_of(EngineName engine) {
-  return word_for(engine, engines());
+  return to_word(engine, engines());
 }
 
 const std::vector<std::string>& restitution_laws() {

@@ -61,7 +61,7 @@ bool has_meaning(std::string_view key, const contact::ContactModel& model);
 std::string_view unit_of(std::string_view key, std::string_view unit,
                          const contact::ContactModel& model);
 
-const std::vector<std::string>& until_words();  ///< quantities that a run can wait for
+const std::vector<std::string>& until_quantities();  ///< quantities that a run can wait for
 
 constexpr Range step_shares{.least = 0, .most = 1, .without_least = true};
 /// Of the soft engine's step, which [run] gives as a time or as a share of the Rayleigh time.
@@ -87,12 +87,12 @@ std::string in_quotes(std::string_view text);  ///< as a TOML string
 
 /// The first for a word that is none of them.
 template <class Enum>
-Enum word_of(const std::string& word, const std::vector<std::string>& words) {
+Enum to_enum(const std::string& word, const std::vector<std::string>& words) {
   const auto at = std::ranges::find(words, word);
   return static_cast<Enum>(at == words.end() ? 0 : at - words.begin());
 }
 template <class Enum>
-const std::string& word_for(Enum value, const std::vector<std::string>& words) {
+const std::string& to_word(Enum value, const std::vector<std::string>& words) {
   return words[static_cast<std::size_t>(value)];
 }
 

@@ -49,7 +49,7 @@ class RangeReader {
            fmt::format("write \"{}\" = [\"...\", \"...\"], texts or numbers", key), "wrong-type"});
     else
       lists_.values.emplace(key, std::move(values));
-    lists_.places.emplace(key, node.where);
+    lists_.locations.emplace(key, node.where);
   }
 
   Findings& findings_;
@@ -57,27 +57,27 @@ class RangeReader {
 };
 
 /// Whether both ends can be read, rise, and lie where the number may lie.
-void check_range(const Adjustable& number, const FitRange& range, const std::string& place,
+void check_range(const FitParameter& number, const FitRange& range, const std::string& location,
                  Findings& findings) {
   std::array<double, 2> ends{};
   for (std::size_t i = 0; i < 2; ++i) {
     try {
       ends[i] = parse_in(range[i], number.unit);
     } catch (const UnitError& error) {
-      findings.faults.push_back({place, fmt::format("{} of [fit]: {}", number.key, error.what()),
+      findings.faults.push_back({location, fmt::format("{} of [fit]: {}", number.key, error.what()),
                                  fmt::format("write for instance \"{}\"", example_of(number.unit)),
                                  "bad-quantity"});
       return;
     }
     if (!number.range.holds(ends[i]))
       findings.faults.push_back(
-          {place, fmt::format("{} of [fit]: \"{}\" is out of range", number.key, range[i]),
-           fmt::format("{}: {}", number.about, in_words(number.range, number.unit)),
+          {location, fmt::format("{} of [fit]: \"{}\" is out of range", number.key, range[i]),
+           fmt::format("{}: {}", number.about, range_text(number.range, number.unit)),
            "out-of-range"});
   }
   if (!(ends[0] < ends[1]))
     findings.faults.push_back(
-        {place,
+        {location,
          fmt::format("{} of [fit]: \"{}\" is not below \"{}\"", number.key, range[0], range[1]),
          "write the least first, then the most", "out-of-range"});
 }
@@ -88,31 +88,31 @@ DottedLists read_fit(const Node* table, Findings& findings) {
   return RangeReader(findings).read(table);
 }
 
-void check_fit(const Case& c, const std::map<std::string, std::string>& places,
+void check_fit(const Case& c, const std::map<std::string, std::string>& locations,
                Findings& findings) {
-  const std::vector<Adjustable> all = adjustables(c);
+  const std::vector<FitParameter> all = fit_parameters(c);
   const bool sound = findings.faults.empty();  // else a model may not be known
   for (const auto& [key, range] : c.fit) {
-    const std::string& place = places.at(key);
-    const auto number = std::ranges::find(all, key, &Adjustable::key);
+    const std::string& location = locations.at(key);
+    const auto number = std::ranges::find(all, key, &FitParameter::key);
     if (number == all.end()) {
       if (!sound) continue;
       std::vector<std::string> known;
-      for (const Adjustable& one : all) known.push_back(one.key);
+      for (const FitParameter& one : all) known.push_back(one.key);
       const std::string near = nearest_word(key, known);
       findings.faults.push_back(
-          {place, fmt::format("[fit] cannot choose {}", key),
+          {location, fmt::format("[fit] cannot choose {}", key),
            !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
            : known.empty() ? "it chooses numbers of [capture], [breakage], [fragments], [grinding] "
                              "and [kinetics], of which the case has none"
-                           : fmt::format("it may choose {}", listed(known)),
+                           : fmt::format("it may choose {}", quoted_list(known)),
            "unknown-key"});
       continue;
     }
-    check_range(*number, range, place, findings);
-    if (findings.awaited.contains(key))
+    check_range(*number, range, location, findings);
+    if (findings.fitted_keys.contains(key))
       findings.faults.push_back(
-          {place, fmt::format("{} has no value yet: [fit] only says where to look for one", key),
+          {location, fmt::format("{} has no value yet: [fit] only says where to look for one", key),
            "`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one",
            "unfitted"});
   }

@@ -16,22 +16,22 @@ namespace mahlwerk::cases {
 namespace {
 
 /// A number that only measurements on the powder can tell, or a default.
-void describe_constant(KeyVisitor& v, const Wanted& wanted, double& value, const Case& c) {
-  Section* in = v.reading();
-  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
-  value = unread;
+void describe_constant(KeyVisitor& v, const NumberSpec& spec, double& value, const Case& c) {
+  SectionReader* in = v.reader();
+  if (in == nullptr || in->gives(spec.key) || spec.standard) return v.number(spec, value);
+  value = invalid_value;
   const std::string powder =
       c.powder && !c.powder->material.empty() ? c.powder->material : "this powder";
-  in->missing(wanted.key, wanted.about,
+  in->missing(spec.key, spec.about,
               fmt::format("nothing published is at hand for {}: give it, for instance {} = \"{}\", "
                           "or let `mahlwerk fit` find it from measured sizes",
-                          powder, wanted.key, example_of(wanted.unit)));
+                          powder, spec.key, example_of(spec.unit)));
 }
 
 /// A bed breaks as its grains do, where the breakage model knows how.
 template <class M>
-Wanted wanted(const Field<M>& field, bool remembering) {
-  const Wanted usual(field);
+NumberSpec spec_of(const Field<M>& field, bool remembering) {
+  const NumberSpec usual(field);
   return std::is_same_v<M, powder::Barrios> && remembering
              ? usual.with_default(0, "that of [breakage], size by size")
              : usual;
@@ -47,7 +47,7 @@ bool describe_model(KeyVisitor& v, std::variant<Models...>& any, const Case& c, 
   }
   const auto numbers = [&](auto& model) {
     for (const auto& field : model.fields())
-      describe_constant(v, wanted(field, remembering), model.*field.value, c);
+      describe_constant(v, spec_of(field, remembering), model.*field.value, c);
   };
   std::visit(numbers, any);
   return true;
@@ -73,21 +73,21 @@ void describe_method(KeyVisitor& v, Grinding& g) {
     v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
   if (g.method != Method::balance || v.visits_all())
-    v.whole({"sample", least_sample, most_sample, "grains of the statistical method",
-             Grinding().sample, "shares are off by 0.5 % at most, by chance"},
-            g.sample);
+    v.integer({"sample", least_sample, most_sample, "grains of the statistical method",
+               Grinding().sample, "shares are off by 0.5 % at most, by chance"},
+              g.sample);
   v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
 }
 
 /// The finest size.
 void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   const bool sized = c.powder && c.powder->size;
   if (in != nullptr && !in->gives("smallest") && sized) {
     g.smallest = c.powder->feed.largest() / octaves_below;
-    in->note_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
+    in->record_default("smallest", show_rounded(g.smallest, "m"), "twelve octaves below the feed");
   } else if (in != nullptr && !sized) {
-    g.smallest = unread;
+    g.smallest = invalid_value;
   } else {
     v.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
   }
@@ -95,11 +95,11 @@ void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
 
 /// How many classes there are above it.
 void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
-  v.whole({"classes_per_octave", size_step, most_per_octave, "classes of size, a multiple of three",
-           remembering ? size_step : 2 * size_step,
-           remembering ? "few, as each has many strengths" : "a size every 12 %"},
-          g.classes_per_octave);
-  Section* in = v.reading();
+  v.integer({"classes_per_octave", size_step, most_per_octave,
+             "classes of size, a multiple of three", remembering ? size_step : 2 * size_step,
+             remembering ? "few, as each has many strengths" : "a size every 12 %"},
+            g.classes_per_octave);
+  SectionReader* in = v.reader();
   if (in != nullptr && g.classes_per_octave % size_step != 0)
     in->fault(*in->find("classes_per_octave"),
               fmt::format("classes_per_octave = {} is no multiple of {}", g.classes_per_octave,
@@ -108,14 +108,15 @@ void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
 }
 
 void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
-  const bool read = v.reading() != nullptr;
+  const bool read = v.reader() != nullptr;
   v.fields(g, grinding_shares());
   if (!read || v.gives("sticking"))
-    v.maybe({"sticking_size", "m", positive, "largest grain size that sticks"}, g.sticking_size);
+    v.optional_number({"sticking_size", "m", positive, "largest grain size that sticks"},
+                      g.sticking_size);
   else
     v.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
   if (!read || v.gives("welding"))
-    v.number(Wanted(welding_energy), g.welding_energy);
+    v.number(NumberSpec(welding_energy), g.welding_energy);
   else
     v.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
 }
@@ -132,7 +133,7 @@ void lone_sections(const GrindingTables& t, Findings& findings) {
             "add [grinding] with time = \"30 s\" or so, or remove it");
     if (table == nullptr && t.grinding != nullptr)
       fault(t.grinding, fmt::format("[grinding] needs [{}]: {}", name, what),
-            fmt::format("add [{}] with model = ..., one of {}", name, listed(models)));
+            fmt::format("add [{}] with model = ..., one of {}", name, quoted_list(models)));
   };
   part(t.breakage, "breakage", "which hits break a grain",
        model_names(std::type_identity<powder::AnyBreakage::Models>{}));
@@ -142,14 +143,14 @@ void lone_sections(const GrindingTables& t, Findings& findings) {
 
 }  // namespace
 
-void describe_milling_time(KeyVisitor& v, Wanted wanted, double& time, const Case& c,
+void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const Case& c,
                            bool of_grinding) {
   if (!of_grinding && c.grinding)
-    wanted = wanted.with_default(c.grinding->time, "that of [grinding]");
+    spec = spec.with_default(c.grinding->time, "that of [grinding]");
   else if (c.heat)
-    wanted = wanted.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
-                                 "all milling of [heat]");
-  v.number(wanted, time);
+    spec = spec.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
+                             "all milling of [heat]");
+  v.number(spec, time);
 }
 
 void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) {
@@ -159,16 +160,16 @@ void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) 
             "normal",
             "what presses along the line of centres; sliding does not"},
            capture.energy);
-    v.number(Wanted(energy_share), capture.energy_share);
+    v.number(NumberSpec(energy_share), capture.energy_share);
   };
-  if (v.reading() != nullptr) energy();
-  if (describe_model(v, *capture.model, c, remembering) && v.reading() == nullptr) energy();
+  if (v.reader() != nullptr) energy();
+  if (describe_model(v, *capture.model, c, remembering) && v.reader() == nullptr) energy();
 }
 
 void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in != nullptr)
-    if (const auto material = material_of(c, in->catalogue())) in->lend(*material);
+    if (const auto material = material_of(c, in->catalogue())) in->add_defaults(*material);
   describe_model(v, breakage, c, false);
 }
 
@@ -181,7 +182,7 @@ void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
   describe_method(v, g);
   describe_smallest(v, g, c);
-  describe_per_octave(v, g, powder::remembers(*g.breakage));
+  describe_per_octave(v, g, powder::tracks_strength(*g.breakage));
   describe_sticking_and_welding(v, g);
 }
 
@@ -189,18 +190,18 @@ void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
   lone_sections(t, findings);
   Grinding g;
   const auto read = [&](const Node* table, const char* name, auto& what, auto... more) {
-    Section in(table, name, findings);
+    SectionReader in(table, name, findings);
     describe(in, what, c, more...);
-    in.close();
+    in.report_unknown_keys();
   };
   if (t.breakage != nullptr) {
-    g.breakage = powder::VogelPeukert{unread, unread};
+    g.breakage = powder::VogelPeukert{invalid_value, invalid_value};
     read(t.breakage, "breakage", *g.breakage);
   }
   if (t.fragments != nullptr) read(t.fragments, "fragments", *g.fragments);
   if (t.capture != nullptr) {
-    Capture capture{.model = powder::Barrios{unread}};
-    read(t.capture, "capture", capture, powder::remembers(*g.breakage));
+    Capture capture{.model = powder::Barrios{invalid_value}};
+    read(t.capture, "capture", capture, powder::tracks_strength(*g.breakage));
     c.capture = capture;
   }
   if (t.grinding == nullptr) return;

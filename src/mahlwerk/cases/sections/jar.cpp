@@ -31,7 +31,7 @@ constexpr bool has_fillet = requires(S s) {
 template <class S>
 constexpr bool is_plain = geometry::has_exact_touches<S>;
 
-constexpr Wanted inner_volume("volume", "m3", positive, "inner volume");
+constexpr NumberSpec inner_volume("volume", "m3", positive, "inner volume");
 
 /// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
 template <class S>
@@ -62,7 +62,7 @@ double least_volume(S shape) {
 }
 
 template <class S>
-void size_from_volume(Section& in, S& shape, std::string_view follows, double S::*size) {
+void size_from_volume(SectionReader& in, S& shape, std::string_view follows, double S::*size) {
   const Node& at = *in.find("volume");
   const double volume = in.quantity(at, inner_volume);
   shape.*size = size_for(shape, volume);
@@ -74,16 +74,16 @@ void size_from_volume(Section& in, S& shape, std::string_view follows, double S:
                            "than {} without any height",
                            at.text, show(shape.diameter, "m"), S::name, show_rounded(least, "m3")),
                "give a larger volume or a smaller diameter", "volume-too-small");
-      shape.*size = unread;
+      shape.*size = invalid_value;
     }
   }
   if (!std::isnan(shape.*size))
-    in.note(follows, show(shape.*size, "m"), &at,
-            fmt::format("follows from volume = \"{}\"", at.text));
+    in.record_origin(follows, show(shape.*size, "m"), &at,
+                     fmt::format("follows from volume = \"{}\"", at.text));
 }
 
 template <class S>
-void read_shape(Section& in, S& shape) {
+void read_shape(SectionReader& in, S& shape) {
   constexpr std::string_view follows = has_height<S> ? "height" : "diameter";
   const bool by_volume = is_plain<S> && in.one_of({follows, "volume"}) == "volume";
   double S::*size = nullptr;
@@ -92,9 +92,9 @@ void read_shape(Section& in, S& shape) {
       size = field.value;
       continue;
     }
-    Wanted wanted(field);
-    if (field.key == follows && is_plain<S>) wanted.instead = "volume";
-    shape.*field.value = in.value(wanted);
+    NumberSpec spec(field);
+    if (field.key == follows && is_plain<S>) spec.instead = "volume";
+    shape.*field.value = in.value(spec);
   }
   if constexpr (is_plain<S>) {
     if (size != nullptr) size_from_volume(in, shape, follows, size);
@@ -104,7 +104,7 @@ void read_shape(Section& in, S& shape) {
 }
 
 void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   const auto numbers = [&]<class S>(S& shape) {
     if (in == nullptr) {
       v.fields(shape, S::fields());
@@ -118,23 +118,23 @@ void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
 
 }  // namespace
 
-Jar unread_jar() {
+Jar placeholder_jar() {
   geometry::Sphere nothing;
-  nothing.diameter = unread;
+  nothing.diameter = invalid_value;
   return {.model = "", .material = "", .shape = nothing};
 }
 
 void describe(KeyVisitor& v, Jar& jar) {
   Model model;
   const bool known = describe_kind(v, "jars", *jar.shape, jar.model, model);
-  if (v.reading() != nullptr) v.text("material", jar.material);
+  if (v.reader() != nullptr) v.text("material", jar.material);
   if (!known) {
-    jar.shape = unread_jar().shape;
+    jar.shape = placeholder_jar().shape;
     return v.ignore_unknown_keys();
   }
   if (std::holds_alternative<geometry::Mesh>(*jar.shape)) describe_mesh(v, jar);
   describe_shape(v, *jar.shape);
-  if (v.reading() == nullptr) v.text("material", jar.material);
+  if (v.reader() == nullptr) v.text("material", jar.material);
   describe_wall(v, jar);
 }
 

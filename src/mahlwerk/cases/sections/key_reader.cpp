@@ -58,7 +58,7 @@ void KeyReader::read_key(const std::string& key, const Node& node) {
     for (const auto& [below, value] : node.members) read_key(key + "." + below, value);
     return;
   }
-  if (!places_.emplace(key, node.where).second) return;
+  if (!locations_.emplace(key, node.where).second) return;
   if (is_formula(node))
     derived_.emplace(key, node.text.substr(1));
   else if (is_range(node))
@@ -68,7 +68,7 @@ void KeyReader::read_key(const std::string& key, const Node& node) {
 }
 
 void KeyReader::read_range(const std::string& key, const Node& node) {
-  Section in(&node, section_, findings_);
+  SectionReader in(&node, section_, findings_);
   SweptKey made{.key = key, .values = {}, .range = true};
   for (const char* end : {"from", "to"}) {
     const Node* at = in.find(end);
@@ -79,10 +79,10 @@ void KeyReader::read_range(const std::string& key, const Node& node) {
     fault(at != nullptr ? *at : node, fmt::format("the range of \"{}\" lacks `{}`", key, end),
           fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key), "bad-range");
   }
-  if (const auto steps = in.whole("steps", most_steps, 2)) made.steps = *steps;
+  if (const auto steps = in.integer("steps", most_steps, 2)) made.steps = *steps;
   made.logarithmic =
       in.gives("spacing") && in.choice({"spacing", spacing_words(), ""}) == spacing_words().back();
-  in.close();
+  in.report_unknown_keys();
   // With one end it still varies: nothing else need say that the key is missing.
   if (made.values.size() == 1) made.values.push_back(made.values.front());
   if (!made.values.empty()) keys_.push_back(std::move(made));

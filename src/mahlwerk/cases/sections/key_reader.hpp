@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/cases/file/section.hpp"
+#include "mahlwerk/cases/file/section_reader.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 
 namespace mahlwerk::cases {
@@ -16,10 +16,10 @@ namespace mahlwerk::cases {
 /// Reads dotted keys of one section, each with the values it takes.
 class KeyReader {
  public:
-  using Places = std::map<std::string, std::string>;
+  using Locations = std::map<std::string, std::string>;
 
-  KeyReader(std::string section, Places& places, Findings& findings)
-      : section_(std::move(section)), places_(places), findings_(findings) {}
+  KeyReader(std::string section, Locations& locations, Findings& findings)
+      : section_(std::move(section)), locations_(locations), findings_(findings) {}
 
   /// Keys of `table` but the names in `own`, which are the section's.
   void read(const Node& table, const std::set<std::string_view>& own = {});
@@ -34,7 +34,7 @@ class KeyReader {
   void read_list(const std::string& key, const Node& node);
 
   std::string section_;
-  Places& places_;
+  Locations& locations_;
   Findings& findings_;
   std::vector<SweptKey> keys_;
   std::map<std::string, std::string> derived_;

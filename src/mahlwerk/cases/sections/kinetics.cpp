@@ -12,13 +12,13 @@
 namespace mahlwerk::cases {
 namespace {
 
-void describe_conversion(KeyVisitor& v, const Wanted& wanted, double& value) {
-  Section* in = v.reading();
-  if (in == nullptr || in->gives(wanted.key) || wanted.standard) return v.number(wanted, value);
-  in->missing(wanted.key, wanted.about,
+void describe_conversion(KeyVisitor& v, const NumberSpec& spec, double& value) {
+  SectionReader* in = v.reader();
+  if (in == nullptr || in->gives(spec.key) || spec.standard) return v.number(spec, value);
+  in->missing(spec.key, spec.about,
               fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
                           "what was measured",
-                          wanted.key, example_of(wanted.unit)));
+                          spec.key, example_of(spec.unit)));
 }
 
 /// A property goes from a first value to a last one.
@@ -38,7 +38,7 @@ void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
   v.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
   for (const auto& field : kinetics_fields())
     if (avrami || field.value != &powder::Conversion::exponent)
-      describe_conversion(v, Wanted(field), k.conversion.*field.value);
+      describe_conversion(v, NumberSpec(field), k.conversion.*field.value);
   if (!avrami)
     v.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
   v.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},

@@ -13,8 +13,8 @@
 namespace mahlwerk::cases {
 namespace {
 
-void without_meaning(Section& in, std::string_view key, std::string_view kind,
-                     std::string_view chosen) {
+void refuse_meaningless(SectionReader& in, std::string_view key, std::string_view kind,
+                        std::string_view chosen) {
   in.refuse({key}, fmt::format("under {} = \"{}\"", kind, chosen),
             fmt::format("remove it, or choose another {}", kind));
 }
@@ -27,21 +27,21 @@ void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
 
 /// A number of the law, or the one that takes its place.
 template <class L>
-void read_number(Section& in, L& law, const contact::LawField<L>& field) {
+void read_number(SectionReader& in, L& law, const contact::LawField<L>& field) {
   for (const auto& other : L::fields())
     if (other.instead_of == field.key && in.one_of({field.key, other.key}) == other.key) {
-      law.*other.value = in.value(Wanted(other));
+      law.*other.value = in.value(NumberSpec(other));
       return;
     }
-  if (field.unless_given.empty() || in.gives(field.key))
-    law.*field.value = in.value(Wanted(field));
+  if (field.default_text.empty() || in.gives(field.key))
+    law.*field.value = in.value(NumberSpec(field));
   else
-    in.note_default(field.key, std::string(field.unless_given), field.source);
+    in.record_default(field.key, std::string(field.default_text), field.source);
 }
 
 /// A key of the chosen law, or of another, which is a fault.
 template <class L>
-void read_key(Section& in, L& law, std::string_view key) {
+void read_key(SectionReader& in, L& law, std::string_view key) {
   for (const auto& one : contact::switches_of<L>())
     if (one.key == key) return describe_switch(in, law, one);
   for (const auto& field : L::fields())
@@ -49,19 +49,19 @@ void read_key(Section& in, L& law, std::string_view key) {
       if (field.instead_of.empty()) read_number(in, law, field);
       return;
     }
-  without_meaning(in, key, "law", L::name);
+  refuse_meaningless(in, key, "law", L::name);
 }
 
 /// The law's own keys, its switches apart; `model` is null where it is not known.
 void describe_law(KeyVisitor& v, ContactModel* model) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   const auto numbers = [&]<class L>(L& law) {
     std::optional<double> left_out;
     for (const auto& f : L::fields())
       if (contact::is_given(law, f))
-        v.number(Wanted(f), law.*f.value);
+        v.number(NumberSpec(f), law.*f.value);
       else
-        v.maybe(Wanted(f), left_out);
+        v.optional_number(NumberSpec(f), left_out);
   };
   if (in == nullptr) {
     if (model != nullptr) std::visit(numbers, *model->law);
@@ -79,21 +79,21 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
   const auto each = [&]<class L>(L& law) {
     for (const auto& one : contact::switches_of<L>()) describe_switch(v, law, one);
   };
-  if (v.reading() == nullptr) std::visit(each, *model.law);  // read with the law's numbers
+  if (v.reader() == nullptr) std::visit(each, *model.law);  // read with the law's numbers
 }
 
 }  // namespace
 
 bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) return model != nullptr && (v.visits_all() || has_meaning(key, *model));
   in->find(key);                       // it is known, whatever is chosen
   if (model == nullptr) return false;  // the law itself is at fault
   if (has_meaning(key, *model)) return true;
   if (key.starts_with("rolling"))
-    without_meaning(*in, key, "rolling", contact::rule_of(model->rolling).name);
+    refuse_meaningless(*in, key, "rolling", contact::rule_of(model->rolling).name);
   else
-    without_meaning(*in, key, "law", contact::name_of(*model->law));
+    refuse_meaningless(*in, key, "law", contact::name_of(*model->law));
   return false;
 }
 
@@ -106,7 +106,7 @@ bool describe(KeyVisitor& v, ContactModel& model) {
   ContactModel* known = law && rolling ? &model : nullptr;
   describe_switches(v, model);
   if (has_use(v, rolling_damping.key, known))
-    v.number(Wanted(rolling_damping), model.rolling_damping);
+    v.number(NumberSpec(rolling_damping), model.rolling_damping);
   describe_law(v, known);
   v.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
   v.flag({"rescaled_unloading", false, "the tangential spring stays as it is while unloading"},

@@ -13,7 +13,7 @@ namespace {
 
 /// Of a ball or a jar, for the soft engine.
 constexpr auto elastic_fields() {
-  using E = contact::Elastic;
+  using E = contact::ElasticConstants;
   return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
                              "Young's modulus of the material", steel.youngs_modulus,
                              "steel, handbook; uncalibrated"},
@@ -47,64 +47,67 @@ constexpr Field<Jar> wall_thickness{"wall",
                                     &Jar::wall,
                                     positive,
                                     "thickness of the jar's wall",
-                                    usual_wall,
+                                    default_wall_thickness,
                                     "a small steel jar's; uncalibrated, 3-15 mm"};
 
 /// Whether the material's name counts, not what is said under `key` itself.
-bool by_material(Section& in, std::string_view key) {
+bool by_material(SectionReader& in, std::string_view key) {
   const Node *own = in.find(key), *name = in.find("material");
-  return name != nullptr && !name->text.empty() && (own == nullptr || name->rank > own->rank);
+  return name != nullptr && !name->text.empty() &&
+         (own == nullptr || name->precedence > own->precedence);
 }
 
 /// What the catalogue says under `key`, noted; nothing if it is silent.
-std::optional<double> of_entry(Section& in, const Wanted& wanted, const CatalogueEntry& entry) {
-  const auto found = entry.values.find(std::string(wanted.key));
+std::optional<double> of_entry(SectionReader& in, const NumberSpec& spec,
+                               const CatalogueEntry& entry) {
+  const auto found = entry.values.find(std::string(spec.key));
   if (found == entry.values.end()) return std::nullopt;
-  Node node = loose_value(found->second.text, entry.file, Rank::catalogue);
+  Node node = value_from_text(found->second.text, entry.file, Precedence::catalogue);
   node.source = fmt::format("catalogue materials/{}: {}", entry.name, found->second.source);
   node.unverified = found->second.unverified;
-  const double value = in.quantity(node, wanted);
-  in.note(wanted.key, show(value, wanted.unit), &node);
+  const double value = in.quantity(node, spec);
+  in.record_origin(spec.key, show(value, spec.unit), &node);
   return value;
 }
 
 /// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
-std::optional<CatalogueEntry> known_material(Section& in, const std::string& material) {
+std::optional<CatalogueEntry> known_material(SectionReader& in, const std::string& material) {
   if (!in.catalogue().has("materials", material)) return std::nullopt;
-  return look_up(in, "materials", *in.find("material"));
+  return find_entry(in, "materials", *in.find("material"));
 }
 
 /// From where it is said, from the material, or the default.
-double of_material(Section& in, const Wanted& wanted, const std::string& material,
+double of_material(SectionReader& in, const NumberSpec& spec, const std::string& material,
                    const std::optional<CatalogueEntry>& entry) {
-  if (!by_material(in, wanted.key)) return in.value(wanted);
-  if (const auto found = entry ? of_entry(in, wanted, *entry) : std::nullopt) return *found;
-  in.note_default(wanted.key, show(*wanted.standard, wanted.unit),
-                  fmt::format("{}; the catalogue gives none for {}", wanted.source, material));
-  return *wanted.standard;
+  if (!by_material(in, spec.key)) return in.value(spec);
+  if (const auto found = entry ? of_entry(in, spec, *entry) : std::nullopt) return *found;
+  in.record_default(spec.key, show(*spec.standard, spec.unit),
+                    fmt::format("{}; the catalogue gives none for {}", spec.source, material));
+  return *spec.standard;
 }
 
 template <class Owner, class Fields>
 void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
                      const std::string& material) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) return v.fields(owner, fields);
   const auto entry = known_material(*in, material);
   for (const auto& field : fields)
-    owner.*field.value = of_material(*in, Wanted(field), material, entry);
+    owner.*field.value = of_material(*in, NumberSpec(field), material, entry);
 }
 
 }  // namespace
 
-std::optional<double> read_density(Section& in, const Wanted& wanted, std::string& material) {
+std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
+                                   std::string& material) {
   const Node* name = in.find("material");
   if (name != nullptr) material = in.text("material").value_or("");
-  if (material.empty() || !by_material(in, wanted.key)) return in.maybe(wanted);
-  const auto entry = look_up(in, "materials", *name);
-  return entry ? of_entry(in, wanted, *entry) : unread;
+  if (material.empty() || !by_material(in, spec.key)) return in.optional_number(spec);
+  const auto entry = find_entry(in, "materials", *name);
+  return entry ? of_entry(in, spec, *entry) : invalid_value;
 }
 
-void describe(KeyVisitor& v, contact::Elastic& elastic, const std::string& material) {
+void describe(KeyVisitor& v, contact::ElasticConstants& elastic, const std::string& material) {
   describe_fields(v, elastic, elastic_fields(), material);
 }
 
@@ -116,7 +119,7 @@ void describe_wall(KeyVisitor& v, Jar& jar) {
   describe(v, jar.elastic, jar.material);
   describe(v, jar.substance, jar.material);
   describe_fields(v, jar, std::array{wall_density}, jar.material);
-  v.number(Wanted(wall_thickness), jar.wall);
+  v.number(NumberSpec(wall_thickness), jar.wall);
 }
 
 }  // namespace mahlwerk::cases

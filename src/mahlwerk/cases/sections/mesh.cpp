@@ -23,7 +23,7 @@ using geometry::Surface;
 
 constexpr double widest = 10, narrowest = 1e-3;  // [m] of a jar that can be meant
 
-std::string place(const Vec3& p) {
+std::string position_text(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
 }
 
@@ -32,30 +32,30 @@ std::string edges(std::size_t count) {
 }
 
 /// What a flaw means, and how to mend it.
-Fault told(const Flaw& flaw, const std::string& file) {
+Fault mesh_fault(const Flaw& flaw, const std::string& file) {
   const auto fault = [&](std::string what, const char* remedy, const char* code) {
     return Fault{"", fmt::format("{}: {}", file, what), remedy, code};
   };
   switch (flaw.kind) {
     case Flaw::Kind::open:
       return fault(fmt::format("the surface is open: {} belong to one triangle only, one at {}",
-                               edges(flaw.count), place(flaw.where)),
+                               edges(flaw.count), position_text(flaw.where)),
                    "close the holes: draw the inner volume as a solid and export that",
                    "open-mesh");
-    case Flaw::Kind::crowded:
+    case Flaw::Kind::non_manifold:
       return fault(fmt::format("at {} more than two triangles meet, at {} for instance",
-                               edges(flaw.count), place(flaw.where)),
+                               edges(flaw.count), position_text(flaw.where)),
                    "join the parts to one solid before exporting, without inner walls",
                    "crowded-mesh");
-    case Flaw::Kind::twisted:
+    case Flaw::Kind::misoriented:
       return fault(
           fmt::format("at {} neighbours disagree which side is outside, at {} for instance",
-                      edges(flaw.count), place(flaw.where)),
+                      edges(flaw.count), position_text(flaw.where)),
           "let the CAD program orient all normals outwards", "twisted-mesh");
-    case Flaw::Kind::several:
+    case Flaw::Kind::several_shells:
       return fault(fmt::format("the surface has {} parts that do not hang together, the second "
                                "at {}",
-                               flaw.count, place(flaw.where)),
+                               flaw.count, position_text(flaw.where)),
                    "export the inner volume alone, as one solid: without the jar's outside and "
                    "loose parts",
                    "several-meshes");
@@ -73,7 +73,7 @@ Choice mesh_origin() {
 
 class MeshReader {
  public:
-  MeshReader(Section& in, Jar& jar) : in_(in), jar_(jar) {}
+  MeshReader(SectionReader& in, Jar& jar) : in_(in), jar_(jar) {}
 
   void read() {
     const auto file = in_.text("file");
@@ -83,7 +83,7 @@ class MeshReader {
     const bool said = in_.gives("origin");
     const std::string origin = in_.choice(mesh_origin());
     const auto angle_field = Mesh::fields()[0];
-    const double angle = in_.value(Wanted(angle_field));
+    const double angle = in_.value(NumberSpec(angle_field));
     if (!file || std::isnan(scale) || std::isnan(angle) || origin.empty()) return;
     jar_.mesh.file = *file;
     jar_.mesh.centred = origin == "centre";
@@ -105,7 +105,7 @@ class MeshReader {
       if (!in_.gives("unit"))
         in_.missing("unit", "the unit of the file's numbers, for an STL has none",
                     "write for instance unit = \"mm\"");
-      return unread;
+      return invalid_value;
     }
     jar_.mesh.unit = *unit;
     try {
@@ -113,7 +113,7 @@ class MeshReader {
     } catch (const UnitError& error) {
       in_.fault(*in_.find("unit"), fmt::format("unit = \"{}\": {}", *unit, error.what()),
                 "write a unit of length: \"mm\", \"m\", \"um\"", "bad-quantity");
-      return unread;
+      return invalid_value;
     }
   }
 
@@ -158,9 +158,9 @@ class MeshReader {
     if (jar_.mesh.centred)
       for (geometry::Corners& c : triangles)
         for (Vec3& p : c) p -= e.middle();
-    Surface surface = geometry::joined(triangles);
+    Surface surface = geometry::weld(triangles);
     if (const auto flaw = geometry::flaw_of(surface)) {
-      const Fault f = told(*flaw, file);
+      const Fault f = mesh_fault(*flaw, file);
       fault(f.what, f.remedy, f.code);
       return std::nullopt;
     }
@@ -181,14 +181,14 @@ class MeshReader {
     return !outside;
   }
 
-  Section& in_;
+  SectionReader& in_;
   Jar& jar_;
 };
 
 }  // namespace
 
 void describe_mesh(KeyVisitor& v, Jar& jar) {
-  if (Section* in = v.reading()) return MeshReader(*in, jar).read();
+  if (SectionReader* in = v.reader()) return MeshReader(*in, jar).read();
   v.custom({"file", "the jar's inner surface"}, [&] { return in_quotes(jar.mesh.file); });
   v.custom({"unit", "the unit of the file's numbers"}, [&] { return in_quotes(jar.mesh.unit); });
   v.word(mesh_origin(), jar.mesh.centred);

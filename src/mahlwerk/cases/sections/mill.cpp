@@ -19,9 +19,9 @@ using kinematics::Tabulated;
 using kinematics::Tumbling;
 
 /// "1:-2" as a number, jar over disc; other texts as they are.
-double ratio_of(Section& in, const Node& at, const Wanted& wanted) {
+double ratio_of(SectionReader& in, const Node& at, const NumberSpec& spec) {
   const auto colon = at.text.find(':');
-  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, wanted);
+  if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, spec);
   try {
     const double disc = parse_in(at.text.substr(0, colon), "");
     const double ratio = parse_in(at.text.substr(colon + 1), "") / disc;
@@ -32,7 +32,7 @@ double ratio_of(Section& in, const Node& at, const Wanted& wanted) {
     in.fault(at, fmt::format("ratio = \"{}\": {}", at.text, error.what()),
              "write disc to jar, \"1:-2\", or the number -2", "bad-quantity");
   }
-  return unread;
+  return invalid_value;
 }
 
 Choice ratio_convention() {
@@ -42,23 +42,23 @@ Choice ratio_convention() {
           "the makers' convention, jar relative to disc"};
 }
 
-double read_ratio(Section& in, const Wanted& wanted) {
-  const Node* at = in.find(wanted.key);
+double read_ratio(SectionReader& in, const NumberSpec& spec) {
+  const Node* at = in.find(spec.key);
   const bool said = in.gives("ratio_convention");
   const std::string convention = in.choice(ratio_convention());
-  if (at == nullptr) return in.value(wanted);
-  if (said && at->rank == Rank::catalogue) {
+  if (at == nullptr) return in.value(spec);
+  if (said && at->precedence == Precedence::catalogue) {
     in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
              "give `ratio` too, or remove it", "missing-value");
-    return unread;
+    return invalid_value;
   }
-  const double given = ratio_of(in, *at, wanted);
-  if (std::isnan(given)) return unread;
+  const double given = ratio_of(in, *at, spec);
+  if (std::isnan(given)) return invalid_value;
   const double ratio = convention == "absolute" ? given - 1 : given;  // (kin.12)
-  in.note(wanted.key, show(ratio, ""), at,
-          convention == "absolute"
-              ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
-              : "");
+  in.record_origin(spec.key, show(ratio, ""), at,
+                   convention == "absolute"
+                       ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
+                       : "");
   // Stored relative, whatever was said.
   for (Origin& o : in.findings().origins)
     if (o.key == "mill.ratio_convention") o.value = "\"relative\"";
@@ -66,40 +66,41 @@ double read_ratio(Section& in, const Wanted& wanted) {
 }
 
 /// A drum's speed, which may be given as a share of the critical one.
-double read_drum_speed(Section& in, const Wanted& wanted, const Case& c) {
-  const Node* at = in.find(wanted.key);
+double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c) {
+  const Node* at = in.find(spec.key);
   if (at == nullptr || at->kind != Node::Kind::text || at->text.find('%') == std::string::npos)
-    return in.value(wanted);
-  const double share = in.quantity(*at, {wanted.key, "", any_number, wanted.about});
+    return in.value(spec);
+  const double share = in.quantity(*at, {spec.key, "", any_number, spec.about});
   const double critical = critical_speed(c.jar, c.balls, c.gravity);
   const double speed = share * critical;
-  if (std::isnan(share)) return unread;
+  if (std::isnan(share)) return invalid_value;
   if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, which is reported as such
-  in.note(
-      wanted.key, show(speed, wanted.unit), at,
-      fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, wanted.unit)));
+  in.record_origin(
+      spec.key, show(speed, spec.unit), at,
+      fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, spec.unit)));
   return speed;
 }
 
 /// What the maker of a catalogue's mill offers.
-void check_offer(Section& in, const Wanted& wanted, double value, const CatalogueEntry& entry) {
-  const Node* at = in.find(wanted.key);
-  if (at == nullptr || at->rank == Rank::catalogue) return;
+void check_offer(SectionReader& in, const NumberSpec& spec, double value,
+                 const CatalogueEntry& entry) {
+  const Node* at = in.find(spec.key);
+  if (at == nullptr || at->precedence == Precedence::catalogue) return;
   const auto offered = [&](std::string_view end) -> std::optional<double> {
-    const auto found = entry.values.find(fmt::format("{}_{}", wanted.key, end));
+    const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
     if (found == entry.values.end()) return std::nullopt;
-    return parse_in(found->second.text, wanted.unit);
+    return parse_in(found->second.text, spec.unit);
   };
   try {
     const auto least = offered("least"), most = offered("most");
     const bool low = least && value < *least, high = most && value > *most;
     if (!low && !high) return;
     const auto text = [&](std::string_view end) {
-      const auto found = entry.values.find(fmt::format("{}_{}", wanted.key, end));
+      const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
       return found == entry.values.end() ? std::string("any") : found->second.text;
     };
     in.fault(*at,
-             fmt::format("{} = \"{}\" is outside what {} offers: {} to {}", wanted.key, at->text,
+             fmt::format("{} = \"{}\" is outside what {} offers: {} to {}", spec.key, at->text,
                          entry.title, text("least"), text("most")),
              "stay within it, or give `kind` and the mill's own numbers instead of `model`",
              "outside-mill-range");
@@ -110,15 +111,15 @@ void check_offer(Section& in, const Wanted& wanted, double value, const Catalogu
 
 /// A number as it is read, with what is special to a mill.
 template <class M>
-double read_motion_number(Section& in, const Wanted& wanted, const Case& c) {
-  if (std::is_same_v<M, Planetary> && wanted.key == "ratio") return read_ratio(in, wanted);
-  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, wanted, c);
-  return in.value(wanted);
+double read_motion_number(SectionReader& in, const NumberSpec& spec, const Case& c) {
+  if (std::is_same_v<M, Planetary> && spec.key == "ratio") return read_ratio(in, spec);
+  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, spec, c);
+  return in.value(spec);
 }
 
 template <class M>
 void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) {
     v.fields(motion, M::fields());
     std::size_t relative = 0;
@@ -126,15 +127,15 @@ void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model
     return;
   }
   for (const auto& field : M::fields()) {
-    const Wanted wanted(field);
-    const double value = read_motion_number<M>(*in, wanted, c);
-    if (model.entry) check_offer(*in, wanted, value, *model.entry);
+    const NumberSpec spec(field);
+    const double value = read_motion_number<M>(*in, spec, c);
+    if (model.entry) check_offer(*in, spec, value, *model.entry);
     motion.*field.value = value;
   }
 }
 
 void describe_measured(KeyVisitor& v, Mill& mill) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) return v.text("file", mill.motion_file);
   const auto file = in->text("file");
   if (!file) {
@@ -151,26 +152,26 @@ void describe_measured(KeyVisitor& v, Mill& mill) {
 void describe_axis(KeyVisitor& v, Mill& mill) {
   const Vec3 standard = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, *mill.motion);
   const std::array axes{kinematics::upright, kinematics::lying};
-  auto place = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
+  auto word_index = static_cast<std::size_t>(std::ranges::find(axes, mill.jar_axis) - axes.begin());
   const bool sound = v.choose({"jar_axis",
                                {"vertical", "horizontal"},
                                standard == kinematics::upright ? "vertical" : "horizontal",
                                "as such mills are built"},
-                              place);
-  if (place < axes.size()) mill.jar_axis = sound ? axes[place] : standard;
+                              word_index);
+  if (word_index < axes.size()) mill.jar_axis = sound ? axes[word_index] : standard;
 }
 
 /// Of a catalogue's mill that of the machine, which is a number among others there.
 void describe_jars(KeyVisitor& v, std::int64_t& carried) {
-  const Wanted wanted("jars_carried", "", {.least = 1, .most = most_jars},
-                      "how many jars, all alike, the mill carries");
-  Section* in = v.reading();
+  const NumberSpec spec("jars_carried", "", {.least = 1, .most = most_jars},
+                        "how many jars, all alike, the mill carries");
+  SectionReader* in = v.reader();
   if (in == nullptr) {
-    if (carried != 1 || v.visits_all()) v.whole({wanted.key, 1, most_jars, wanted.about}, carried);
+    if (carried != 1 || v.visits_all()) v.integer({spec.key, 1, most_jars, spec.about}, carried);
     return;
   }
-  const double jars = in->maybe(wanted).value_or(1);
-  if (const Node* at = in->find(wanted.key); at != nullptr && jars != std::round(jars))
+  const double jars = in->optional_number(spec).value_or(1);
+  if (const Node* at = in->find(spec.key); at != nullptr && jars != std::round(jars))
     in->fault(*at, "`jars_carried` must be a whole number", "write for instance jars_carried = 2",
               "out-of-range");
   carried = std::isnan(jars) ? 1 : std::llround(jars);
@@ -181,11 +182,11 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
 void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
   if (!describe_kind(v, "mills", *mill.motion, mill.model, model)) return v.ignore_unknown_keys();
-  if (v.reading() != nullptr) describe_axis(v, mill);
+  if (v.reader() != nullptr) describe_axis(v, mill);
   if (v.visits_all() || std::holds_alternative<Tabulated>(*mill.motion)) describe_measured(v, mill);
   if (!std::holds_alternative<Tabulated>(*mill.motion))
     std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, *mill.motion);
-  if (v.reading() == nullptr) describe_axis(v, mill);
+  if (v.reader() == nullptr) describe_axis(v, mill);
   describe_jars(v, mill.jars_carried);
 }
 

@@ -6,9 +6,10 @@
 
 namespace mahlwerk::cases {
 
-std::optional<CatalogueEntry> look_up(Section& in, std::string_view room, const Node& at) {
+std::optional<CatalogueEntry> find_entry(SectionReader& in, std::string_view category,
+                                         const Node& at) {
   try {
-    return in.catalogue().find(room, at.text, at.where);
+    return in.catalogue().find(category, at.text, at.where);
   } catch (const InputError& error) {
     auto& found = in.findings().faults;
     found.insert(found.end(), error.faults().begin(), error.faults().end());
@@ -20,10 +21,11 @@ namespace {
 
 /// A `model` beside `kind` is held to the catalogue, too, where it is known there: a case that was
 /// written with all its values needs no catalogue.
-void beside(Model& model, Section& in, std::string_view room, const Node& name) {
+void check_model_name(Model& model, SectionReader& in, std::string_view category,
+                      const Node& name) {
   model.name = in.text("model").value_or("");
-  if (model.name.empty() || model.kind.empty() || !in.catalogue().has(room, model.name)) return;
-  model.entry = look_up(in, room, name);
+  if (model.name.empty() || model.kind.empty() || !in.catalogue().has(category, model.name)) return;
+  model.entry = find_entry(in, category, name);
   if (!model.entry || model.entry->kind == model.kind) return;
   in.fault(name,
            fmt::format("model = \"{}\" is of kind \"{}\", not \"{}\"", model.name,
@@ -34,29 +36,31 @@ void beside(Model& model, Section& in, std::string_view room, const Node& name) 
 
 }  // namespace
 
-Model read_model(Section& in, std::string_view room, const std::vector<std::string>& kinds) {
+Model read_model(SectionReader& in, std::string_view category,
+                 const std::vector<std::string>& kinds) {
   const Node *kind = in.find("kind"), *name = in.find("model");
   if (kind == nullptr && name == nullptr) {
     in.missing("kind", "",
                fmt::format("write kind = ..., one of {}, or model = \"...\" with a name `mahlwerk "
                            "list {}` shows",
-                           listed(kinds), room));
+                           quoted_list(kinds), category));
     return {};
   }
   Model model;
-  if (kind == nullptr || (name != nullptr && name->rank > kind->rank)) {
+  if (kind == nullptr || (name != nullptr && name->precedence > kind->precedence)) {
     model.name = in.text("model").value_or("");
     if (model.name.empty()) return model;
-    model.entry = look_up(in, room, *name);
+    model.entry = find_entry(in, category, *name);
     if (!model.entry) return model;
-    in.lend(*model.entry);
+    in.add_defaults(*model.entry);
     model.kind = model.entry->kind;
-    in.note("kind", fmt::format("\"{}\"", model.kind), name,
-            fmt::format("catalogue {}/{}", room, model.name));
+    in.record_origin("kind", fmt::format("\"{}\"", model.kind), name,
+                     fmt::format("catalogue {}/{}", category, model.name));
     return model;
   }
   model.kind = in.choice({"kind", kinds, ""});
-  if (name != nullptr && name->rank == kind->rank) beside(model, in, room, *name);
+  if (name != nullptr && name->precedence == kind->precedence)
+    check_model_name(model, in, category, *name);
   return model;
 }
 

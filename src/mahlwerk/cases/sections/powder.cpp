@@ -16,17 +16,18 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr Wanted mass_of_powder("mass", "kg", positive, "mass of the powder");
-constexpr Wanted ball_to_powder("ball_to_powder", "", positive,
-                                "mass of the balls over mass of the powder");
-constexpr Wanted filling_of_powder("filling", "", {.least = 0, .most = 1, .without_least = true},
-                                   "solid volume of the powder over volume of the jar");
-constexpr Wanted density_of_solid("density", "kg/m3", positive, "density of the solid");
-constexpr Wanted size_of_grains("grain_size", "m", positive,
-                                "diameter of the spheres that stand for the powder");
+constexpr NumberSpec mass_of_powder("mass", "kg", positive, "mass of the powder");
+constexpr NumberSpec ball_to_powder("ball_to_powder", "", positive,
+                                    "mass of the balls over mass of the powder");
+constexpr NumberSpec filling_of_powder("filling", "",
+                                       {.least = 0, .most = 1, .without_least = true},
+                                       "solid volume of the powder over volume of the jar");
+constexpr NumberSpec density_of_solid("density", "kg/m3", positive, "density of the solid");
+constexpr NumberSpec size_of_grains("grain_size", "m", positive,
+                                    "diameter of the spheres that stand for the powder");
 
 /// "70:1" or 70, balls to powder by mass.
-double read_ball_to_powder(Section& in, const Node& at) {
+double read_ball_to_powder(SectionReader& in, const Node& at) {
   const auto colon = at.text.find(':');
   if (at.kind != Node::Kind::text || colon == std::string::npos)
     return in.quantity(at, ball_to_powder);
@@ -40,10 +41,10 @@ double read_ball_to_powder(Section& in, const Node& at) {
     in.fault(at, fmt::format("ball_to_powder = \"{}\": {}", at.text, error.what()),
              "write balls to powder by mass, \"30:1\", or the number 30", "bad-quantity");
   }
-  return unread;
+  return invalid_value;
 }
 
-void no_density(Section& in, const Powder& powder, std::string_view why) {
+void report_missing_density(SectionReader& in, const Powder& powder, std::string_view why) {
   in.missing("density", fmt::format("density of the solid, which {} needs", why),
              powder.material.empty()
                  ? "write density = \"4930 kg/m3\", or material with a name `mahlwerk list "
@@ -53,56 +54,56 @@ void no_density(Section& in, const Powder& powder, std::string_view why) {
 }
 
 /// By mass, by the balls' mass over it, or by its solid share of the jar's volume.
-double read_powder_mass(Section& in, const Powder& powder, const std::vector<BallSet>& balls,
+double read_powder_mass(SectionReader& in, const Powder& powder, const std::vector<BallSet>& balls,
                         const Jar& jar) {
   const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling"});
-  Wanted wanted = mass_of_powder;
-  wanted.instead = "ball_to_powder";
-  if (key.empty() || key == "mass") return in.value(wanted);
+  NumberSpec spec = mass_of_powder;
+  spec.instead = "ball_to_powder";
+  if (key.empty() || key == "mass") return in.value(spec);
   const Node& at = *in.find(key);
-  double mass = unread;
+  double mass = invalid_value;
   if (key == "ball_to_powder") {
     mass = balls_mass(balls) / read_ball_to_powder(in, at);
   } else {
     const double filling = in.quantity(at, filling_of_powder);
-    if (!powder.density) no_density(in, powder, "filling");
-    mass = filling * jar_volume(jar) * powder.density.value_or(unread);
+    if (!powder.density) report_missing_density(in, powder, "filling");
+    mass = filling * jar_volume(jar) * powder.density.value_or(invalid_value);
   }
   if (!std::isnan(mass))
-    in.note("mass", show(mass, "kg"), &at, fmt::format("{} = \"{}\"", key, at.text));
+    in.record_origin("mass", show(mass, "kg"), &at, fmt::format("{} = \"{}\"", key, at.text));
   return mass;
 }
 
 /// How large the spheres are; of the powder's own size unless said otherwise.
-double read_grain_size(Section& in, const Powder& powder) {
+double read_grain_size(SectionReader& in, const Powder& powder) {
   if (in.gives("grain_size")) return in.value(size_of_grains);
   if (powder.size && powder.feed.law == powder::Feed::Law::equal) {
-    in.note_default("grain_size", show(*powder.size, "m"), "each grain for itself");
+    in.record_default("grain_size", show(*powder.size, "m"), "each grain for itself");
     return *powder.size;
   }
   in.missing("grain_size", size_of_grains.about,
              "write for instance grain_size = \"1 mm\", or give `size`");
-  return unread;
+  return invalid_value;
 }
 
 /// How the sizes spread as fed; of one size, unread, after a fault.
 void describe_feed(KeyVisitor& v, Powder& powder) {
   using Law = powder::Feed::Law;
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
   powder::Feed& feed = powder.feed;
   if (in == nullptr ? feed.law != Law::equal || v.visits_all() : v.gives("distribution"))
     v.word({"distribution", words, ""}, feed.law);
   const auto refuse = [&](std::initializer_list<std::string_view> keys) {
-    v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(feed.law, words)),
+    v.refuse(keys, fmt::format("under distribution = \"{}\"", to_word(feed.law, words)),
              "remove it, or choose another distribution");
   };
   if (feed.law == Law::sieves) {
     refuse({"size", "spread"});
     describe_sieves(v, feed.passing, most_powder_sieves);
     if (in != nullptr && feed.passing.empty()) {
-      feed = {.size = unread};
-      powder.size = unread;
+      feed = {.size = invalid_value};
+      powder.size = invalid_value;
       return;
     }
   } else {
@@ -110,7 +111,7 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   }
   if (feed.law == Law::equal) {
     refuse({"spread"});
-    v.maybe({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
+    v.optional_number({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
     if (in != nullptr) feed.size = powder.size.value_or(0);
   }
   if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
@@ -126,7 +127,7 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
 }
 
 /// How many grains there are; 0 after a fault.
-std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
+std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) {
   const double exact = powder.mass / grain, count = std::max(1.0, std::round(exact));
   if (std::isnan(exact)) return 0;  // reported where it comes from
   constexpr double fair = 0.05;     // of the mass, that whole grains may be off by
@@ -140,8 +141,8 @@ std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
     return 0;
   }
   if (count <= most_grains) {
-    in.note("count", fmt::format("{:.0f}", count), in.find("as"),
-            "mass of the powder over that of a grain");
+    in.record_origin("count", fmt::format("{:.0f}", count), in.find("as"),
+                     "mass of the powder over that of a grain");
     return static_cast<std::int64_t>(count);
   }
   constexpr double advised = 1e5;
@@ -157,16 +158,17 @@ std::int64_t grain_count(Section& in, const Powder& powder, double grain) {
 }
 
 /// The ball set that stands for the powder.
-BallSet read_grains(Section& in, Powder& powder) {
+BallSet read_grains(SectionReader& in, Powder& powder) {
   powder.grain_size = read_grain_size(in, powder);
   BallSet set{.count = 0,
               .diameter = *powder.grain_size,
-              .density = powder.density.value_or(unread),
+              .density = powder.density.value_or(invalid_value),
               .material = powder.material,
               .grains = true};
   describe(in, set.elastic, powder.material);
   describe(in, set.substance, powder.material);
-  if (!powder.density && in.find("filling") == nullptr) no_density(in, powder, "as = \"grains\"");
+  if (!powder.density && in.find("filling") == nullptr)
+    report_missing_density(in, powder, "as = \"grains\"");
   if (powder.size && *powder.grain_size < *powder.size)
     in.fault(*in.find("grain_size"),
              fmt::format("grain_size ({}) is smaller than the powder's own size ({})",
@@ -177,7 +179,7 @@ BallSet read_grains(Section& in, Powder& powder) {
 }
 
 /// Whether it takes part as grains, and which.
-void read_part(Section& in, Powder& powder, std::vector<BallSet>& balls) {
+void read_part(SectionReader& in, Powder& powder, std::vector<BallSet>& balls) {
   if (in.gives("as") && in.choice({"as", {"mass", "grains"}, ""}) == "grains")
     balls.push_back(read_grains(in, powder));
   else
@@ -189,7 +191,7 @@ void read_part(Section& in, Powder& powder, std::vector<BallSet>& balls) {
 }  // namespace
 
 void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const Jar& jar) {
-  if (Section* in = v.reading()) {
+  if (SectionReader* in = v.reader()) {
     powder.density = read_density(*in, density_of_solid, powder.material);
     powder.mass = read_powder_mass(*in, powder, balls, jar);
     describe_feed(v, powder);
@@ -200,11 +202,11 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
   v.alternative(ball_to_powder);
   v.alternative(filling_of_powder);
   describe_feed(v, powder);
-  v.maybe(density_of_solid, powder.density);
+  v.optional_number(density_of_solid, powder.density);
   if (!powder.grain_size || balls.empty()) return;
   std::size_t grains = 1;
   v.choose({"as", {"mass", "grains"}, ""}, grains);
-  v.maybe(size_of_grains, powder.grain_size);
+  v.optional_number(size_of_grains, powder.grain_size);
   describe(v, balls.back().elastic, powder.material);
   describe(v, balls.back().substance, powder.material);
 }

@@ -30,8 +30,8 @@ bool waits(const Node* time) {
 void describe_until(KeyVisitor& v, Run& run) {
   constexpr std::string_view about =
       "the half-width of the confidence interval over the mean: \"until 2 %\"";
-  Until& until = *run.until;
-  Section* in = v.reading();
+  StopCriterion& until = *run.until;
+  SectionReader* in = v.reader();
   const Node* at = in ? in->find("time") : nullptr;
   if (at != nullptr) {
     Node share = *at;
@@ -41,9 +41,10 @@ void describe_until(KeyVisitor& v, Run& run) {
   }
   v.custom({"time", about, until_range.holds(until.within)},
            [&] { return in_quotes(fmt::format("{} {}", until_word, show(until.within, ""))); });
-  v.word_text({"until", until_words(), until_words().front(), "what the mill's user pays for"},
-              until.quantity);
-  if (at != nullptr) in->note("time", in_quotes(at->text), at);
+  v.word_text(
+      {"until", until_quantities(), until_quantities().front(), "what the mill's user pays for"},
+      until.quantity);
+  if (at != nullptr) in->record_origin("time", in_quotes(at->text), at);
   v.number(
       {"longest", "s", run_times, "the counted time at which a run ends that is not sure by then",
        100.0, "a limit that few runs need"},
@@ -52,7 +53,7 @@ void describe_until(KeyVisitor& v, Run& run) {
 
 /// time = "60 s" or "until 2 %", and how it begins.
 void describe_times(KeyVisitor& v, Run& run) {
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in != nullptr && waits(in->find("time"))) run.until.emplace();
   if (!run.until)
     v.number({"time", "s", run_times, "simulated time that counts"}, run.time);
@@ -72,11 +73,12 @@ void describe_times(KeyVisitor& v, Run& run) {
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
-  const Wanted step("time_step", "s", positive, "time step of the soft engine"), share(step_share);
-  Section* in = v.reading();
+  const NumberSpec step("time_step", "s", positive, "time step of the soft engine"),
+      share(step_share);
+  SectionReader* in = v.reader();
   const bool timed =
       in != nullptr ? in->one_of({step.key, share.key}) == step.key : run.time_step.has_value();
-  if (timed || v.visits_all()) v.maybe(step, run.time_step);
+  if (timed || v.visits_all()) v.optional_number(step, run.time_step);
   if (!timed || v.visits_all()) v.number(share, run.time_step_fraction);
 }
 
@@ -87,8 +89,8 @@ void describe(KeyVisitor& v, Run& run) {
   describe_times(v, run);
   v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
   describe_step(v, run);
-  v.flag({"hop", true, "the clock of the soft engine hops over free flight"}, run.hop);
-  v.whole(
+  v.flag({"hop", true, "the clock of the soft engine hops over free flight"}, run.free_flight_skip);
+  v.integer(
       {"replicates", 1, most_replicates, "runs that differ by chance alone", 5, "as in paper A"},
       run.replicates);
 }

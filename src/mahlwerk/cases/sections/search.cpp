@@ -15,33 +15,34 @@ namespace mahlwerk::cases {
 namespace {
 
 /// Notes where each range stands, for faults with what lies in it.
-void note_ranges(Section& in, const Node& over, const std::vector<SweptKey>& keys) {
+void record_ranges(SectionReader& in, const Node& over, const std::vector<SweptKey>& keys) {
   for (const SweptKey& key : keys) {
     const Node* direct = over.find(key.key);
     const Node* at = direct != nullptr ? direct : value_at(over, key.key);
-    in.note("over." + key.key, fmt::format("{} to {}", key.values.front(), key.values.back()),
-            at != nullptr ? at : &over);
+    in.record_origin("over." + key.key,
+                     fmt::format("{} to {}", key.values.front(), key.values.back()),
+                     at != nullptr ? at : &over);
   }
 }
 
 /// A section with `over`, `settings` and `replicates`.
-template <class Looks>
-void read_search(Section& in, const Node& table, Looks& looks) {
-  if (const auto n = in.whole("settings", 100'000, 4)) looks.settings = *n;
-  if (const auto n = in.whole("replicates", 100'000, 2)) looks.replicates = *n;
-  KeyReader::Places places;
-  KeyReader keys(in.name(), places, in.findings());
+template <class Search>
+void read_search(SectionReader& in, const Node& table, Search& search) {
+  if (const auto n = in.integer("settings", 100'000, 4)) search.settings = *n;
+  if (const auto n = in.integer("replicates", 100'000, 2)) search.replicates = *n;
+  KeyReader::Locations locations;
+  KeyReader keys(in.name(), locations, in.findings());
   const Node* over = in.find("over");
   if (over != nullptr && over->kind == Node::Kind::table) keys.read(*over);
-  looks.over = keys.keys();
-  if (over != nullptr) note_ranges(in, *over, looks.over);
-  if (looks.over.empty()) {
+  search.over = keys.keys();
+  if (over != nullptr) record_ranges(in, *over, search.over);
+  if (search.over.empty()) {
     in.fault(over != nullptr ? *over : table, fmt::format("{} has nothing to choose", in.heading()),
              "write over = { \"mill.speed\" = { from = \"200 rpm\", to = \"600 rpm\" } }",
              "bad-range");
     return;
   }
-  for (const SweptKey& key : looks.over)
+  for (const SweptKey& key : search.over)
     if (key.key == "seed" || key.key == "run.replicates" || key.steps > 0)
       in.fault(*over,
                key.steps > 0
@@ -49,21 +50,21 @@ void read_search(Section& in, const Node& table, Looks& looks) {
                    : fmt::format("\"{}\" is nothing to look for a best value of", key.key),
                "take it out", "bad-range");
   const auto derived = keys.derived();
-  const auto listed_key = std::ranges::find(looks.over, false, &SweptKey::range);
-  if (listed_key != looks.over.end() || !derived.empty()) {
+  const auto listed_key = std::ranges::find(search.over, false, &SweptKey::range);
+  if (listed_key != search.over.end() || !derived.empty()) {
     const std::string& key =
-        listed_key != looks.over.end() ? listed_key->key : derived.begin()->first;
+        listed_key != search.over.end() ? listed_key->key : derived.begin()->first;
     in.fault(*over, fmt::format("\"{}\" must be a range", key),
              fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key), "bad-range");
   }
 }
 
-std::vector<Limit> read_limits(Section& in) {
+std::vector<Limit> read_limits(SectionReader& in) {
   std::vector<Limit> limits;
   const Node* table = in.find("limits");
   if (table == nullptr) return limits;
   for (const auto& [quantity, node] : table->members) {
-    in.note("limits." + quantity, node.text, &node);
+    in.record_origin("limits." + quantity, node.text, &node);
     const bool below = node.text.starts_with("below "), above = node.text.starts_with("above ");
     if (node.kind != Node::Kind::text || !(below || above))
       in.fault(node,
@@ -78,12 +79,12 @@ std::vector<Limit> read_limits(Section& in) {
   return limits;
 }
 
-template <class Looks>
-void write_search(Writer& out, const Looks& looks) {
-  out.plain("settings", std::to_string(looks.settings));
-  out.plain("replicates", std::to_string(looks.replicates));
+template <class Search>
+void write_search(Writer& out, const Search& search) {
+  out.plain("settings", std::to_string(search.settings));
+  out.plain("replicates", std::to_string(search.replicates));
   std::string over;
-  for (const SweptKey& key : looks.over)
+  for (const SweptKey& key : search.over)
     over +=
         fmt::format("{}{} = {}", over.empty() ? "" : ", ", in_quotes(key.key), values_text(key));
   out.plain("over", "{ " + over + " }");
@@ -92,43 +93,43 @@ void write_search(Writer& out, const Looks& looks) {
 }  // namespace
 
 Optimise read_optimise(const Node* table, Findings& findings) {
-  Optimise wanted;
-  Section in(table, "optimise", findings);
+  Optimise search;
+  SectionReader in(table, "optimise", findings);
   const std::string_view goal = in.one_of({"maximise", "minimise"});
   if (goal.empty())
     in.missing("maximise", "the quantity of the summary that is looked at",
                "write for instance maximise = \"dissipated_power\", or minimise = \"d50\"");
   else if (const auto quantity = in.text(goal))
-    wanted.quantity = *quantity;
-  wanted.maximise = goal != "minimise";
-  wanted.limits = read_limits(in);
-  read_search(in, *table, wanted);
-  in.close();
-  return wanted;
+    search.quantity = *quantity;
+  search.maximise = goal != "minimise";
+  search.limits = read_limits(in);
+  read_search(in, *table, search);
+  in.report_unknown_keys();
+  return search;
 }
 
 Match read_match(const Node* table, Findings& findings) {
-  Match wanted;
-  Section in(table, "match", findings);
-  read_search(in, *table, wanted);
-  in.close();
-  return wanted;
+  Match search;
+  SectionReader in(table, "match", findings);
+  read_search(in, *table, search);
+  in.report_unknown_keys();
+  return search;
 }
 
-void write(Writer& out, const Optimise& wanted) {
+void write(Writer& out, const Optimise& search) {
   out.section("optimise");
-  out.plain(wanted.maximise ? "maximise" : "minimise", in_quotes(wanted.quantity));
+  out.plain(search.maximise ? "maximise" : "minimise", in_quotes(search.quantity));
   std::string limits;
-  for (const Limit& limit : wanted.limits)
+  for (const Limit& limit : search.limits)
     limits += fmt::format("{}{} = {}", limits.empty() ? "" : ", ", in_quotes(limit.quantity),
                           in_quotes((limit.below ? "below " : "above ") + limit.bound));
   if (!limits.empty()) out.plain("limits", "{ " + limits + " }");
-  write_search(out, wanted);
+  write_search(out, search);
 }
 
-void write(Writer& out, const Match& wanted) {
+void write(Writer& out, const Match& search) {
   out.section("match");
-  write_search(out, wanted);
+  write_search(out, search);
 }
 
 }  // namespace mahlwerk::cases

@@ -18,7 +18,8 @@ constexpr std::string_view form =
     "[\"12 mm\", \"100 %\"]]";
 
 /// Opening and share of one row; nothing after a fault.
-std::optional<std::array<double, 2>> read_row(Section& in, std::string_view key, const Node& row) {
+std::optional<std::array<double, 2>> read_row(SectionReader& in, std::string_view key,
+                                              const Node& row) {
   if (row.kind != Node::Kind::list || row.items.size() != 2) {
     in.fault(row, fmt::format("a row of `{}` must be an opening and a share of the mass", key),
              std::string(form), "wrong-type");
@@ -32,7 +33,7 @@ std::optional<std::array<double, 2>> read_row(Section& in, std::string_view key,
 }
 
 /// Rows with rising openings; none after a fault.
-Sieves read_rows(Section& in, std::string_view key, const Node& at, std::size_t most_rows) {
+Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::size_t most_rows) {
   Sieves rows;
   if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > most_rows) {
     in.fault(at, fmt::format("`{}` must be a list of 2 to {} rows", key, most_rows),
@@ -56,7 +57,7 @@ Sieves read_rows(Section& in, std::string_view key, const Node& at, std::size_t 
 }
 
 /// Shares retained by each sieve as shares that pass it.
-Sieves passing_of(Section& in, const Node& at, Sieves rows) {
+Sieves passing_of(SectionReader& in, const Node& at, Sieves rows) {
   constexpr double rounding = 1e-9;
   if (rows.empty()) return rows;
   double sum = 0;
@@ -92,7 +93,7 @@ bool rise_to_all(const Sieves& rows) {
 }
 
 /// Whether shares rise from 0 to 1, with a fault where they do not.
-bool cumulative(Section& in, const Node& at, const Sieves& rows) {
+bool cumulative(SectionReader& in, const Node& at, const Sieves& rows) {
   const auto fault = [&](std::string what, std::string remedy) {
     in.fault(at, std::move(what), std::move(remedy), "sieve-shares");
     return false;
@@ -115,7 +116,7 @@ bool cumulative(Section& in, const Node& at, const Sieves& rows) {
 void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most) {
   constexpr CustomKey passing{"passing",
                               "openings of sieves with the share of the mass that passes them"};
-  Section* in = v.reading();
+  SectionReader* in = v.reader();
   if (in == nullptr) {
     v.alternative(
         {"retained", "", any_number, "openings of sieves with the share that each keeps"});
@@ -133,7 +134,8 @@ void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most) {
   if (key == "retained") rows = passing_of(*in, at, std::move(rows));
   if (!rows.empty() && !cumulative(*in, at, rows)) rows.clear();
   if (!rows.empty())
-    in->note("passing", passing_text(rows), &at, key == "retained" ? "from `retained`" : "");
+    in->record_origin("passing", passing_text(rows), &at,
+                      key == "retained" ? "from `retained`" : "");
 }
 
 }  // namespace mahlwerk::cases

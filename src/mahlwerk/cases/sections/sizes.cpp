@@ -21,7 +21,7 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
   if (d.law == SizeLaw::uniform) {
     v.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
     v.number({"largest", "m", positive, "diameter of the largest balls"}, d.largest);
-    if (Section* in = v.reading(); in != nullptr && d.largest <= d.smallest)
+    if (SectionReader* in = v.reader(); in != nullptr && d.largest <= d.smallest)
       in->fault(*in->find("largest"),
                 fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
                             show_rounded(d.smallest, "m")),
@@ -44,14 +44,14 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
 /// A few sizes stand for the distribution; how many is found out from the number of balls where
 /// nobody says it.
 void describe_classes(KeyVisitor& v, Distribution& d) {
-  if (v.reading() == nullptr || v.gives("classes"))
-    v.whole({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
+  if (v.reader() == nullptr || v.gives("classes"))
+    v.integer({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
 }
 
 /// Keys that a law has no use for.
 void refuse_others(KeyVisitor& v, SizeLaw law) {
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
-    v.refuse(keys, fmt::format("under distribution = \"{}\"", word_for(law, distribution_words())),
+    v.refuse(keys, fmt::format("under distribution = \"{}\"", to_word(law, distribution_words())),
              "remove it, or choose another distribution");
   };
   switch (law) {
@@ -69,7 +69,7 @@ void refuse_others(KeyVisitor& v, SizeLaw law) {
 }  // namespace
 
 bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
-  const Section* in = v.reading();
+  const SectionReader* in = v.reader();
   if (in == nullptr ? d.law != SizeLaw::equal || v.visits_all() : v.gives("distribution"))
     v.word({"distribution", distribution_words(), ""}, d.law);
   refuse_others(v, d.law);
@@ -88,14 +88,14 @@ bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
   return sound;
 }
 
-std::vector<SizeClass> read_classes(Section& in, Distribution& d, std::int64_t count) {
+std::vector<SizeClass> read_classes(SectionReader& in, Distribution& d, std::int64_t count) {
   if (d.classes == 0 && d.law != SizeLaw::sieves) {
-    d.classes = classes_that_fill(d, count);
-    in.note_default("classes", std::to_string(d.classes),
-                    fmt::format("{} at most, and a ball in each", usual_classes));
+    d.classes = max_filled_classes(d, count);
+    in.record_default("classes", std::to_string(d.classes),
+                      fmt::format("{} at most, and a ball in each", default_classes));
   }
   const std::vector<SizeShare> shares = size_shares(d);
-  const std::vector<std::int64_t> counts = counted_out(count, shares);
+  const std::vector<std::int64_t> counts = apportion(count, shares);
   std::vector<SizeClass> classes;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     classes.push_back({shares[i].diameter, counts[i]});

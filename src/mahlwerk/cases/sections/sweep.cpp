@@ -72,23 +72,23 @@ std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep&
 }
 
 /// What a design asks of its keys.
-void check_design(const Node& table, const Sweep& sweep, const KeyReader::Places& places,
+void check_design(const Node& table, const Sweep& sweep, const KeyReader::Locations& locations,
                   Findings& findings) {
   const std::string& word = design_words()[static_cast<std::size_t>(sweep.design)];
   for (const SweptKey& key : sweep.keys) {
     if (needs_ranges(sweep.design) && !key.range)
       findings.faults.push_back(
-          {places.at(key.key),
+          {locations.at(key.key),
            fmt::format("design = \"{}\" takes ranges, \"{}\" is a list", word, key.key),
            fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key.key), "bad-design"});
     if (needs_ranges(sweep.design) && key.steps > 0)
       findings.faults.push_back(
-          {places.at(key.key),
+          {locations.at(key.key),
            fmt::format("steps has no meaning under design = \"{}\": it draws from the range", word),
            "take it out, or write design = \"grid\"", "too-much"});
     if (!needs_ranges(sweep.design) && key.range && key.steps == 0)
       findings.faults.push_back(
-          {places.at(key.key), fmt::format("the range of \"{}\" lacks `steps`", key.key),
+          {locations.at(key.key), fmt::format("the range of \"{}\" lacks `steps`", key.key),
            "say how many values of it are run: steps = 5; or choose a design that draws from "
            "ranges: design = \"latin-hypercube\"",
            "bad-range"});
@@ -106,7 +106,7 @@ void check_design(const Node& table, const Sweep& sweep, const KeyReader::Places
                                "let one key follow from the other: \"jar.height\" = \"= 2 * "
                                "jar.diameter\"",
                                "too-much"});
-  if (!sweep.derived.empty() && places.size() == sweep.derived.size())
+  if (!sweep.derived.empty() && locations.size() == sweep.derived.size())
     findings.faults.push_back(
         {table.where, "[sweep] has formulas, but nothing that varies",
          "vary a key of the case: \"mill.speed\" = [\"300 rpm\", \"400 rpm\"]", "bad-design"});
@@ -114,23 +114,23 @@ void check_design(const Node& table, const Sweep& sweep, const KeyReader::Places
 
 }  // namespace
 
-Sweep read_sweep(const Node* table, KeyReader::Places& places, Findings& findings) {
+Sweep read_sweep(const Node* table, KeyReader::Locations& locations, Findings& findings) {
   Sweep sweep;
   if (table == nullptr || table->kind != Node::Kind::table) return sweep;
-  Section in(table, "sweep", findings);
+  SectionReader in(table, "sweep", findings);
   const std::string word =
       in.gives("design") ? in.choice({"design", design_words(), ""}) : design_words().front();
   if (!word.empty())
     sweep.design =
         static_cast<Design>(std::ranges::find(design_words(), word) - design_words().begin());
-  if (const auto n = in.whole("samples", most_samples)) sweep.samples = *n;
-  KeyReader reader("sweep", places, findings);
+  if (const auto n = in.integer("samples", most_samples)) sweep.samples = *n;
+  KeyReader reader("sweep", locations, findings);
   reader.read(*table, {"design", "samples", "together"});
   sweep.keys = reader.keys();
   sweep.derived = reader.derived();
   std::ranges::sort(sweep.keys, {}, &SweptKey::key);
   sweep.together = read_together(table->find("together"), sweep, findings);
-  if (!word.empty()) check_design(*table, sweep, places, findings);
+  if (!word.empty()) check_design(*table, sweep, locations, findings);
   return sweep;
 }
 

@@ -18,21 +18,21 @@ void describe(KeyVisitor& v, Wear& wear) {
 
 /// Who says one of the times of a cycle must say all. Without any the mill mills for an hour.
 void describe(KeyVisitor& v, Heat& heat) {
-  Wanted milling("milling", "s", positive, "how long the mill mills in each cycle", Heat().milling,
-                 "an hour without a pause");
-  Whole cycles{.key = "cycles",
-               .least = 1,
-               .most = 10'000,
-               .about = "how often the mill mills and rests",
-               .standard = 1,
-               .source = "without a pause there is one"};
+  NumberSpec milling("milling", "s", positive, "how long the mill mills in each cycle",
+                     Heat().milling, "an hour without a pause");
+  IntegerSpec cycles{.key = "cycles",
+                     .least = 1,
+                     .most = 10'000,
+                     .about = "how often the mill mills and rests",
+                     .standard = 1,
+                     .source = "without a pause there is one"};
   const bool pauses = v.gives("pause");
   if (pauses) cycles.standard.reset();
   if (v.gives("cycles") || pauses) milling.standard.reset();
   v.number(milling, heat.milling);
   v.number({"pause", "s", not_negative, "rest after each milling", Heat().pause, "none"},
            heat.pause);
-  v.whole(cycles, heat.cycles);
+  v.integer(cycles, heat.cycles);
   v.number({"ambient", "K", positive, "temperature of the air, and of everything at the start",
             Heat().ambient, "a room"},
            heat.ambient);

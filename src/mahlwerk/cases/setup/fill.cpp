@@ -12,7 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/setup/places.hpp"
+#include "mahlwerk/cases/setup/position_sampler.hpp"
 #include "mahlwerk/cases/setup/push_apart.hpp"
 
 namespace mahlwerk::cases {
@@ -38,10 +38,10 @@ std::vector<Portion> portions(const std::vector<BallSet>& sets) {
 }
 
 /// A charge being placed, the largest balls first.
-class Charge {
+class ChargeFiller {
  public:
-  Charge(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
-         const std::atomic<bool>* stop)
+  ChargeFiller(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
+               const std::atomic<bool>* stop)
       : shape_(shape), sets_(sets), random_(random), stop_(stop), portions_(portions(sets)) {
     order_.resize(portions_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -50,28 +50,28 @@ class Charge {
       portions_[i].from = count_;
       count_ += portions_[i].count;
     }
-    room_.periods = geometry::periods(shape);
+    domain_.periods = geometry::periods(shape);
     for (const std::size_t i : order_) {
-      const Vec3& box = places_.emplace_back(shape, 0.5 * portions_[i].diameter).box();
-      room_.half = {std::max(room_.half.x, box.x), std::max(room_.half.y, box.y),
-                    std::max(room_.half.z, box.z)};
+      const Vec3& box = samplers_.emplace_back(shape, 0.5 * portions_[i].diameter).box();
+      domain_.half = {std::max(domain_.half.x, box.x), std::max(domain_.half.y, box.y),
+                      std::max(domain_.half.z, box.z)};
     }
   }
 
   void place() {
     if (place_one_by_one()) return;
     dense_ = true;
-    if (hopeless()) throw full();
+    if (infeasible()) throw too_many_balls();
     const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
     // Moves a ball: of 120 charges of 46 to 57 % none that fits needed more, one more than 1e4.
-    left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
-    for (int start = 0; start < starts && left_ > 0; ++start) {
+    moves_left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
+    for (int start = 0; start < starts && moves_left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
       for (const double smaller : {least_gap, 0.1 * least_gap, 1e-3 * least_gap})
-        if (pushed(smaller)) return;
+        if (try_push_apart(smaller)) return;
     }
-    throw full();
+    throw too_many_balls();
   }
 
   /// By set, in the order of the case.
@@ -82,7 +82,7 @@ class Charge {
       for (std::size_t n = 0; n < portion.count; ++n)
         all.push_back({.radius = 0.5 * portion.diameter,
                        .density = sets_[portion.set].density,
-                       .position = placed_[portion.from + n].place,
+                       .position = placed_[portion.from + n].position,
                        .velocity = {},
                        .spin = {},
                        .kind = static_cast<std::int32_t>(portion.set)});
@@ -103,22 +103,22 @@ class Charge {
       if (!sets_[portion.set].positions.empty()) continue;
       if (widest == 0 || portion.diameter <= 0.5 * widest) {
         widest = portion.diameter;
-        grids.emplace_back(room_, widest * (1 + least_gap), alike(k));
+        grids.emplace_back(domain_, widest * (1 + least_gap), count_of_similar_size(k));
       }
-      crowded = place(portion, places_[k], grids, crowded);
+      crowded = place(portion, samplers_[k], grids, crowded);
     }
     return crowded == 0;
   }
   /// One size; counts those that found no place on.
-  std::size_t place(const Portion& portion, const Places& places, std::vector<Grid>& grids,
-                    std::size_t crowded) {
+  std::size_t place(const Portion& portion, const PositionSampler& sampler,
+                    std::vector<Grid>& grids, std::size_t crowded) {
     const double radius = 0.5 * portion.diameter;
     for (std::size_t next = portion.from; next < portion.from + portion.count; ++next) {
       if (stop_ != nullptr && *stop_) throw Interrupted();
-      Vec3 p = places.draw(random_);
+      Vec3 p = sampler.draw(random_);
       bool found = free(p, radius, grids);
       for (int tries = tries_left(crowded); !found && tries > 0; --tries) {
-        p = places.draw(random_);
+        p = sampler.draw(random_);
         found = free(p, radius, grids);
       }
       crowded += found ? 0 : 1;
@@ -128,7 +128,7 @@ class Charge {
     return crowded;
   }
   /// How many balls are wider than half those at `k` in the order, from there on.
-  std::size_t alike(std::size_t k) const {
+  std::size_t count_of_similar_size(std::size_t k) const {
     std::size_t many = 0;
     const double half = 0.5 * portions_[order_[k]].diameter;
     for (; k < order_.size() && portions_[order_[k]].diameter > half; ++k)
@@ -140,7 +140,7 @@ class Charge {
     std::size_t given = 0;
     for (const BallSet& set : sets_) given += set.positions.size();
     if (given == 0) return;
-    Grid& grid = grids.emplace_back(room_, largest_ball(sets_) * (1 + least_gap), given);
+    Grid& grid = grids.emplace_back(domain_, largest_ball(sets_) * (1 + least_gap), given);
     for (const Portion& portion : portions_) {
       std::size_t next = portion.from;
       for (const Vec3& p : sets_[portion.set].positions) {
@@ -156,9 +156,9 @@ class Charge {
   }
   bool free(const Vec3& p, double radius, const std::vector<Grid>& grids) const {
     return std::ranges::all_of(grids, [&](const Grid& grid) {
-      return grid.around(p, [&](int i) {
-        const Placed& o = placed_[static_cast<std::size_t>(i)];
-        return norm(room_.between(p, o.place)) >= (1 + least_gap) * (radius + o.radius);
+      return grid.for_each_near(p, [&](int i) {
+        const PlacedBall& o = placed_[static_cast<std::size_t>(i)];
+        return norm(domain_.minimum_image(p, o.position)) >= (1 + least_gap) * (radius + o.radius);
       });
     });
   }
@@ -169,21 +169,22 @@ class Charge {
     for (const Portion& portion : portions_) {
       if (!sets_[portion.set].positions.empty()) continue;
       const auto first = placed_.begin() + static_cast<std::ptrdiff_t>(portion.from);
-      std::vector<std::pair<std::uint64_t, Placed>> keyed;
+      std::vector<std::pair<std::uint64_t, PlacedBall>> keyed;
       keyed.reserve(portion.count);
       for (std::size_t n = 0; n < portion.count; ++n)
-        keyed.emplace_back(room_.along_curve(first[static_cast<std::ptrdiff_t>(n)].place),
+        keyed.emplace_back(domain_.z_order_index(first[static_cast<std::ptrdiff_t>(n)].position),
                            first[static_cast<std::ptrdiff_t>(n)]);
       std::ranges::stable_sort(keyed, {}, [](const auto& one) { return one.first; });
       std::ranges::transform(keyed, first, [](const auto& one) { return one.second; });
     }
   }
 
-  bool pushed(double smaller) {
-    if (left_ <= 0) return false;
+  bool try_push_apart(double smaller) {
+    if (moves_left_ <= 0) return false;
     const std::int64_t enough = sweeps(10'000, 0);  // what comes to rest does so much earlier
-    const Pushed end = push_apart(placed_, shape_, room_, smaller, std::min(left_, enough), stop_);
-    left_ -= end.moves;
+    const PushApartResult end =
+        push_apart(placed_, shape_, domain_, smaller, std::min(moves_left_, enough), stop_);
+    moves_left_ -= end.moves;
     largest_ = std::max(largest_, end.largest);
     typical_ = std::max(typical_, end.typical);
     return end.free;
@@ -199,7 +200,7 @@ class Charge {
     return volume / geometry::volume(shape_);
   }
   /// Many balls of nearly one size, denser than any random packing of them: no push would end.
-  bool hopeless() {
+  bool infeasible() {
     constexpr double soon_reached = 0.59, never_reached = 0.68;
     const bool alike = portions_[order_.front()].diameter < 1.5 * portions_[order_.back()].diameter;
     if (count_ <= large || !alike || filling() < never_reached) return false;
@@ -209,7 +210,7 @@ class Charge {
   }
 
   /// What is said when there is no room, with the filling that there is room for.
-  InputError full() {
+  InputError too_many_balls() {
     double size = largest_;
     double hope = 0.995 * std::min(typical_, 1.0);
     for (int tries = 8; tries > 0 && hope > size; --tries, hope *= 0.985)
@@ -223,9 +224,9 @@ class Charge {
   }
   /// Whether balls so much smaller can be pushed apart.
   bool fits(double size) {
-    std::vector<Placed> smaller = placed_;
-    for (Placed& b : smaller) b.radius *= size;
-    return push_apart(smaller, shape_, room_, 1e-6,
+    std::vector<PlacedBall> smaller = placed_;
+    for (PlacedBall& b : smaller) b.radius *= size;
+    return push_apart(smaller, shape_, domain_, 1e-6,
                       sweeps(300, std::min(5e7, 1.5e3 * static_cast<double>(count_))), stop_)
         .free;
   }
@@ -237,11 +238,11 @@ class Charge {
   std::vector<Portion> portions_;   // in the order of the case
   std::vector<std::size_t> order_;  // of portions, largest balls first
   std::size_t count_ = 0;
-  Room room_;
-  std::vector<Places> places_;  // for each portion, in that order
-  std::vector<Placed> placed_;
-  bool dense_ = false;     // placing one by one has failed
-  std::int64_t left_ = 0;  // of the work
+  Domain domain_;
+  std::vector<PositionSampler> samplers_;  // for each portion, in that order
+  std::vector<PlacedBall> placed_;
+  bool dense_ = false;           // placing one by one has failed
+  std::int64_t moves_left_ = 0;  // of the work
   double largest_ = 0, typical_ = 0;
 };
 
@@ -249,9 +250,9 @@ class Charge {
 
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
                               Random& random, const std::atomic<bool>* stop) {
-  Charge charge(shape, sets, random, stop);
-  charge.place();
-  return charge.balls();
+  ChargeFiller filler(shape, sets, random, stop);
+  filler.place();
+  return filler.balls();
 }
 
 }  // namespace mahlwerk::cases

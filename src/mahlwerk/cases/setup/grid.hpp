@@ -14,20 +14,20 @@
 namespace mahlwerk::cases {
 
 /// The box the centres of balls lie in, and how it repeats itself.
-struct Room {
+struct Domain {
   Vec3 half;     ///< [m] half its sides
   Vec3 periods;  ///< [m] infinite along an axis that does not repeat
 
   /// From `a` to the nearest image of `b`.
-  Vec3 between(const Vec3& a, const Vec3& b) const {
+  Vec3 minimum_image(const Vec3& a, const Vec3& b) const {
     const Vec3 d = b - a;
     return {nearest(d.x, periods.x), nearest(d.y, periods.y), nearest(d.z, periods.z)};
   }
   /// The image of `p` that lies in the box.
-  Vec3 home(const Vec3& p) const { return between({}, p); }
+  Vec3 wrap(const Vec3& p) const { return minimum_image({}, p); }
 
   /// Number of the place on a curve that fills the box: Z-order of 1024 steps each way.
-  std::uint64_t along_curve(const Vec3& p) const {
+  std::uint64_t z_order_index(const Vec3& p) const {
     const auto spread = [](double x, double side) {
       std::uint64_t found = 0;
       const auto step = static_cast<std::uint64_t>(std::clamp((x / side + 1) * 512, 0.0, 1023.0));
@@ -47,14 +47,14 @@ struct Room {
 /// many more than the points they are meant for.
 class Grid {
  public:
-  Grid(const Room& room, double reach, std::size_t points) : room_(&room) {
-    const std::array<double, 3> half{room.half.x, room.half.y, room.half.z};
-    const std::array<double, 3> period{room.periods.x, room.periods.y, room.periods.z};
+  Grid(const Domain& domain, double reach, std::size_t points) : domain_(&domain) {
+    const std::array<double, 3> half{domain.half.x, domain.half.y, domain.half.z};
+    const std::array<double, 3> period{domain.periods.x, domain.periods.y, domain.periods.z};
     const double most =
         std::cbrt(8 * half[0] * half[1] * half[2] / static_cast<double>(points + 8));
     for (std::size_t i = 0; i < 3; ++i) {
       low_[i] = -half[i];
-      round_[i] = std::isfinite(period[i]);
+      periodic_[i] = std::isfinite(period[i]);
       n_[i] = std::max(1, static_cast<int>(std::min(1024.0, 2 * half[i] / std::max(reach, most))));
       scale_[i] = half[i] > 0 ? n_[i] / (2 * half[i]) : 0.0;
     }
@@ -74,7 +74,7 @@ class Grid {
 
   /// Calls `visit` with every point within `reach` of `p` and some more, until it returns false.
   template <class Visit>
-  bool around(const Vec3& p, Visit visit) const {
+  bool for_each_near(const Vec3& p, Visit visit) const {
     const auto c = cell(p);
     std::array<std::array<int, 3>, 3> near{};
     std::array<int, 3> many{};
@@ -92,7 +92,7 @@ class Grid {
   static constexpr int none = -1;
 
   std::array<int, 3> cell(const Vec3& place) const {
-    const Vec3 p = room_->home(place);
+    const Vec3 p = domain_->wrap(place);
     const std::array<double, 3> x{p.x, p.y, p.z};
     std::array<int, 3> c{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -104,7 +104,7 @@ class Grid {
     int many = 0;
     for (int d = -1; d <= 1; ++d) {
       int at = c + d;
-      if (round_[i]) at = (at + n_[i]) % n_[i];
+      if (periodic_[i]) at = (at + n_[i]) % n_[i];
       if (at < 0 || at >= n_[i]) continue;
       if (std::find(near.begin(), near.begin() + many, at) == near.begin() + many)
         near[static_cast<std::size_t>(many++)] = at;
@@ -118,10 +118,10 @@ class Grid {
            static_cast<std::size_t>(z);
   }
 
-  const Room* room_;
+  const Domain* domain_;
   std::array<double, 3> low_{}, scale_{};
   std::array<int, 3> n_{};
-  std::array<bool, 3> round_{};
+  std::array<bool, 3> periodic_{};
   std::vector<int> first_, next_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 std::string tight_hollows(const Case& c) {
   const auto* mesh = geometry::as<geometry::Mesh>(*c.jar.shape);
   if (mesh == nullptr) return "";
-  const double bend = mesh->tightest_bend(), ball = 0.5 * largest_ball(c.balls);
+  const double bend = mesh->min_concave_radius(), ball = 0.5 * largest_ball(c.balls);
   if (!(ball > bend * (1 + 1e-3))) return "";
   return fmt::format(
       "A ball of radius {} is larger than the tightest hollow of a smooth face of the jar, radius "

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/setup/places.hpp"
+#include "mahlwerk/cases/setup/position_sampler.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
@@ -15,18 +15,19 @@ namespace {
 
 /// Soft spheres of unit stiffness that lose their energy as fast as may be: "fast inertial
 /// relaxation", Bitzek et al., Phys. Rev. Lett. 97, 170201 (2006).
-class Soft {
+class OverlapRelaxation {
  public:
-  Soft(std::vector<Placed>& balls, const geometry::AnyShape& shape, const Room& room, double gap)
-      : balls_(balls), shape_(shape), room_(room), gap_(gap) {
-    const auto [least, most] = std::ranges::minmax(balls, {}, &Placed::radius);
+  OverlapRelaxation(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
+                    const Domain& domain, double gap)
+      : balls_(balls), shape_(shape), domain_(domain), gap_(gap) {
+    const auto [least, most] = std::ranges::minmax(balls, {}, &PlacedBall::radius);
     smallest_ = least.radius;
     std::ptrdiff_t sizes = 1;
     skin_ = 0.6 * smallest_;
     const std::size_t n = balls.size();
     force_.resize(n);
-    speed_.resize(n);
-    for (const Placed& b : balls) {
+    velocity_.resize(n);
+    for (const PlacedBall& b : balls) {
       mass_.push_back(b.radius * b.radius / (smallest_ * smallest_));
       margin_.push_back(wall_clearance(shape, b.radius, gap));
     }
@@ -34,20 +35,20 @@ class Soft {
     for (std::size_t i = 1; i < n; ++i) sizes += balls[i].radius != balls[i - 1].radius ? 1 : 0;
     many_sizes_ = sizes > few;
     double mean = 0;
-    for (const Placed& b : balls) mean += b.radius / static_cast<double>(n);
+    for (const PlacedBall& b : balls) mean += b.radius / static_cast<double>(n);
     if (many_sizes_) skin_ = 0.6 * mean;
     find_neighbours();
   }
 
-  Pushed run(std::int64_t most, const std::atomic<bool>* stop) {
+  PushApartResult run(std::int64_t most, const std::atomic<bool>* stop) {
     constexpr double at_rest = 1e-3;  // force left over, of that in the contacts
-    Pushed end;
+    PushApartResult end;
     for (;;) {
       if (stop != nullptr && *stop) throw Interrupted();
-      feel();
+      compute_forces();
       end.moves += static_cast<std::int64_t>(balls_.size());
       end.free = pair_overlap_ <= 0.5 * gap_ && wall_overlap_ <= 0.5;
-      if (end.free || net_ <= at_rest * at_rest * pressing_ || end.moves > most) break;
+      if (end.free || net_force2_ <= at_rest * at_rest * contact_force2_ || end.moves > most) break;
       move();
     }
     end.largest = largest_;
@@ -59,7 +60,7 @@ class Soft {
   double radii(std::pair<int, int> pair) const {
     return at(pair.first).radius + at(pair.second).radius;
   }
-  const Placed& at(int i) const { return balls_[static_cast<std::size_t>(i)]; }
+  const PlacedBall& at(int i) const { return balls_[static_cast<std::size_t>(i)]; }
 
   /// All pairs near enough to overlap before a ball has moved by half the skin.
   void find_neighbours() {
@@ -69,64 +70,65 @@ class Soft {
       const double radius = balls_[from].radius, least = many_sizes_ ? 0.5 * radius : radius;
       for (to = from; to < balls_.size() && balls_[to].radius >= least;) ++to;
       const double reach = 2 * radius * (1 + gap_) + skin_;
-      Grid& own = grids.emplace_back(room_, reach, to - from);
+      Grid& own = grids.emplace_back(domain_, reach, to - from);
       for (std::size_t i = from; i < to; ++i) {
-        for (const Grid& grid : grids) near(grid, static_cast<int>(i));
-        own.add(static_cast<int>(i), balls_[i].place);
+        for (const Grid& grid : grids) add_pairs(grid, static_cast<int>(i));
+        own.add(static_cast<int>(i), balls_[i].position);
       }
     }
-    listed_.clear();
-    for (const Placed& b : balls_) listed_.push_back(b.place);
+    listed_positions_.clear();
+    for (const PlacedBall& b : balls_) listed_positions_.push_back(b.position);
   }
-  void near(const Grid& grid, int i) {
-    grid.around(at(i).place, [&](int j) {
+  void add_pairs(const Grid& grid, int i) {
+    grid.for_each_near(at(i).position, [&](int j) {
       const double reach = (at(i).radius + at(j).radius) * (1 + gap_) + skin_;
-      if (squared(room_.between(at(i).place, at(j).place)) < reach * reach)
+      if (squared(domain_.minimum_image(at(i).position, at(j).position)) < reach * reach)
         pairs_.emplace_back(i, j);
       return true;
     });
   }
 
   /// Forces, and how far from free everything is.
-  void feel() {
-    pair_overlap_ = wall_overlap_ = pressing_ = net_ = overlaps_ = 0;
+  void compute_forces() {
+    pair_overlap_ = wall_overlap_ = contact_force2_ = net_force2_ = overlaps_ = 0;
     contacts_ = 0;
     largest_ = 1;
     std::ranges::fill(force_, Vec3{});
-    for (const auto& pair : pairs_) feel(pair);
-    std::visit([&](const auto& shape) { feel_walls(shape); }, shape_);
+    for (const auto& pair : pairs_) add_pair_force(pair);
+    std::visit([&](const auto& shape) { add_wall_forces(shape); }, shape_);
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-      if (balls_[i].held) force_[i] = {};
-      net_ += squared(force_[i]);
+      if (balls_[i].fixed) force_[i] = {};
+      net_force2_ += squared(force_[i]);
     }
   }
-  void feel(std::pair<int, int> pair) {
-    const Vec3 apart = room_.between(at(pair.first).place, at(pair.second).place);
+  void add_pair_force(std::pair<int, int> pair) {
+    const Vec3 apart = domain_.minimum_image(at(pair.first).position, at(pair.second).position);
     const double sum = radii(pair), wanted = sum * (1 + gap_), d2 = squared(apart);
-    if (d2 >= wanted * wanted || (at(pair.first).held && at(pair.second).held)) return;
+    if (d2 >= wanted * wanted || (at(pair.first).fixed && at(pair.second).fixed)) return;
     const double d = std::sqrt(d2), overlap = wanted - d;
     const Vec3 push = d > 0 ? overlap / d * apart : Vec3{0, 0, overlap};
     force_[static_cast<std::size_t>(pair.first)] -= push;
     force_[static_cast<std::size_t>(pair.second)] += push;
-    pressing_ += overlap * overlap;
+    contact_force2_ += overlap * overlap;
     overlaps_ += overlap / sum;
     ++contacts_;
     pair_overlap_ = std::max(pair_overlap_, overlap / sum);
     largest_ = std::min(largest_, d / sum);
   }
   template <class S>
-  void feel_walls(const S& shape) {
+  void add_wall_forces(const S& shape) {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-      if (balls_[i].held) continue;
+      if (balls_[i].fixed) continue;
       const double r = balls_[i].radius, wanted = r + margin_[i];
-      geometry::each_wall(shape, balls_[i].place, r, wanted, [&](int, const geometry::Gap& gap) {
-        const double overlap = wanted - gap.distance;
-        if (!(overlap > 0)) return;
-        force_[i] += 2 * overlap * gap.inward;
-        pressing_ += 4 * overlap * overlap;
-        wall_overlap_ = std::max(wall_overlap_, overlap / margin_[i]);
-        largest_ = std::min(largest_, gap.distance / r);
-      });
+      geometry::for_each_near_face(shape, balls_[i].position, r, wanted,
+                                   [&](int, const geometry::Gap& gap) {
+                                     const double overlap = wanted - gap.distance;
+                                     if (!(overlap > 0)) return;
+                                     force_[i] += 2 * overlap * gap.inward;
+                                     contact_force2_ += 4 * overlap * overlap;
+                                     wall_overlap_ = std::max(wall_overlap_, overlap / margin_[i]);
+                                     largest_ = std::min(largest_, gap.distance / r);
+                                   });
     }
   }
 
@@ -134,58 +136,61 @@ class Soft {
     constexpr double longest = 0.35;  // the stiffest of a packing's oscillations takes 1.3
     double power = 0, v2 = 0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-      power += dot(force_[i], speed_[i]);
-      v2 += squared(speed_[i]);
+      power += dot(force_[i], velocity_[i]);
+      v2 += squared(velocity_[i]);
     }
     if (power > 0) {
-      const double turn = net_ > 0 ? turn_ * std::sqrt(v2 / net_) : 0.0;
+      const double mixed_force = net_force2_ > 0 ? mixing_ * std::sqrt(v2 / net_force2_) : 0.0;
       for (std::size_t i = 0; i < balls_.size(); ++i)
-        speed_[i] = (1 - turn_) * speed_[i] + turn * force_[i];
-      if (++downhill_ > 5) {
+        velocity_[i] = (1 - mixing_) * velocity_[i] + mixed_force * force_[i];
+      if (++downhill_steps_ > 5) {
         step_ = std::min(1.1 * step_, longest);
-        turn_ *= 0.99;
+        mixing_ *= 0.99;
       }
     } else {
-      std::ranges::fill(speed_, Vec3{});
+      std::ranges::fill(velocity_, Vec3{});
       step_ = std::max(0.5 * step_, 0.02);
-      turn_ = 0.1;
-      downhill_ = 0;
+      mixing_ = 0.1;
+      downhill_steps_ = 0;
     }
     double farthest = 0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
-      speed_[i] += step_ / mass_[i] * force_[i];
-      Vec3 way = step_ * speed_[i];
+      velocity_[i] += step_ / mass_[i] * force_[i];
+      Vec3 way = step_ * velocity_[i];
       const double far = norm(way), most = 0.5 * smallest_;  // nobody jumps past anybody
       if (far > most) way = most / far * way;
-      balls_[i].place = room_.home(balls_[i].place + way);
-      farthest = std::max(farthest, squared(room_.between(listed_[i], balls_[i].place)));
+      balls_[i].position = domain_.wrap(balls_[i].position + way);
+      farthest = std::max(farthest,
+                          squared(domain_.minimum_image(listed_positions_[i], balls_[i].position)));
     }
     if (farthest > 0.25 * skin_ * skin_) find_neighbours();
   }
 
-  std::vector<Placed>& balls_;
+  std::vector<PlacedBall>& balls_;
   const geometry::AnyShape& shape_;
-  const Room& room_;
+  const Domain& domain_;
   double gap_, smallest_ = 0, skin_ = 0;
   bool many_sizes_ = false;  // a grid for each would be searched in vain
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<Vec3> listed_, force_, speed_;  // where each was when pairs were listed
+  std::vector<Vec3> listed_positions_, force_, velocity_;  // where each was when pairs were listed
   std::vector<double> mass_, margin_;
 
   double pair_overlap_ = 0;  // largest, of the radii's sum
   double wall_overlap_ = 0;  // largest, of the margin
   double largest_ = 1, overlaps_ = 0;
-  double pressing_ = 0, net_ = 0;  // sums of squares: forces of contacts, forces on balls
+  double contact_force2_ = 0,
+         net_force2_ = 0;  // sums of squares: forces of contacts, forces on balls
   std::int64_t contacts_ = 0;
-  double step_ = 0.1, turn_ = 0.1;
-  int downhill_ = 0;
+  double step_ = 0.1, mixing_ = 0.1;
+  int downhill_steps_ = 0;
 };
 
 }  // namespace
 
-Pushed push_apart(std::vector<Placed>& balls, const geometry::AnyShape& shape, const Room& room,
-                  double gap, std::int64_t most, const std::atomic<bool>* stop) {
-  return Soft(balls, shape, room, gap).run(most, stop);
+PushApartResult push_apart(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
+                           const Domain& domain, double gap, std::int64_t most,
+                           const std::atomic<bool>* stop) {
+  return OverlapRelaxation(balls, shape, domain, gap).run(most, stop);
 }
 
 }  // namespace mahlwerk::cases

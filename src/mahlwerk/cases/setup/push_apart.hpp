@@ -11,14 +11,14 @@
 namespace mahlwerk::cases {
 
 /// A ball on its way to a free place, in the jar's own axes. Balls of one size stand together.
-struct Placed {
-  Vec3 place;
+struct PlacedBall {
+  Vec3 position;
   double radius = 0;
-  bool held = false;  ///< stays where it is, whatever it touches
+  bool fixed = false;  ///< stays where it is, whatever it touches
 };
 
 /// How pushing apart ended.
-struct Pushed {
+struct PushApartResult {
   bool free = false;       ///< nothing touches anything
   double largest = 0;      ///< times the radius: balls so large would touch nothing where they are
   double typical = 0;      ///< times the radius: where those that touch would touch on average
@@ -29,7 +29,8 @@ struct Pushed {
 /// between any two there are at least gap/2 of their radii's sum, and as much of a radius between
 /// ball and wall as `gap` and the jar allow. Gives up where they rest against each other, or after
 /// `most` moves. Throws Interrupted once `*stop` is set.
-Pushed push_apart(std::vector<Placed>& balls, const geometry::AnyShape& shape, const Room& room,
-                  double gap, std::int64_t most, const std::atomic<bool>* stop = nullptr);
+PushApartResult push_apart(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
+                           const Domain& domain, double gap, std::int64_t most,
+                           const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::cases

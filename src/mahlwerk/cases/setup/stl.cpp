@@ -52,9 +52,9 @@ std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale)
 }
 
 /// Words between blanks, and the line they are on.
-class Words {
+class StlTokens {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  explicit StlTokens(std::string_view text) : text_(text) {}
 
   std::string_view next() {
     while (at_ < text_.size() && blank(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
@@ -83,7 +83,7 @@ class Words {
   std::size_t at_ = 0, line_ = 1;
 };
 
-bool same_word(std::string_view word, std::string_view lower) {
+bool equals_ignoring_case(std::string_view word, std::string_view lower) {
   return std::ranges::equal(
       word, lower, [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
@@ -93,9 +93,9 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
   geometry::Corners corners;
   std::size_t known = 0;
   bool ended = false;
-  Words words(text);
+  StlTokens words(text);
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (same_word(word, "vertex")) {
+    if (equals_ignoring_case(word, "vertex")) {
       if (known == 3)
         throw StlError(
             fmt::format("the facet in line {} has more than three corners", words.line()));
@@ -103,7 +103,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
       c.x = scale * words.number();
       c.y = scale * words.number();
       c.z = scale * words.number();
-    } else if (same_word(word, "endfacet")) {
+    } else if (equals_ignoring_case(word, "endfacet")) {
       if (known != 3)
         throw StlError(
             fmt::format("the facet that ends in line {} has {} corners", words.line(), known));
@@ -111,7 +111,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
       known = 0;
       refuse_too_many(all.size());
     }
-    ended = ended || same_word(word, "endsolid");
+    ended = ended || equals_ignoring_case(word, "endsolid");
   }
   if (!ended || known != 0)
     throw StlError(
@@ -120,10 +120,10 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
 }
 
 bool looks_like_text(std::string_view bytes) {
-  Words words(bytes.substr(0, 4096));
-  if (!same_word(words.next(), "solid")) return false;
+  StlTokens words(bytes.substr(0, 4096));
+  if (!equals_ignoring_case(words.next(), "solid")) return false;
   for (std::string_view word = words.next(); !word.empty(); word = words.next())
-    if (same_word(word, "facet") || same_word(word, "endsolid")) return true;
+    if (equals_ignoring_case(word, "facet") || equals_ignoring_case(word, "endsolid")) return true;
   return false;
 }
 

@@ -17,7 +17,7 @@ struct AdamsImpact : HertzSpring {
   static constexpr std::string_view name = "adams-impact";
   static constexpr std::string_view about =
       "the impact function of MSC Adams: Hertz's spring, a damper that grows with overlap";
-  static constexpr std::string_view shortest = whole_collision;
+  static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.7, 0.15, 0.6},
                                            {0.5, 0.15, 0.5},
                                            {0.4, 0.15, 0.45},
@@ -25,7 +25,7 @@ struct AdamsImpact : HertzSpring {
                                            {0.2, 0.2, 0.7},
                                            {0.1, 0.15, 0.5},
                                            {0.06, 0.1, 0.35}}};
-  static constexpr bool remembers = true;
+  static constexpr bool has_history = true;
   static constexpr double usual_depth = 0.01;  // of the largest overlap
   bool published_damping = false;              ///< the paper's (dem.15) instead of one that gives e
   double damping_depth = 0;                    ///< [m] d; 0: usual_depth of the largest overlap
@@ -52,20 +52,22 @@ struct AdamsImpact : HertzSpring {
     if (published_damping) return -2 * damping_ratio(e);
     return stepped_damping(std::max(e, least_restitution), usual_depth * scale) / root_of_scale;
   }
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
-  double damper_time(const Touching& t, double damping, double speed) const {
-    double memory[law_memories];
-    begin(numbers(t, damping), memory, speed);
-    return damping > 0 ? t.mass / memory[0] : unbounded_time;
+  double largest_overlap(const EffectivePair& t, double speed) const {
+    return hertz_overlap(t, speed);
   }
-  LawNumbers numbers(const Touching& t, double damping) const {
+  double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const EffectivePair& t, double damping, double speed) const {
+    double law_history[law_history_size];
+    begin(coefficients(t, damping), law_history, speed);
+    return damping > 0 ? t.mass / law_history[0] : unbounded_time;
+  }
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t),
             std::pow(1.25 * t.mass / k, 0.4), damping_depth};
   }
   /// Damper c_m [N s/m] and 1/d [1/m].
-  void begin(const LawNumbers& k, double* m, double approach) const {
+  void begin(const LawCoefficients& k, double* m, double approach) const {
     const double deepest = k[3] * std::pow(std::max(approach, 1e-12), 0.8);
     m[0] = k[1] * std::sqrt(std::sqrt(deepest));
     m[1] = 1 / (k[4] > 0 ? k[4] : usual_depth * deepest);
@@ -73,14 +75,14 @@ struct AdamsImpact : HertzSpring {
 
   /// The damper has grown by then.
   template <class V>
-  [[gnu::always_inline]] static V abrupt(const V* m) {
+  [[gnu::always_inline]] static V onset_overlap(const V* m) {
     return 1.0 / m[1];
   }
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
-    const V half = root(overlap), s = smaller(overlap * m[1], V{} + 1.0);
-    const V force = larger(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
-    return {force, choose(less(V{}, force), k[2] * half, V{}), V{}, force};
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V* m, V overlap, V rate) {
+    const V half = sqrt(overlap), s = min(overlap * m[1], V{} + 1.0);
+    const V force = max(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
+    return {force, select(less(V{}, force), k[2] * half, V{}), V{}, force};
   }
   bool operator==(const AdamsImpact&) const = default;
 

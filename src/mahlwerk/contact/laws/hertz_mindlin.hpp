@@ -13,7 +13,7 @@ struct HertzMindlin : HertzSpring {
   static constexpr std::string_view name = "hertz-mindlin";
   static constexpr std::string_view about =
       "elastic spheres that stick and slip, damped to one restitution at all speeds";
-  static constexpr std::string_view shortest = whole_collision;
+  static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
                                            {0.5, 0.1, 0.3},
                                            {0.4, 0.15, 0.45},
@@ -24,23 +24,25 @@ struct HertzMindlin : HertzSpring {
   static constexpr auto fields() { return std::array<LawField<HertzMindlin>, 0>{}; }
 
   double damping(double e) const { return -2 * std::sqrt(5.0 / 6.0) * damping_ratio(e); }
-  LawNumbers numbers(const Touching& t, double damping) const {
-    const double across = mindlin_stiffness(t);
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
+    const double tangential = mindlin_stiffness(t);
     return {hertz_stiffness(t),
-            damping * std::sqrt(2 * t.pair.modulus * std::sqrt(t.radius) * t.mass), across,
-            damping * std::sqrt(across * t.mass)};
+            damping * std::sqrt(2 * t.pair.modulus * std::sqrt(t.radius) * t.mass), tangential,
+            damping * std::sqrt(tangential * t.mass)};
   }
 
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
-    const V half = root(overlap), quarter = root(half);
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
+    const V half = sqrt(overlap), quarter = sqrt(half);
     const V force = k[0] * overlap * half + k[1] * quarter * rate;
     return {force, k[2] * half, k[3] * quarter, force};
   }
 
-  double largest_overlap(const Touching& t, double speed) const { return hertz_overlap(t, speed); }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  double largest_overlap(const EffectivePair& t, double speed) const {
+    return hertz_overlap(t, speed);
+  }
+  double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const EffectivePair&, double, double) const { return unbounded_time; }
   bool operator==(const HertzMindlin&) const = default;
 };
 

@@ -13,20 +13,20 @@ struct Jkr : HertzSpring {
   static constexpr std::string_view name = "jkr";
   static constexpr std::string_view about =
       "Johnson, Kendall and Roberts: elastic spheres whose surfaces adhere";
-  static constexpr std::string_view shortest = whole_collision;
+  static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
   static constexpr std::array adhesion{surface_energy};
   static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 
   double damping(double e) const { return HertzMindlin().damping(e); }
-  LawNumbers numbers(const Touching& t, double damping) const {
-    const LawNumbers h = HertzMindlin().numbers(t, damping);
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
+    const LawCoefficients h = HertzMindlin().coefficients(t, damping);
     const double root_r = std::sqrt(t.radius);
     const double pull = 2 * std::sqrt(std::numbers::pi * t.pair.surface_energy / t.pair.modulus);
-    return {h[0] / root_r, h[1] / std::sqrt(root_r),
-            h[2] / root_r, h[3] / std::sqrt(root_r),
-            t.radius,      pull,
-            pull_off(t),   std::cbrt(t.radius * pull)};
+    return {h[0] / root_r,     h[1] / std::sqrt(root_r),
+            h[2] / root_r,     h[3] / std::sqrt(root_r),
+            t.radius,          pull,
+            pull_off_force(t), std::cbrt(t.radius * pull)};
   }
 
   /// Radius of contact [m]: l^4 / R* - c l = overlap with l its square root, by Newton's steps
@@ -34,17 +34,17 @@ struct Jkr : HertzSpring {
   template <class V>
   [[gnu::always_inline]] static V contact_radius(const V* k, V overlap) {
     const V least = k[4] * k[5] * 0.25;  // l^3 at pull-off
-    V l = root(root(k[4] * larger(overlap, V{}))) + k[7] + 1e-300;
+    V l = sqrt(sqrt(k[4] * max(overlap, V{}))) + k[7] + 1e-300;
     for (int i = 0; i < 24; ++i) {
       const V l3 = l * l * l;
-      const V slope = larger(4.0 * (l3 - least), 1e-6 * l3);
-      l = larger(l - (l3 * l - k[4] * (k[5] * l + overlap)) / slope, V{});
+      const V slope = max(4.0 * (l3 - least), 1e-6 * l3);
+      l = max(l - (l3 * l - k[4] * (k[5] * l + overlap)) / slope, V{});
     }
     return l * l;
   }
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
-    const V a = contact_radius(k, overlap), half = root(a);
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
+    const V a = contact_radius(k, overlap), half = sqrt(a);
     // F = 4 E* a^3 / (3 R*) - 2 pi a^2 sqrt(4 gamma E* / (pi a)) = (4/3) E* a (a^2/R* - 1.5 c l)
     const V elastic = k[0] * a * (a * a / k[4] - 1.5 * k[5] * half);
     const V force = elastic + k[1] * half * rate;
@@ -53,23 +53,23 @@ struct Jkr : HertzSpring {
 
   /// Two bodies at rest sink in until the spring holds the pull of their surfaces: a^3 is then
   /// 6 pi (2 gamma) R*^2 times 3/(4 E*).
-  double largest_overlap(const Touching& t, double speed) const {
+  double largest_overlap(const EffectivePair& t, double speed) const {
     const double a = std::cbrt(9 * std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
                                t.pair.modulus);
     return hertz_overlap(t, speed) + a * a / (3 * t.radius);
   }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
-  static double pull_off(const Touching& t) {
+  double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const EffectivePair&, double, double) const { return unbounded_time; }
+  static double pull_off_force(const EffectivePair& t) {
     return 3 * std::numbers::pi * t.pair.surface_energy * t.radius;
   }
-  double reach(const Touching& t) const {
+  double pull_off_distance(const EffectivePair& t) const {
     const double a = std::cbrt(std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
                                (4 * t.pair.modulus));
     return 3 * a * a / t.radius;
   }
   /// Work done against the elastic force from touch on, where bodies that part have none.
-  double stored(const LawNumbers& k, const double*, double overlap) const {
+  double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {
     const auto from_none = [&](double at) {  // integral of F d(overlap) over the contact radius
       const double a = contact_radius(k.data(), at), l = std::sqrt(a), r = k[4], c = k[5];
       const double a5 = a * a * a * a * a;

@@ -11,7 +11,7 @@ namespace mahlwerk::contact {
 struct LinearSpring : Spring {
   static constexpr std::string_view name = "linear-spring";
   static constexpr std::string_view about = "linear spring and dashpot along and across the normal";
-  static constexpr std::string_view shortest = whole_collision;
+  static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.99, 0.2, 0.6},
                                            {0.99, 0.28, 0.9},
                                            {0.99, 0.28, 0.95},
@@ -22,26 +22,28 @@ struct LinearSpring : Spring {
   static constexpr auto fields() { return spring_fields<LinearSpring>(); }
 
   double damping(double e) const { return -2 * damping_ratio(e); }
-  LawNumbers numbers(const Touching& t, double damping) const {
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = stiffness_of(t), c = damping * std::sqrt(t.mass * k);
-    return {k, c, spring_across * k, spring_across * c};
+    return {k, c, tangential_stiffness_ratio * k, tangential_stiffness_ratio * c};
   }
-  void begin(const LawNumbers&, double*, double) const {}
+  void begin(const LawCoefficients&, double*, double) const {}
 
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V*, V overlap, V rate) {
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
     const V force = k[0] * overlap + k[1] * rate;
     return {force, k[2], k[3], force};
   }
 
-  double stored(const LawNumbers& k, const double*, double overlap) const {
+  double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {
     return overlap > 0 ? 0.5 * k[0] * overlap * overlap : 0;
   }
-  double largest_overlap(const Touching& t, double speed) const { return deepest(t, speed); }
-  double shortest_time(const Touching& t, double) const {
+  double largest_overlap(const EffectivePair& t, double speed) const {
+    return undamped_overlap(t, speed);
+  }
+  double shortest_time(const EffectivePair& t, double) const {
     return std::numbers::pi * std::sqrt(t.mass / stiffness_of(t));
   }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  double damper_time(const EffectivePair&, double, double) const { return unbounded_time; }
   bool operator==(const LinearSpring&) const = default;
 };
 

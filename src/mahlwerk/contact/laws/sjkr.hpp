@@ -12,27 +12,27 @@ struct Sjkr : HertzSpring {
   static constexpr std::string_view name = "sjkr";
   static constexpr std::string_view about =
       "Hertz and Mindlin with a cohesion in proportion to the area of contact";
-  static constexpr std::string_view shortest = whole_collision;
+  static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
   static constexpr std::array adhesion{cohesion};
   static constexpr auto fields() { return std::array<LawField<Sjkr>, 0>{}; }
 
   double damping(double e) const { return HertzMindlin().damping(e); }
-  LawNumbers numbers(const Touching& t, double damping) const {
-    LawNumbers k = HertzMindlin().numbers(t, damping);
-    k[4] = pull(t);
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
+    LawCoefficients k = HertzMindlin().coefficients(t, damping);
+    k[4] = cohesion_stiffness(t);
     return k;
   }
   /// [N/m] Cohesion over overlap.
-  static double pull(const Touching& t) {
+  static double cohesion_stiffness(const EffectivePair& t) {
     return 4 * std::numbers::pi * t.radius * t.pair.cohesion;
   }
 
   /// Of an undamped collision, (2/5) k d^2.5 - k_c d^2/2 = m v^2/2: for the root of d, by Newton's
   /// steps from above, where the left side is convex.
-  double largest_overlap(const Touching& t, double speed) const {
+  double largest_overlap(const EffectivePair& t, double speed) const {
     const double hertz = std::sqrt(hertz_overlap(t, speed));
-    const double wider = 1.25 * pull(t) / hertz_stiffness(t);
+    const double wider = 1.25 * cohesion_stiffness(t) / hertz_stiffness(t);
     double root = hertz + wider;
     for (int i = 0; i < 40 && root > 0; ++i) {
       const double cubed = root * root * root;
@@ -41,17 +41,17 @@ struct Sjkr : HertzSpring {
     }
     return root * root;
   }
-  double shortest_time(const Touching& t, double speed) const { return hertz_time(t, speed); }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
+  double damper_time(const EffectivePair&, double, double) const { return unbounded_time; }
 
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V rate) {
-    Push<V> p = HertzMindlin::push(k, m, overlap, rate);
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V* m, V overlap, V rate) {
+    LawForce<V> p = HertzMindlin::evaluate(k, m, overlap, rate);
     p.force = p.force - k[4] * overlap;
     return p;
   }
 
-  double stored(const LawNumbers& k, const double*, double overlap) const {
+  double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {
     if (!(overlap > 0)) return 0;
     return hertz_energy(k[0], overlap) - 0.5 * k[4] * overlap * overlap;
   }

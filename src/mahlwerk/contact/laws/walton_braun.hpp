@@ -15,7 +15,8 @@ struct WaltonBraun : Spring {
   static constexpr std::string_view name = "walton-braun";
   static constexpr std::string_view about =
       "linear springs, stiffer on unloading, so that a loop of plastic work is lost";
-  static constexpr std::string_view shortest = "a collision along the stiff line of unloading";
+  static constexpr std::string_view shortest_time_name =
+      "a collision along the stiff line of unloading";
   static constexpr StepErrors step_errors{{{0.15, 0.2, 0.6},
                                            {0.15, 0.2, 0.6},
                                            {0.15, 0.2, 0.6},
@@ -23,36 +24,38 @@ struct WaltonBraun : Spring {
                                            {0.15, 0.2, 0.6},
                                            {0.15, 0.15, 0.5},
                                            {0.15, 0.1, 0.3}}};
-  static constexpr bool remembers = true;
+  static constexpr bool has_history = true;
   static constexpr auto fields() { return spring_fields<WaltonBraun>(); }
 
   double damping(double e) const {
     const double least = std::max(e, least_restitution);
     return 1 / (least * least);
   }
-  LawNumbers numbers(const Touching& t, double damping) const {
+  LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = stiffness_of(t);
-    return {k, k * damping, 1 - 1 / damping, spring_across * k};
+    return {k, k * damping, 1 - 1 / damping, tangential_stiffness_ratio * k};
   }
-  void begin(const LawNumbers&, double* m, double) const { m[0] = 0; }  // [m] deepest overlap
+  void begin(const LawCoefficients&, double* m, double) const { m[0] = 0; }  // [m] deepest overlap
 
   template <class V>
-  [[gnu::always_inline]] static Push<V> push(const V* k, V* m, V overlap, V) {
-    m[0] = larger(m[0], overlap);
-    const V force = larger(smaller(k[0] * overlap, k[1] * (overlap - k[2] * m[0])), V{});
-    return {force, choose(less(V{}, force), k[3], V{}), V{}, force};
+  [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V* m, V overlap, V) {
+    m[0] = max(m[0], overlap);
+    const V force = max(min(k[0] * overlap, k[1] * (overlap - k[2] * m[0])), V{});
+    return {force, select(less(V{}, force), k[3], V{}), V{}, force};
   }
 
-  double stored(const LawNumbers& k, const double* m, double overlap) const {
+  double elastic_energy(const LawCoefficients& k, const double* m, double overlap) const {
     const double left = overlap - k[2] * m[0];
     return left > 0 ? 0.5 * k[1] * left * left : 0;
   }
-  double largest_overlap(const Touching& t, double speed) const { return deepest(t, speed); }
-  double shortest_time(const Touching& t, double) const {
+  double largest_overlap(const EffectivePair& t, double speed) const {
+    return undamped_overlap(t, speed);
+  }
+  double shortest_time(const EffectivePair& t, double) const {
     const double stiffest = stiffness_of(t) * damping(t.pair.restitution);
     return std::numbers::pi * std::sqrt(t.mass / stiffest);
   }
-  double damper_time(const Touching&, double, double) const { return unbounded_time; }
+  double damper_time(const EffectivePair&, double, double) const { return unbounded_time; }
   bool operator==(const WaltonBraun&) const = default;
 };
 

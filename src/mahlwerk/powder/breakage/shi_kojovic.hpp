@@ -14,7 +14,7 @@ namespace mahlwerk::powder {
 struct ShiKojovic {
   static constexpr std::string_view name = "shi-kojovic";
   static constexpr std::string_view about = "t10 = M (1 - exp(-f_mat (x E - x E_min)))";
-  static constexpr bool tells_fineness = true, remembers = false;
+  static constexpr bool predicts_t10 = true, tracks_strength = false;
   double t10_most = 0;  ///< [1] 0 to 1: t10 of the hardest hits, M
   double f_mat = 0;     ///< [kg/(J m)] > 0
   double x_e_min = 0;   ///< [J m/kg] >= 0
@@ -28,7 +28,9 @@ struct ShiKojovic {
         Field<M>{"x_e_min", "J m/kg", &M::x_e_min, not_negative,
                  "size times the least specific energy that breaks, x E_min"}};
   }
-  double chance(double size, double energy) const { return size * energy > x_e_min ? 1 : 0; }
+  double breakage_probability(double size, double energy) const {
+    return size * energy > x_e_min ? 1 : 0;
+  }
   double t10(double size, double energy) const {  // (brk.2)
     const double above = size * energy - x_e_min;
     return above > 0 ? -t10_most * std::expm1(-f_mat * above) : 0;

@@ -16,7 +16,7 @@ struct Tavares {
   static constexpr std::string_view name = "tavares";
   static constexpr std::string_view about =
       "strengths spread lognormally, damage of those that survive, t10 by energy";
-  static constexpr bool tells_fineness = true, remembers = true;
+  static constexpr bool predicts_t10 = true, tracks_strength = true;
   double e_infinity = 0;  ///< [J/kg] > 0 median strength of large grains, E_inf
   double d_0 = 0;         ///< [m] > 0 size below which grains are stronger
   double phi = 0;         ///< [1] > 0 how much stronger
@@ -56,7 +56,7 @@ struct Tavares {
     return std::log(cut > 0 ? cut * s / (cut - s) : s) / sigma;
   }
   /// [1] Of fresh grains, how many a hit of `energy` [J/kg] breaks (brk.5).
-  double chance(double size, double energy) const {
+  double breakage_probability(double size, double energy) const {
     return 0.5 * std::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
   }
   /// [1] By how much a hit that does not break lowers a grain's strength; `load` 0 to 1 is its

@@ -14,7 +14,7 @@ namespace mahlwerk::powder {
 struct Threshold {
   static constexpr std::string_view name = "threshold";
   static constexpr std::string_view about = "breaks from the specific energy W (x_0/x)^m on";
-  static constexpr bool tells_fineness = false, remembers = false;
+  static constexpr bool predicts_t10 = false, tracks_strength = false;
   double energy = 0;          ///< [J/kg] > 0 that breaks a grain of the reference size
   double reference_size = 0;  ///< [m] > 0
   double exponent = 0;        ///< [1] 0 to 3
@@ -30,7 +30,7 @@ struct Threshold {
                                "cracks, 1 as Vogel and Peukert's",
                                0.0, "the same for all sizes"}};
   }
-  double chance(double size, double given) const {  // (brk.3)
+  double breakage_probability(double size, double given) const {  // (brk.3)
     return given >= energy * std::pow(reference_size / size, exponent) ? 1 : 0;
   }
   bool operator==(const Threshold&) const = default;

@@ -14,7 +14,7 @@ namespace mahlwerk::powder {
 struct VogelPeukert {
   static constexpr std::string_view name = "vogel-peukert";
   static constexpr std::string_view about = "probability 1 - exp(-f_mat (x W - x W_min))";
-  static constexpr bool tells_fineness = false, remembers = false;
+  static constexpr bool predicts_t10 = false, tracks_strength = false;
   double f_mat = 0;    ///< [kg/(J m)] > 0
   double x_w_min = 0;  ///< [J m/kg] >= 0 size times least specific energy, of the material
   static constexpr auto fields() {
@@ -24,11 +24,12 @@ struct VogelPeukert {
                       Field<M>{"x_w_min", "J m/kg", &M::x_w_min, not_negative,
                                "size times the least specific energy that breaks, x W_min"}};
   }
-  double chance(double size, double energy) const {  // (brk.1)
+  double breakage_probability(double size, double energy) const {  // (brk.1)
     const double above = size * energy - x_w_min;
     return above > 0 ? -std::expm1(-f_mat * above) : 0;
   }
-  /// Whether a hit breaks, by a number drawn in (0, 1): as `chance`, whose bounds mostly decide.
+  /// Whether a hit breaks, by a number drawn in (0, 1): as `breakage_probability`, whose bounds
+  /// mostly decide.
   bool breaks(double size, double energy, double drawn) const {
     const double z = f_mat * (size * energy - x_w_min);
     if (drawn >= z) return false;

@@ -28,7 +28,7 @@ double grains_in_bed(double radius, double size) {
   return across < 1 ? 1 : 0.25 + 0.75 * across * across;
 }
 
-Catch Barrios::caught(const Nip& nip, double energy, const Grain& grain) const {
+Capture Barrios::capture(const Nip& nip, double energy, const Grain& grain) const {
   const double scale = energy / (grain.mass() * grain.fracture_energy);
   const double touch = contact_radius(nip, energy);
   const auto radius = [&](double deformation) {

@@ -25,7 +25,7 @@ struct Barrios {
 
   /// `energy` [J] >= 0 of the collision. The bed yields by the energy its own mass gets, which
   /// hangs on how far it yields: solved to 1e-12 (cap.5 to cap.9).
-  Catch caught(const Nip& nip, double energy, const Grain& grain) const;
+  Capture capture(const Nip& nip, double energy, const Grain& grain) const;
   bool operator==(const Barrios&) const = default;
 };
 

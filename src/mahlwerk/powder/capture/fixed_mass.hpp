@@ -19,8 +19,8 @@ struct FixedMass {
     return std::array{Field<FixedMass>{"mass", "kg", &FixedMass::mass, positive,
                                        "mass that each collision catches"}};
   }
-  Catch caught(const Nip& nip, double energy, const Grain& grain) const {
-    return caught_mass(mass, grain, contact_radius(nip, energy));
+  Capture capture(const Nip& nip, double energy, const Grain& grain) const {
+    return capture_of_mass(mass, grain, contact_radius(nip, energy));
   }
   bool operator==(const FixedMass&) const = default;
 };

@@ -21,9 +21,9 @@ struct SurfaceLayer {
                                           &SurfaceLayer::surface_density, positive,
                                           "mass of the powder on a body by its area, sigma"}};
   }
-  Catch caught(const Nip& nip, double energy, const Grain& grain) const {  // (cap.11)
+  Capture capture(const Nip& nip, double energy, const Grain& grain) const {  // (cap.11)
     const double a = contact_radius(nip, energy);
-    return caught_mass(2 * surface_density * std::numbers::pi * a * a, grain, a);
+    return capture_of_mass(2 * surface_density * std::numbers::pi * a * a, grain, a);
   }
   bool operator==(const SurfaceLayer&) const = default;
 };

@@ -26,9 +26,10 @@ struct TrappedVolume {
                              "share of the solid in it", 0.6,
                              "random packing of spheres, loose 0.55 to dense 0.64"}};
   }
-  Catch caught(const Nip& nip, double energy, const Grain& grain) const {  // (cap.10)
+  Capture capture(const Nip& nip, double energy, const Grain& grain) const {  // (cap.10)
     const double a = contact_radius(nip, energy);
-    return caught_mass(packing * grain.density * std::numbers::pi * a * a * thickness, grain, a);
+    return capture_of_mass(packing * grain.density * std::numbers::pi * a * a * thickness, grain,
+                           a);
   }
   bool operator==(const TrappedVolume&) const = default;
 };

@@ -25,11 +25,11 @@ struct AustinFragments {
         Field<M>{"gamma", "", &M::gamma, positive, "exponent of the fines, 0.5-1.5 usually"},
         Field<M>{"beta", "", &M::beta, positive, "exponent of coarse pieces, 2.5-5 usually"}};
   }
-  double finer(double ratio, double, double) const {  // (frg.2)
+  double breakage_function(double ratio, double, double) const {  // (frg.2)
     return share * std::pow(ratio, gamma) + (1 - share) * std::pow(ratio, beta);
   }
   template <class Draw>
-  double drawn(double parent, double, Draw& uniform) const {
+  double draw_fragment(double parent, double, Draw& uniform) const {
     const double exponent = uniform() < share ? gamma : beta;
     return parent * std::pow(uniform(), 1 / exponent);
   }

@@ -26,19 +26,19 @@ struct T10Fragments {
                       Field<M>{"alpha", "", &M::alpha, positive, "shape of the family", 1.0,
                                "King, about 1; recalled"}};
   }
-  double finer(double ratio, double, double told) const {  // (frg.3)
+  double breakage_function(double ratio, double, double model_t10) const {  // (frg.3)
     if (ratio >= 1) return 1;
-    return -std::expm1(std::log1p(-of(told)) * std::pow(9 * ratio / (1 - ratio), alpha));
+    return -std::expm1(std::log1p(-of(model_t10)) * std::pow(9 * ratio / (1 - ratio), alpha));
   }
   template <class Draw>
-  double drawn(double parent, double told, Draw& uniform) const {
-    const double n = std::pow(std::log(uniform()) / std::log1p(-of(told)), 1 / alpha) / 9;
+  double draw_fragment(double parent, double model_t10, Draw& uniform) const {
+    const double n = std::pow(std::log(uniform()) / std::log1p(-of(model_t10)), 1 / alpha) / 9;
     return parent * n / (1 + n);
   }
   bool operator==(const T10Fragments&) const = default;
 
  private:
-  double of(double told) const { return t10 > 0 ? t10 : told; }
+  double of(double model_t10) const { return t10 > 0 ? t10 : model_t10; }
 };
 
 }  // namespace mahlwerk::powder

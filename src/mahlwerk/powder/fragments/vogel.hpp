@@ -23,12 +23,12 @@ struct VogelFragments {
                       Field<M>{"x_min", "m", &M::x_min, positive,
                                "size below which there are few fragments, x'"}};
   }
-  double finer(double ratio, double parent, double) const {  // (frg.1)
+  double breakage_function(double ratio, double parent, double) const {  // (frg.1)
     return std::pow(ratio, q) * above(ratio * parent) / above(parent);
   }
-  /// The larger of two sizes, each by one factor of `finer`.
+  /// The larger of two sizes, each by one factor of `breakage_function`.
   template <class Draw>
-  double drawn(double parent, double, Draw& uniform) const {
+  double draw_fragment(double parent, double, Draw& uniform) const {
     const double one = parent * std::pow(uniform(), 1 / q);
     const double share = uniform() * above(parent);
     return std::max(one, share > above(0) ? x_min * (1 + std::atanh(2 * share - 1)) : 0);

@@ -35,8 +35,9 @@ void add(Campaign& campaign, Point point, const std::vector<results::Quantity>& 
   campaign.points.push_back(std::move(point));
 }
 
-std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points) {
-  std::vector<Swept> list;
+std::vector<CampaignKey> campaign_keys(const std::vector<std::string>& keys,
+                                       const std::vector<Point>& points) {
+  std::vector<CampaignKey> list;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::string_view unit = points.empty() ? "" : number_text(points.front().values[i]).rest;
     const bool shared = std::ranges::all_of(points, [&](const Point& p) {

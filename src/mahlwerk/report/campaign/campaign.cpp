@@ -18,29 +18,29 @@ std::string panels(const std::vector<Picture>& pictures) {
   std::string text;
   for (const Picture& p : pictures) {
     const std::string below =
-        p.below.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.below);
+        p.caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.caption);
     text += fmt::format("<figure>\n{}{}</figure>\n", p.svg, below);
   }
   return text.empty() ? "" : fmt::format("<div class=\"panels\">\n{}</div>\n", text);
 }
 
-std::vector<Picture> answers(const Campaign& c) {
+std::vector<Picture> sensitivity_figures(const Campaign& c) {
   std::vector<Picture> list;
   for (const Sensitivity& s : c.sensitivities)
     for (Picture& p : sensitivity_pictures(s)) list.push_back(std::move(p));
   return list;
 }
 
-std::string answers_section(const Campaign& c) {
+std::string sensitivity_section(const Campaign& c) {
   if (c.sensitivities.empty()) return "";
   std::string words;
-  const std::vector<std::string> idle = idle_keys(c.sensitivities);
+  const std::vector<std::string> inactive = inactive_keys(c.sensitivities);
   for (const Sensitivity& s : c.sensitivities)
-    if (const std::string one = sensitivity_words(s, idle); !one.empty())
+    if (const std::string one = sensitivity_words(s, inactive); !one.empty())
       words += fmt::format("<p>{}</p>\n", escaped(one));
-  if (!idle.empty())
-    words += fmt::format("<p>Changes nothing in this case: {}.</p>\n", escaped(joined(idle)));
-  return "<h2>What matters</h2>\n" + words + panels(answers(c));
+  if (!inactive.empty())
+    words += fmt::format("<p>Changes nothing in this case: {}.</p>\n", escaped(joined(inactive)));
+  return "<h2>What matters</h2>\n" + words + panels(sensitivity_figures(c));
 }
 
 /// Every quantity in the same panels, or where each has several under a head of its own.
@@ -65,10 +65,10 @@ std::string quantities_section(const Sheet& sheet) {
 std::string campaign_page(const Campaign& c, std::string_view version) {
   const Sheet sheet(c);
   const std::vector<Picture> regimes = regime_map(sheet);
-  const std::string body = campaign_lead(sheet) + failures(c) +
-                           notice_boxes(c.notices, c.points.size(), "point") + answers_section(c) +
-                           (regimes.empty() ? "" : "<h2>Regimes</h2>\n" + panels(regimes)) +
-                           quantities_section(sheet) + point_table(sheet);
+  const std::string body =
+      campaign_lead(sheet) + failures(c) + notice_boxes(c.notices, c.points.size(), "point") +
+      sensitivity_section(c) + (regimes.empty() ? "" : "<h2>Regimes</h2>\n" + panels(regimes)) +
+      quantities_section(sheet) + point_table(sheet);
   return page(c.title, body,
               fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
                           escaped(version)));
@@ -77,7 +77,7 @@ std::string campaign_page(const Campaign& c, std::string_view version) {
 std::map<std::string, std::string> campaign_figures(const Campaign& c) {
   const Sheet sheet(c);
   const Layout layout = layout_of(sheet);
-  std::vector<Picture> all = answers(c);
+  std::vector<Picture> all = sensitivity_figures(c);
   for (Picture& p : regime_map(sheet)) all.push_back(std::move(p));
   for (const std::size_t column : sheet.shown)
     for (Picture& p : quantity_pictures(sheet, layout, column)) all.push_back(std::move(p));

@@ -17,7 +17,7 @@
 namespace mahlwerk::report {
 
 /// A key that a campaign varies. Numbers in the unit the case uses, or text where values are words.
-struct Swept {
+struct CampaignKey {
   std::string key;   ///< "mill.speed"
   std::string unit;  ///< "rpm", if all values are numbers in it; empty for words and plain numbers
   /// Its values go side by side with those of a key before it, or follow from others: it is told
@@ -66,8 +66,8 @@ struct Effect {
   double total_low = NAN, total_high = NAN;              ///< its interval, which may be uneven
   std::size_t count = 0;                                 ///< Morris: effects used; Sobol: groups
   /// It differs from none by more than chance makes; nothing: that is not known.
-  std::optional<bool> told = std::nullopt;
-  bool idle = false;  ///< no run changes by a digit where this key alone does
+  std::optional<bool> significant = std::nullopt;
+  bool inactive = false;  ///< no run changes by a digit where this key alone does
 };
 
 /// How a quantity answers to the keys.
@@ -82,7 +82,7 @@ struct Sensitivity {
 
 struct Campaign {
   std::string title;
-  std::vector<Swept> swept = {};
+  std::vector<CampaignKey> keys = {};
   std::vector<Column> columns = {};
   std::vector<Point> points = {};
   std::vector<Sensitivity> sensitivities = {};
@@ -95,7 +95,8 @@ void add(Campaign& campaign, Point point, const std::vector<results::Quantity>& 
 
 /// What varies in `points` when the keys `keys` do: the unit is that of all values of a key if they
 /// share one.
-std::vector<Swept> swept(const std::vector<std::string>& keys, const std::vector<Point>& points);
+std::vector<CampaignKey> campaign_keys(const std::vector<std::string>& keys,
+                                       const std::vector<Point>& points);
 
 /// Names of the columns that pages and tables show, in their order; none where no point has
 /// numbers.

@@ -10,7 +10,7 @@ namespace mahlwerk::report {
 namespace {
 
 /// "%" is no name for a column.
-std::string column_of(const Swept& s) {
+std::string column_of(const CampaignKey& s) {
   return results::column_name(s.key, s.unit == "%" ? "percent" : s.unit);
 }
 
@@ -19,7 +19,7 @@ std::string column_of(const Swept& s) {
 std::string campaign_csv(const Campaign& c) {
   const Sheet sheet(c);
   std::vector<std::string> heads{"point"};
-  for (const Swept& s : c.swept) heads.push_back(results::csv_cell(column_of(s)));
+  for (const CampaignKey& s : c.keys) heads.push_back(results::csv_cell(column_of(s)));
   for (const Column& q : c.columns) {
     heads.push_back(results::column_name(q.name, q.unit));
     heads.push_back(results::column_name(q.name + "_ci95", q.unit));
@@ -28,7 +28,7 @@ std::string campaign_csv(const Campaign& c) {
   std::string text = results::csv_line(heads);
   for (const Point& p : c.points) {
     std::vector<std::string> cells{std::to_string(p.number)};
-    for (std::size_t k = 0; k < c.swept.size(); ++k)
+    for (std::size_t k = 0; k < c.keys.size(); ++k)
       cells.push_back(sheet.keys[k].numeric() ? results::csv_cell(number_text(p.values[k]).number)
                                               : results::csv_cell(p.values[k]));
     for (std::size_t i = 0; i < c.columns.size(); ++i) {

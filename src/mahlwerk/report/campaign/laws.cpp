@@ -40,33 +40,33 @@ struct Units {
   std::string x, y;
 };
 
-std::string formula(const Law& law, const Units& units) {
+std::string formula(const FittedLaw& law, const Units& units) {
   switch (law.form) {
-    case Form::power:
+    case LawForm::power:
       return fmt::format("c (x / {}{})<sup>p</sup>", four_digits(law.reference),
                          units.x.empty() ? "" : fmt::format(" {}", escaped(units.x)));
-    case Form::parabola:
+    case LawForm::parabola:
       return "a + b x + c x²";
-    case Form::line:
+    case LawForm::line:
       break;
   }
   return "a + b x";
 }
 
-std::string coefficients(const Law& law, const Units& units) {
+std::string coefficients(const FittedLaw& law, const Units& units) {
   std::string text;
   for (std::size_t i = 0; i < law.coefficients.size(); ++i) {
-    const bool exponent = law.form == Form::power && i == 1;
+    const bool exponent = law.form == LawForm::power && i == 1;
     const std::string unit =
-        exponent ? "" : per(units.y, units.x, law.form == Form::power ? 0 : static_cast<int>(i));
-    const char name = law.form == Form::power ? "cp"[i] : "abc"[i];
+        exponent ? "" : per(units.y, units.x, law.form == LawForm::power ? 0 : static_cast<int>(i));
+    const char name = law.form == LawForm::power ? "cp"[i] : "abc"[i];
     text += fmt::format("{}{} = {}", i == 0 ? "" : "<br/>", name,
                         escaped(number(law.coefficients[i], law.ci95[i], unit)));
   }
   return text;
 }
 
-std::string row(const std::string& line, const std::string& name, const Law& law,
+std::string row(const std::string& line, const std::string& name, const FittedLaw& law,
                 const Units& units) {
   return fmt::format(
       "{}<td>{}<br/><small>{}</small></td><td>{}</td><td class=\"n\">{:.4f}</td></tr>\n",
@@ -75,7 +75,7 @@ std::string row(const std::string& line, const std::string& name, const Law& law
 }
 
 /// "a power law or a straight line".
-std::string named(const std::vector<Law>& laws, const std::vector<std::size_t>& which,
+std::string named(const std::vector<FittedLaw>& laws, const std::vector<std::size_t>& which,
                   std::string_view with) {
   std::string text;
   for (const std::size_t i : which)
@@ -84,21 +84,22 @@ std::string named(const std::vector<Law>& laws, const std::vector<std::size_t>& 
 }
 
 /// "A power law describes it best."
-std::string verdict(const std::vector<Law>& laws, const Choice& choice, const Units& units) {
-  const Law& best = laws[choice.best];
+std::string verdict(const std::vector<FittedLaw>& laws, const LawSelection& choice,
+                    const Units& units) {
+  const FittedLaw& best = laws[choice.best];
   std::string text;
   if (!choice.by_aicc)
     text = fmt::format("So few points do not tell the laws apart; a {} is nearest (adjusted R²).",
                        name_of(best.form));
-  else if (choice.as_good.empty())
+  else if (choice.equivalent.empty())
     text = fmt::format("A {} describes it best.", name_of(best.form));
   else
     text =
         fmt::format("A {} is nearest, but {} cannot be told from it (AICc differs by less than 2).",
-                    name_of(best.form), named(laws, choice.as_good, " and "));
+                    name_of(best.form), named(laws, choice.equivalent, " and "));
   constexpr double poor = 0.5;
   if (best.r_squared < poor) text += " None describes it well.";
-  std::vector<std::size_t> good = choice.as_good;
+  std::vector<std::size_t> good = choice.equivalent;
   good.push_back(choice.best);
   for (const std::size_t i : good)
     if (through_origin(laws[i]) && std::abs(laws[i].coefficients[1]) > laws[i].ci95[1])
@@ -110,8 +111,8 @@ std::string verdict(const std::vector<Law>& laws, const Choice& choice, const Un
 }
 
 /// Each law of the only line, the best alone or the others.
-std::string rows_of(const std::vector<Law>& laws, const Choice& choice, const Units& units,
-                    bool best) {
+std::string rows_of(const std::vector<FittedLaw>& laws, const LawSelection& choice,
+                    const Units& units, bool best) {
   std::string rows;
   for (std::size_t k = 0; k < laws.size(); ++k)
     if ((k == choice.best) == best)
@@ -136,16 +137,16 @@ std::string unfolding(std::string_view head, const std::string& table) {
 }
 
 /// The nearest law of one line among several, and those that are as good.
-std::string row_of(const std::string& line, const std::vector<Law>& laws, const Choice& choice,
-                   const Units& units) {
+std::string row_of(const std::string& line, const std::vector<FittedLaw>& laws,
+                   const LawSelection& choice, const Units& units) {
   std::string name(name_of(laws[choice.best].form));
   if (!choice.by_aicc) name += ", of too few points";
-  if (!choice.as_good.empty()) name += " (or " + named(laws, choice.as_good, ", ") + ")";
+  if (!choice.equivalent.empty()) name += " (or " + named(laws, choice.equivalent, ", ") + ")";
   return "<tr>" + row(line.empty() ? "-" : line, name, laws[choice.best], units);
 }
 
 /// The law from end to end of the line's points, dashed and in its colour.
-Series curve_of(const Law& law, const Series& line, std::size_t number, bool logarithmic) {
+Series curve_of(const FittedLaw& law, const Series& line, std::size_t number, bool logarithmic) {
   constexpr int pieces = 60;
   constexpr std::size_t dashed = 7;  // as many colours on, the same with dashes
   const auto [least, most] = std::ranges::minmax_element(line.x);
@@ -167,15 +168,15 @@ FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t colu
   FittedLines made;
   if (lines.size() > most) return made;
   const Multiple& m = sheet.multiples[column];
-  const Units units{sheet.campaign.swept[axis].unit, m.unit == "1"     ? ""
-                                                     : m.unit == "1/s" ? "/s"
-                                                                       : m.unit};
+  const Units units{sheet.campaign.keys[axis].unit, m.unit == "1"     ? ""
+                                                    : m.unit == "1/s" ? "/s"
+                                                                      : m.unit};
   const bool several = lines.size() > 1;
   std::string rows, others, words;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<Law> laws = fitted_laws(lines[i].x, lines[i].y, lines[i].error);
+    const std::vector<FittedLaw> laws = fitted_laws(lines[i].x, lines[i].y, lines[i].error);
     if (laws.empty()) continue;
-    const Choice choice = best_of(laws);
+    const LawSelection choice = select_law(laws);
     made.curves.push_back(curve_of(laws[choice.best], lines[i], i, over_decades(lines[i].x)));
     rows +=
         several ? row_of(lines[i].name, laws, choice, units) : rows_of(laws, choice, units, true);
@@ -188,7 +189,7 @@ FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t colu
   const std::string table = table_of(rows, several);
   made.table =
       fmt::format("<p>{}<small>Dashed: the nearest law; x is {}, ± 95 %.</small></p>\n{}{}", words,
-                  escaped(axis_label(sheet.campaign.swept[axis])),
+                  escaped(axis_label(sheet.campaign.keys[axis])),
                   several ? unfolding("The law of each line", table) : table,
                   unfolding("The other laws", table_of(others, several)));
   return made;

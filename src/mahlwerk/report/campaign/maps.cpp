@@ -22,15 +22,15 @@ std::vector<std::string> tick_texts(const Levels& levels) {
 
 std::string values_text(const Sheet& sheet, const Point& p) {
   std::string text;
-  for (std::size_t i = 0; i < p.values.size() && i < sheet.campaign.swept.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", sheet.campaign.swept[i].key, p.values[i]);
+  for (std::size_t i = 0; i < p.values.size() && i < sheet.campaign.keys.size(); ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", sheet.campaign.keys[i].key, p.values[i]);
   return text;
 }
 
 CellMap empty_map(const Sheet& sheet, std::size_t x, std::size_t y) {
   CellMap map;
-  map.x_label = axis_label(sheet.campaign.swept[x]);
-  map.y_label = axis_label(sheet.campaign.swept[y]);
+  map.x_label = axis_label(sheet.campaign.keys[x]);
+  map.y_label = axis_label(sheet.campaign.keys[y]);
   map.x = tick_texts(sheet.keys[x]);
   map.y = tick_texts(sheet.keys[y]);
   map.cells.resize(map.x.size() * map.y.size());
@@ -103,7 +103,8 @@ std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::si
       map = empty_map(sheet, x, y);
       map.title = column_label(what, m) + (others.empty() ? "" : ", " + others);
       const auto end = [&](double v) { return std::isfinite(v) ? brief(v / m.factor) : ""; };
-      map.key = {end(scale.least), end(scale.most), scale.logarithmic ? "by equal ratios" : "", {}};
+      map.legend = {
+          end(scale.least), end(scale.most), scale.logarithmic ? "by equal ratios" : "", {}};
     }
     put(map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]], sheet, column,
         sheet.campaign.points[i], scale);
@@ -131,7 +132,7 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
   CellMap map = empty_map(sheet, x, y);
   map.title = "Regime";
   for (std::size_t k = 0; k < words.size(); ++k)
-    map.key.words.emplace_back(kind_colour(k), words[k]);
+    map.legend.words.emplace_back(kind_colour(k), words[k]);
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
     const Point& p = sheet.campaign.points[i];
     Cell& cell = map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]];
@@ -149,8 +150,8 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
 std::string regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
                         const std::vector<std::string>& words) {
   Plot plot{.title = "Regime",
-            .x = {.label = axis_label(sheet.campaign.swept[x])},
-            .y = {.label = axis_label(sheet.campaign.swept[y])},
+            .x = {.label = axis_label(sheet.campaign.keys[x])},
+            .y = {.label = axis_label(sheet.campaign.keys[y])},
             .series = {},
             .width = 480,
             .height = 340};

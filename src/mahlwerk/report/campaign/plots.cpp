@@ -20,7 +20,7 @@ Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   const std::string name = label(sheet.campaign.columns[column].name);
   Plot plot;
   plot.title = name;
-  plot.x.label = axis_label(sheet.campaign.swept[key]);
+  plot.x.label = axis_label(sheet.campaign.keys[key]);
   plot.y.label = m.unit == "1" ? name : m.unit == "1/s" ? "per second" : m.unit;
   plot.width = 480;
   plot.height = 300;
@@ -149,7 +149,7 @@ std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::si
   std::vector<Picture> list;
   for (const std::size_t key : keys) {
     list.push_back(sheet.star ? ray_plot(sheet, key, column) : dot_plot(sheet, key, column, most));
-    if (key != layout.axis) list.back().name += "-" + sheet.campaign.swept[key].key;
+    if (key != layout.axis) list.back().name += "-" + sheet.campaign.keys[key].key;
   }
   return list;
 }

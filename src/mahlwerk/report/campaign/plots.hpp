@@ -13,7 +13,7 @@ namespace mahlwerk::report {
 
 /// A picture, its file's name without "figures/" and ".svg", and what stands below it (HTML).
 struct Picture {
-  std::string name, svg, below;
+  std::string name, svg, caption;
 };
 
 /// How the quantities of a campaign are drawn: against the key with most values, as lines where
@@ -51,16 +51,16 @@ std::vector<Picture> regime_map(const Sheet& sheet);
 std::vector<Picture> sensitivity_pictures(const Sensitivity& sensitivity);
 
 /// How far a quantity goes with the key, or its share of variance.
-double size_of(const Effect& effect, const Sensitivity& sensitivity);
+double magnitude(const Effect& effect, const Sensitivity& sensitivity);
 /// Those of which nothing is known last.
 std::vector<Effect> largest_first(const Sensitivity& sensitivity);
 
 /// Which key matters most, and which cannot be told from none: a sentence or two. Of keys that are
-/// `idle` in the whole campaign it need not be said again.
+/// `inactive` in the whole campaign it need not be said again.
 std::string sensitivity_words(const Sensitivity& sensitivity,
-                              const std::vector<std::string>& idle = {});
+                              const std::vector<std::string>& inactive = {});
 /// Keys that change none of the quantities.
-std::vector<std::string> idle_keys(const std::vector<Sensitivity>& sensitivities);
+std::vector<std::string> inactive_keys(const std::vector<Sensitivity>& sensitivities);
 /// "a, b and c".
 std::string joined(const std::vector<std::string>& words);
 

@@ -30,9 +30,9 @@ for(const head of document.querySelectorAll("#points thead th"))head.onclick=()=
 std::string heads(const Sheet& sheet, bool regimes) {
   const Campaign& c = sheet.campaign;
   std::string text = "<th class=\"n\">run</th>";
-  for (std::size_t i = 0; i < c.swept.size(); ++i)
+  for (std::size_t i = 0; i < c.keys.size(); ++i)
     text += fmt::format("<th{}>{}</th>", sheet.keys[i].numeric() ? " class=\"n\"" : "",
-                        escaped(axis_label(c.swept[i])));
+                        escaped(axis_label(c.keys[i])));
   if (regimes) text += "<th>regime</th>";
   for (const std::size_t i : sheet.shown)
     text += fmt::format("<th class=\"n\" title=\"{}\">{}</th>", escaped(c.columns[i].about),
@@ -49,7 +49,7 @@ std::string value_cell(const Sheet& sheet, std::size_t point, std::size_t key) {
   if (!levels.numeric()) return fmt::format("<td>{}</td>", escaped(text));
   const std::string_view number(text.data(),
                                 text.find(' ') == std::string::npos
-                                    ? text.size() - sheet.campaign.swept[key].unit.size()
+                                    ? text.size() - sheet.campaign.keys[key].unit.size()
                                     : text.find(' '));
   return fmt::format("<td class=\"n\" data-v=\"{}\">{}</td>", levels.numbers[levels.of[point]],
                      escaped(number));
@@ -73,12 +73,12 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnin
           ? fmt::format("<tr><td class=\"n\">{}</td>", p.number)
           : fmt::format("<tr><td class=\"n\"><a href=\"{}\">{}</a></td>",
                         escaped((fs::path(p.folder) / "report.html").generic_string()), p.number);
-  for (std::size_t i = 0; i < c.swept.size(); ++i) text += value_cell(sheet, point, i);
+  for (std::size_t i = 0; i < c.keys.size(); ++i) text += value_cell(sheet, point, i);
   if (!p.failure.empty() || p.waiting)
     return text + fmt::format("<td colspan=\"{}\" data-v=\"\"{}>{}</td></tr>\n",
                               std::max<std::size_t>(
                                   sheet.shown.size() + (regimes ? 1 : 0) + (warnings ? 1 : 0), 1),
-                              p.waiting ? "" : " class=\"failed\"", escaped(why_nothing(p, 80)));
+                              p.waiting ? "" : " class=\"failed\"", escaped(missing_reason(p, 80)));
   if (regimes) text += fmt::format("<td>{}</td>", escaped(p.regime));
   for (const std::size_t i : sheet.shown) {
     const double v = value_at(p, i);
@@ -109,7 +109,7 @@ std::string in_lines(std::string_view message) {
 }
 
 /// The quantity that changes most among those shown, by the ratio of its ends.
-std::string what_stands_out(const Sheet& sheet) {
+std::string highlights(const Sheet& sheet) {
   const Point *from = nullptr, *to = nullptr;
   double most = 0;
   std::size_t what = 0;
@@ -140,11 +140,11 @@ std::string what_stands_out(const Sheet& sheet) {
                      label(c.name), told(*from), told(*to), most);
 }
 
-std::string what_varies(const Sheet& sheet) {
+std::string varied_keys(const Sheet& sheet) {
   std::string text;
   for (std::size_t i = 0; i < sheet.keys.size(); ++i) {
     const Levels& l = sheet.keys[i];
-    const std::string key = sheet.campaign.swept[i].key;
+    const std::string key = sheet.campaign.keys[i].key;
     if (l.size() == 0) continue;
     text += (text.empty() ? "" : "; ") + key;
     if (l.size() == 1)
@@ -169,7 +169,7 @@ std::string campaign_lead(const Sheet& sheet) {
       std::ranges::count_if(c.points, [](const Point& p) { return !p.failure.empty(); });
   const auto all = static_cast<std::ptrdiff_t>(c.points.size());
   std::string text = fmt::format("{} point{}.", all, all == 1 ? "" : "s");
-  if (const std::string varies = what_varies(sheet); !varies.empty())
+  if (const std::string varies = varied_keys(sheet); !varies.empty())
     text += fmt::format(" What varies: {}.", varies);
   if (failed == all)
     text += all == 1 ? " It failed." : " All of them failed.";
@@ -184,7 +184,7 @@ std::string campaign_lead(const Sheet& sheet) {
   for (const auto& [regime, points] : regimes)
     moves += fmt::format("{}{} at {}", moves.empty() ? "" : ", ", regime, points);
   if (!moves.empty()) text += fmt::format(" The charge is {}.", moves);
-  if (!sheet.shown.empty()) text += what_stands_out(sheet);
+  if (!sheet.shown.empty()) text += highlights(sheet);
   return fmt::format("<p class=\"lead\">{}</p>\n", escaped(text));
 }
 

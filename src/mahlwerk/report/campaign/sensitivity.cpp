@@ -28,16 +28,16 @@ std::string with_unit(const std::string& words, const Multiple& m) {
 BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit(label(s.quantity), m)};
   plot.base = s.base / m.factor;
-  plot.words = {"key at its low end", "at its high end"};
+  plot.legend = {"key at its low end", "at its high end"};
   for (const Effect& e : largest_first(s)) {
     BarGroup group{.name = e.key, .bars = {}};
     // What changes nothing has both ends in one place.
-    const std::string low = e.idle ? "" : e.low_end,
-                      high = e.idle ? e.low_end + ", " + e.high_end : e.high_end;
+    const std::string low = e.inactive ? "" : e.low_end,
+                      high = e.inactive ? e.low_end + ", " + e.high_end : e.high_end;
     group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, low});
     group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, high});
     // Both on one side would hide each other.
-    const bool one_side = !e.idle && (e.low - s.base) * (e.high - s.base) >= 0;
+    const bool one_side = !e.inactive && (e.low - s.base) * (e.high - s.base) >= 0;
     plot.side_by_side = plot.side_by_side || one_side;
     plot.groups.push_back(std::move(group));
   }
@@ -55,7 +55,7 @@ BarPlot morris(const Sensitivity& s, const Multiple& m) {
 BarPlot sobol(const Sensitivity& s) {
   BarPlot plot{.title = label(s.quantity), .label = "share of the variance"};
   plot.side_by_side = true;
-  plot.words = {"alone, S1", "with others, ST"};
+  plot.legend = {"alone, S1", "with others, ST"};
   for (const Effect& e : largest_first(s))
     plot.groups.push_back({e.key,
                            {{e.first_order, e.first_order_ci95, 0, ""},
@@ -166,7 +166,7 @@ std::string numbers(const Sensitivity& s, const Multiple& m) {
 
 }  // namespace
 
-double size_of(const Effect& e, const Sensitivity& s) {
+double magnitude(const Effect& e, const Sensitivity& s) {
   if (s.method == Method::morris) return e.mean_absolute;
   if (s.method == Method::sobol) return std::isfinite(e.total) ? e.total : e.first_order;
   double least = INFINITY, most = -INFINITY;
@@ -178,14 +178,14 @@ double size_of(const Effect& e, const Sensitivity& s) {
 std::vector<Effect> largest_first(const Sensitivity& s) {
   std::vector<Effect> list = s.effects;
   std::ranges::stable_sort(list, std::greater{}, [&](const Effect& e) {
-    const double size = size_of(e, s);
+    const double size = magnitude(e, s);
     return std::isfinite(size) ? size : -INFINITY;
   });
   return list;
 }
 
 std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
-  const auto known = [&](const Effect& e) { return std::isfinite(size_of(e, s)); };
+  const auto known = [&](const Effect& e) { return std::isfinite(magnitude(e, s)); };
   if (std::ranges::none_of(s.effects, known)) return {};
   const Multiple m = multiple_of(s);
   const std::string name = "tornado-" + s.quantity;

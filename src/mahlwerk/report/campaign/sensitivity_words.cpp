@@ -11,16 +11,16 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool is_told(const Effect& e) {
-  return e.told.value_or(false);
+bool is_significant(const Effect& e) {
+  return e.significant.value_or(false);
 }
 
-bool is_not_told(const Effect& e) {
-  return !e.told.value_or(true);
+bool is_insignificant(const Effect& e) {
+  return !e.significant.value_or(true);
 }
 
 std::string how_much(const Effect& e, const Sensitivity& s) {
-  const double size = size_of(e, s);
+  const double size = magnitude(e, s);
   if (s.method == Method::sobol)
     return fmt::format("with others it makes {} of the variance",
                        readable(size, e.total_ci95, "").text());
@@ -31,11 +31,11 @@ std::string how_much(const Effect& e, const Sensitivity& s) {
 }
 
 /// The key that matters most. One that may owe its size to chance is not said to matter.
-std::string foremost(const Effect& largest, const Effect* told, const Sensitivity& s) {
-  if (told && told != &largest)
+std::string foremost(const Effect& largest, const Effect* significant, const Sensitivity& s) {
+  if (significant && significant != &largest)
     return fmt::format("of the effects that are told from zero that of {} is the largest ({}).",
-                       told->key, how_much(*told, s));
-  if (is_not_told(largest))
+                       significant->key, how_much(*significant, s));
+  if (is_insignificant(largest))
     return fmt::format("the largest effect, that of {} ({}), is not told from zero.", largest.key,
                        how_much(largest, s));
   return fmt::format("{} matters most ({}).", largest.key, how_much(largest, s));
@@ -56,35 +56,35 @@ std::string joined(const Names& words) {
   return text;
 }
 
-Names idle_keys(const std::vector<Sensitivity>& sensitivities) {
+Names inactive_keys(const std::vector<Sensitivity>& sensitivities) {
   Names keys;
   if (sensitivities.empty()) return keys;
   for (const Effect& e : sensitivities.front().effects) {
     const bool always = std::ranges::all_of(sensitivities, [&](const Sensitivity& s) {
       const auto same = std::ranges::find(s.effects, e.key, &Effect::key);
-      return same != s.effects.end() && same->idle;
+      return same != s.effects.end() && same->inactive;
     });
     if (always) keys.push_back(e.key);
   }
   return keys;
 }
 
-std::string sensitivity_words(const Sensitivity& s, const Names& idle) {
+std::string sensitivity_words(const Sensitivity& s, const Names& inactive) {
   const std::string name = label(s.quantity) + ": ";
   if (s.variance <= 0) return name + without_variance(s);
   const std::vector<Effect> effects = largest_first(s);
-  if (effects.empty() || !std::isfinite(size_of(effects.front(), s))) return "";
-  if (std::ranges::all_of(effects, is_not_told))
+  if (effects.empty() || !std::isfinite(magnitude(effects.front(), s))) return "";
+  if (std::ranges::all_of(effects, is_insignificant))
     return name + "no key has an effect that can be told from zero.";
-  const auto first = std::ranges::find_if(effects, is_told);
-  const Effect* told = first == effects.end() ? nullptr : &*first;
-  std::string text = name + foremost(effects.front(), told, s);
+  const auto first = std::ranges::find_if(effects, is_significant);
+  const Effect* significant = first == effects.end() ? nullptr : &*first;
+  std::string text = name + foremost(effects.front(), significant, s);
   Names larger, none;
   for (const Effect& e : effects) {
-    if (told && size_of(e, s) > size_of(*told, s))
+    if (significant && magnitude(e, s) > magnitude(*significant, s))
       larger.push_back(e.key);
-    else if (is_not_told(e) && (told || &e != &effects.front()) &&
-             std::ranges::find(idle, e.key) == idle.end())
+    else if (is_insignificant(e) && (significant || &e != &effects.front()) &&
+             std::ranges::find(inactive, e.key) == inactive.end())
       none.push_back(e.key);
   }
   if (!larger.empty())

@@ -24,7 +24,7 @@ const std::string& value_of(const Point& p, std::size_t key) {
 bool is_number(const Campaign& c, std::size_t key) {
   return std::ranges::all_of(c.points, [&](const Point& p) {
     const NumberText s = number_text(value_of(p, key));
-    return std::isfinite(s.number) && s.rest == c.swept[key].unit;
+    return std::isfinite(s.number) && s.rest == c.keys[key].unit;
   });
 }
 
@@ -133,9 +133,9 @@ std::vector<std::string> compared_quantities(const Campaign& campaign) {
 }
 
 Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {
-  for (std::size_t key = 0; key < c.swept.size(); ++key) {
+  for (std::size_t key = 0; key < c.keys.size(); ++key) {
     keys.push_back(is_number(c, key) ? numbers_of(c, key) : words_of(c, key));
-    if (keys.back().size() > 1 && !c.swept[key].follows) free.push_back(key);
+    if (keys.back().size() > 1 && !c.keys[key].follows) free.push_back(key);
   }
   for (std::size_t i = 0; i < c.columns.size(); ++i) multiples.push_back(multiple_of(c, i));
   grid = is_grid(*this);
@@ -156,7 +156,7 @@ std::string Sheet::others(std::size_t point, const std::vector<std::size_t>& but
   std::string text;
   for (const std::size_t key : free)
     if (std::ranges::find(but, key) == but.end())
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", told_apart(campaign, key),
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", distinct_key_words(campaign, key),
                           value_of(campaign.points[point], key));
   return text;
 }
@@ -167,11 +167,11 @@ std::string key_words(std::string_view key) {
   return words;
 }
 
-std::string told_apart(const Campaign& c, std::size_t key) {
-  const std::string last = key_words(c.swept[key].key);
-  const auto alike = [&](const Swept& s) { return key_words(s.key) == last; };
-  if (std::ranges::count_if(c.swept, alike) == 1) return last;
-  std::string words = c.swept[key].key;
+std::string distinct_key_words(const Campaign& c, std::size_t key) {
+  const std::string last = key_words(c.keys[key].key);
+  const auto alike = [&](const CampaignKey& s) { return key_words(s.key) == last; };
+  if (std::ranges::count_if(c.keys, alike) == 1) return last;
+  std::string words = c.keys[key].key;
   std::ranges::replace_if(
       words, [](char ch) { return ch == '.' || ch == '_'; }, ' ');
   return words;
@@ -199,7 +199,7 @@ bool regimes_differ(const Campaign& c) {
   return false;
 }
 
-std::string axis_label(const Swept& key) {
+std::string axis_label(const CampaignKey& key) {
   return key.unit.empty() ? key.key : fmt::format("{} ({})", key.key, key.unit);
 }
 
@@ -216,7 +216,7 @@ std::string shortened(std::string_view message, std::size_t letters) {
   return text + "…";
 }
 
-std::string why_nothing(const Point& p, std::size_t letters) {
+std::string missing_reason(const Point& p, std::size_t letters) {
   if (p.waiting) return "not run yet";
   const std::string_view reason = p.failure;
   return "failed: " + shortened(reason.substr(0, reason.find('\n')), letters);

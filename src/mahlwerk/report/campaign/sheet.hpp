@@ -53,15 +53,15 @@ bool any_warnings(const Campaign& campaign);
 /// What a key is called in a sentence: "rolling friction" for contact.rolling_friction.
 std::string key_words(std::string_view key);
 /// With its section where another key has the same last word: "balls filling".
-std::string told_apart(const Campaign& campaign, std::size_t key);
+std::string distinct_key_words(const Campaign& campaign, std::size_t key);
 
 /// "mill.speed (rpm)".
-std::string axis_label(const Swept& key);
+std::string axis_label(const CampaignKey& key);
 /// "D50 (µm)", "hits (/s)", in the multiple that the numbers are shown in.
 std::string column_label(const Column& column, const Multiple& multiple);
 
 /// "failed: ..." with the first line of the reason, at most `letters` of it, or "not run yet".
-std::string why_nothing(const Point& point, std::size_t letters);
+std::string missing_reason(const Point& point, std::size_t letters);
 
 /// At most `letters` of a message.
 std::string shortened(std::string_view message, std::size_t letters);

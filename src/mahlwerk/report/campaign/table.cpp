@@ -14,25 +14,25 @@ namespace {
 
 constexpr std::size_t most_points = 40;  // lines that a screen takes
 
-struct ToldResult {
+struct ListedResult {
   std::string_view quantity, head;
   std::size_t column = 0;
 };
 constexpr std::array told_results{
-    ToldResult{"collision_rate_above_threshold", "hits above threshold"},
-    ToldResult{"energy_contact_point_mean_above_threshold", "E contact point"},
-    ToldResult{"energy_normal_mean_above_threshold", "E normal"},
-    ToldResult{"dissipated_power", "dissipated"},
-    ToldResult{"contact_time_share", "time in contact"},
-    ToldResult{"captured_mass_rate", "caught"},
-    ToldResult{"d50", "D50"},
-    ToldResult{"d90", "D90"},
+    ListedResult{"collision_rate_above_threshold", "hits above threshold"},
+    ListedResult{"energy_contact_point_mean_above_threshold", "E contact point"},
+    ListedResult{"energy_normal_mean_above_threshold", "E normal"},
+    ListedResult{"dissipated_power", "dissipated"},
+    ListedResult{"contact_time_share", "time in contact"},
+    ListedResult{"captured_mass_rate", "caught"},
+    ListedResult{"d50", "D50"},
+    ListedResult{"d90", "D90"},
 };
 
 /// Those that the points have.
-std::vector<ToldResult> told_of(const Campaign& campaign) {
-  std::vector<ToldResult> list;
-  for (ToldResult one : told_results) {
+std::vector<ListedResult> listed_results(const Campaign& campaign) {
+  std::vector<ListedResult> list;
+  for (ListedResult one : told_results) {
     const auto at = std::ranges::find(campaign.columns, one.quantity, &Column::name);
     if (at == campaign.columns.end()) continue;
     one.column = static_cast<std::size_t>(at - campaign.columns.begin());
@@ -42,16 +42,16 @@ std::vector<ToldResult> told_of(const Campaign& campaign) {
 }
 
 std::vector<std::string> line_of(const Campaign& c, const Point& p,
-                                 const std::vector<ToldResult>& shown, bool regimes,
+                                 const std::vector<ListedResult>& shown, bool regimes,
                                  bool warnings) {
   constexpr std::size_t enough = 60;
   std::vector<std::string> line = p.values;
-  line.resize(c.swept.size());
+  line.resize(c.keys.size());
   if (!p.failure.empty() || p.waiting) {
-    line.push_back(why_nothing(p, enough));
+    line.push_back(missing_reason(p, enough));
     return line;
   }
-  for (const ToldResult& one : shown) {
+  for (const ListedResult& one : shown) {
     const bool has = one.column < p.value.size();
     const double value = value_at(p, one.column), ci95 = half_width_at(p, one.column);
     line.push_back(has ? readable(value, ci95, c.columns[one.column].unit).text() : "");
@@ -78,11 +78,11 @@ std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
 }  // namespace
 
 std::string campaign_table(const Campaign& campaign, std::string_view where) {
-  const std::vector<ToldResult> shown = told_of(campaign);
+  const std::vector<ListedResult> shown = listed_results(campaign);
   const bool regimes = regimes_differ(campaign), warnings = any_warnings(campaign);
   std::vector<std::vector<std::string>> lines(1);
-  for (const Swept& key : campaign.swept) lines[0].push_back(key.key);
-  for (const ToldResult& one : shown) lines[0].emplace_back(one.head);
+  for (const CampaignKey& key : campaign.keys) lines[0].push_back(key.key);
+  for (const ListedResult& one : shown) lines[0].emplace_back(one.head);
   if (regimes) lines[0].emplace_back("regime");
   if (warnings) lines[0].emplace_back("warnings");
   const std::size_t points = campaign.points.size();

@@ -21,10 +21,11 @@ double number_in(std::string_view text, std::string_view unit) try {
 }
 
 std::size_t key_at(const Campaign& c, std::string_view key) {
-  return static_cast<std::size_t>(std::ranges::find(c.swept, key, &Swept::key) - c.swept.begin());
+  return static_cast<std::size_t>(std::ranges::find(c.keys, key, &CampaignKey::key) -
+                                  c.keys.begin());
 }
 
-bool chosen(const Campaign& c, const Point& p, const Where& at) {
+bool chosen(const Campaign& c, const Point& p, const PointSelector& at) {
   return std::ranges::all_of(at, [&](const auto& one) {
     const std::size_t key = key_at(c, one.first);
     return key < p.values.size() && std::ranges::any_of(one.second, [&](const std::string& v) {
@@ -47,15 +48,16 @@ bool side_by_side(const std::vector<const Point*>& points, std::size_t a, std::s
 
 /// Keys that tell lines apart: they vary among `points`, and go neither with the axis nor with one
 /// before them.
-std::vector<std::size_t> telling(const Campaign& c, const std::vector<const Point*>& points,
-                                 std::size_t axis) {
+std::vector<std::size_t> distinguishing_keys(const Campaign& c,
+                                             const std::vector<const Point*>& points,
+                                             std::size_t axis) {
   std::vector<std::size_t> keys;
-  for (std::size_t k = 0; k < c.swept.size(); ++k) {
+  for (std::size_t k = 0; k < c.keys.size(); ++k) {
     std::set<std::string> values;
     for (const Point* p : points) values.insert(p->values[k]);
     const bool followed = std::ranges::any_of(
         keys, [&](std::size_t before) { return side_by_side(points, before, k); });
-    const bool with_axis = k == axis || (axis < c.swept.size() && side_by_side(points, axis, k));
+    const bool with_axis = k == axis || (axis < c.keys.size() && side_by_side(points, axis, k));
     if (values.size() > 1 && !followed && !with_axis) keys.push_back(k);
   }
   return keys;
@@ -74,15 +76,15 @@ bool same_value(std::string_view a, std::string_view b) {
   }
 }
 
-std::optional<Law> law_along(Form form, const SpotLine& line) {
+std::optional<FittedLaw> law_along(LawForm form, const ClaimLine& line) {
   std::vector<double> x, y, ci95;
-  for (const Spot& s : line.spots) {
+  for (const LinePoint& s : line.points) {
     x.push_back(s.x);
     y.push_back(s.value);
     ci95.push_back(s.ci95);
   }
-  const std::vector<Law> laws = fitted_laws(x, y, ci95);
-  const auto law = std::ranges::find(laws, form, &Law::form);
+  const std::vector<FittedLaw> laws = fitted_laws(x, y, ci95);
+  const auto law = std::ranges::find(laws, form, &FittedLaw::form);
   return law == laws.end() ? std::nullopt : std::optional(*law);
 }
 
@@ -91,34 +93,34 @@ std::string unit_of(const Campaign& campaign, std::string_view quantity) {
   return column == campaign.columns.end() ? "" : column->unit;
 }
 
-std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
-                                  std::string_view against, std::string_view quantity) {
+std::vector<ClaimLine> lines_along(const Campaign& campaign, const PointSelector& at,
+                                   std::string_view against, std::string_view quantity) {
   const auto column = static_cast<std::size_t>(
       std::ranges::find(campaign.columns, quantity, &Column::name) - campaign.columns.begin());
   std::vector<const Point*> points;
   for (const Point& p : campaign.points)
     if (chosen(campaign, p, at)) points.push_back(&p);
   const std::size_t axis = key_at(campaign, against);
-  const std::vector<std::size_t> others = telling(campaign, points, axis);
+  const std::vector<std::size_t> others = distinguishing_keys(campaign, points, axis);
   const std::string_view unit = points.empty() || axis >= points.front()->values.size()
                                     ? ""
                                     : number_text(points.front()->values[axis]).rest;
-  std::vector<SpotLine> lines;
+  std::vector<ClaimLine> lines;
   for (const Point* p : points) {
     std::string label;
     for (const std::size_t k : others)
-      label += (label.empty() ? "" : ", ") + told_apart(campaign, k) + " " + p->values[k];
-    Spot spot{.point = p};
+      label += (label.empty() ? "" : ", ") + distinct_key_words(campaign, k) + " " + p->values[k];
+    LinePoint spot{.point = p};
     if (axis < p->values.size()) spot.text = p->values[axis], spot.x = number_in(spot.text, unit);
     if (column < p->value.size()) spot.value = p->value[column];
     if (column < p->ci95.size()) spot.ci95 = p->ci95[column];
-    auto line = std::ranges::find(lines, label, &SpotLine::others);
+    auto line = std::ranges::find(lines, label, &ClaimLine::others);
     if (line == lines.end()) line = lines.insert(lines.end(), {label, {}});
-    line->spots.push_back(std::move(spot));
+    line->points.push_back(std::move(spot));
   }
-  for (SpotLine& line : lines)
-    if (std::ranges::none_of(line.spots, [](const Spot& s) { return std::isnan(s.x); }))
-      std::ranges::stable_sort(line.spots, {}, &Spot::x);
+  for (ClaimLine& line : lines)
+    if (std::ranges::none_of(line.points, [](const LinePoint& s) { return std::isnan(s.x); }))
+      std::ranges::stable_sort(line.points, {}, &LinePoint::x);
   return lines;
 }
 

@@ -16,30 +16,32 @@
 namespace mahlwerk::report {
 
 /// A quantity at one value of the key.
-struct Spot {
+struct LinePoint {
   const Point* point = nullptr;
   std::string text = {};                       ///< the key's value: "10 mm"
   double x = NAN;                              ///< its number, in the unit of the first point
   double value = NAN, ci95 = NAN;              ///< in SI units
   double low() const { return value - ci95; }  ///< NaN without an interval
   double high() const { return value + ci95; }
-  bool above(const Spot& o) const { return low() > o.high(); }  ///< by more than both intervals
+  bool above(const LinePoint& o) const {
+    return low() > o.high();
+  }  ///< by more than both intervals
 };
 
 /// Points that differ in one key alone, or in keys that go side by side with it.
-struct SpotLine {
-  std::string others;       ///< what the other keys say, "friction 0.5, ratio -2"; may be empty
-  std::vector<Spot> spots;  ///< by growing number of the key, else as the campaign has them
+struct ClaimLine {
+  std::string others;  ///< what the other keys say, "friction 0.5, ratio -2"; may be empty
+  std::vector<LinePoint> points;  ///< by growing number of the key, else as the campaign has them
 };
 
 /// The points that `at` chooses, along `against` (empty: each is a line of its own). `quantity` may
 /// be empty.
-std::vector<SpotLine> lines_along(const Campaign& campaign, const Where& at,
-                                  std::string_view against, std::string_view quantity);
+std::vector<ClaimLine> lines_along(const Campaign& campaign, const PointSelector& at,
+                                   std::string_view against, std::string_view quantity);
 
 /// A law through the points of a line, weighted by their intervals; none if they are too few for it
 /// (cam.20 to cam.24).
-std::optional<Law> law_along(Form form, const SpotLine& line);
+std::optional<FittedLaw> law_along(LawForm form, const ClaimLine& line);
 
 /// "10 mm" and "0.01 m" are the same value of a key.
 bool same_value(std::string_view a, std::string_view b);

@@ -21,19 +21,21 @@ struct Context {
   const Campaign& campaign;
   std::string unit;  // of the quantity
 
-  std::string text(const Spot& s) const { return readable(s.value, s.ci95, unit).text(); }
+  std::string text(const LinePoint& s) const { return readable(s.value, s.ci95, unit).text(); }
   std::string key() const { return key_words(claim.against); }
 };
 
-bool sure(const Spot& s) {
+bool sure(const LinePoint& s) {
   return std::isfinite(s.value) && std::isfinite(s.ci95);
 }
 
-Judged judge_trend(const Context& c, const SpotLine& line) {
-  const std::vector<Spot>& s = line.spots;
+Verdict judge_trend(const Context& c, const ClaimLine& line) {
+  const std::vector<LinePoint>& s = line.points;
   if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
   const bool up = c.claim.is == "rises";
-  const auto clear = [&](const Spot& a, const Spot& b) { return up ? b.above(a) : a.above(b); };
+  const auto clear = [&](const LinePoint& a, const LinePoint& b) {
+    return up ? b.above(a) : a.above(b);
+  };
   std::string unclear;
   std::size_t good = 0;
   for (std::size_t i = 0; i + 1 < s.size(); ++i)
@@ -53,15 +55,15 @@ Judged judge_trend(const Context& c, const SpotLine& line) {
 struct Ratio {
   double value = NAN, ci95 = NAN;
 };
-Ratio ratio(const Spot& a, const Spot& b) {
+Ratio ratio(const LinePoint& a, const LinePoint& b) {
   if (!sure(a) || !sure(b) || !(a.value > 0)) return {};
   const double r = b.value / a.value;
   return {r, std::hypot(b.ci95, r * a.ci95) / a.value};
 }
 
-Judged judge_compare(const Context& c, const SpotLine& line) {
-  const Spot *a = nullptr, *b = nullptr;
-  for (const Spot& s : line.spots) {
+Verdict judge_compare(const Context& c, const ClaimLine& line) {
+  const LinePoint *a = nullptr, *b = nullptr;
+  for (const LinePoint& s : line.points) {
     if (same_value(s.text, c.claim.first)) a = &s;
     if (same_value(s.text, c.claim.second)) b = &s;
   }
@@ -71,43 +73,43 @@ Judged judge_compare(const Context& c, const SpotLine& line) {
       fmt::format("{} at {} {}, {} at {}", c.text(*a), c.key(), a->text, c.text(*b), b->text);
   if (std::isfinite(r.value)) found += ": " + readable(r.value, r.ci95, "").text() + " times";
   const bool larger = b->above(*a), smaller = a->above(*b);
-  if (!larger && !smaller) return {found + "; the intervals overlap", Holds::open};
+  if (!larger && !smaller) return {found + "; the intervals overlap", Holds::undecided};
   return {found, larger == (c.claim.is == "larger") ? Holds::yes : Holds::no};
 }
 
-Judged judge_alike(const Context& c, const SpotLine& line) {
-  const std::vector<Spot>& s = line.spots;
+Verdict judge_alike(const Context& c, const ClaimLine& line) {
+  const std::vector<LinePoint>& s = line.points;
   if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
-  const auto [least, most] = std::ranges::minmax_element(s, {}, &Spot::value);
+  const auto [least, most] = std::ranges::minmax_element(s, {}, &LinePoint::value);
   const Ratio r = ratio(*least, *most);
   const std::string found =
       fmt::format("{} at {} {} to {} at {}: {} times", c.text(*least), c.key(), least->text,
                   c.text(*most), most->text, readable(r.value, r.ci95, "").text());
   const double bound = 1 + c.claim.within;
   if (r.value + r.ci95 <= bound) return {found, Holds::yes};
-  return {found, r.value - r.ci95 > bound ? Holds::no : Holds::open};
+  return {found, r.value - r.ci95 > bound ? Holds::no : Holds::undecided};
 }
 
 /// An exponent above or below another.
-Judged judge_side(const Context& c, const Law& law, std::string found) {
+Verdict judge_side(const Context& c, const FittedLaw& law, std::string found) {
   const double off = (law.coefficients[1] - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
   if (law.r_squared < c.claim.r2 || !(std::abs(off) > law.ci95[1]))
-    return {std::move(found), Holds::open};
+    return {std::move(found), Holds::undecided};
   return {std::move(found), off > 0 ? Holds::yes : Holds::no};
 }
 
-std::string law_text(const Context& c, const Law& law) {
+std::string law_text(const Context& c, const FittedLaw& law) {
   const std::string r2 = fmt::format("R² = {:.5f}", law.r_squared);
-  if (law.form == Form::parabola) return r2;
-  const bool power = law.form == Form::power;
-  const Swept& key = *std::ranges::find(c.campaign.swept, c.claim.against, &Swept::key);
+  if (law.form == LawForm::parabola) return r2;
+  const bool power = law.form == LawForm::power;
+  const CampaignKey& key = *std::ranges::find(c.campaign.keys, c.claim.against, &CampaignKey::key);
   const std::string number = readable(law.coefficients[1], law.ci95[1], power ? "" : c.unit).text();
   if (power) return fmt::format("exponent {}, {}", number, r2);
   return fmt::format("{} for each {}, {}", number, key.unit.empty() ? "1" : key.unit, r2);
 }
 
-Judged judge_law(const Context& c, const SpotLine& line) {
-  const std::optional<Law> law = law_along(c.claim.law, line);
+Verdict judge_law(const Context& c, const ClaimLine& line) {
+  const std::optional<FittedLaw> law = law_along(c.claim.law, line);
   if (!law) return {"too few points for a fit"};
   const std::string found = law_text(c, *law);
   if (c.claim.exponent && !c.claim.is.empty()) return judge_side(c, *law, found);
@@ -119,10 +121,10 @@ Judged judge_law(const Context& c, const SpotLine& line) {
 }
 
 /// The points of a line in words, those that follow each other with the same word together.
-Judged judge_regime(const Context& c, const SpotLine& line) {
+Verdict judge_regime(const Context& c, const ClaimLine& line) {
   std::string found, last;
   std::size_t good = 0;
-  for (const Spot& s : line.spots) {
+  for (const LinePoint& s : line.points) {
     const std::string& now = s.point->regime;
     good += now == c.claim.is ? 1 : 0;
     if (now == last && !found.empty())
@@ -132,14 +134,14 @@ Judged judge_regime(const Context& c, const SpotLine& line) {
                            s.text.empty() ? "" : " at " + c.key() + " ", s.text);
     last = now;
   }
-  if (good == line.spots.size()) return {found, Holds::yes};
+  if (good == line.points.size()) return {found, Holds::yes};
   return {found, good > 0 ? Holds::partly : Holds::no};
 }
 
-Judged judge_bound(const Context& c, const SpotLine& line) {
+Verdict judge_bound(const Context& c, const ClaimLine& line) {
   std::string found;
   std::size_t good = 0, bad = 0;
-  for (const Spot& s : line.spots) {
+  for (const LinePoint& s : line.points) {
     const bool above = s.low() > c.claim.bound, below = s.high() < c.claim.bound;
     const bool wanted = c.claim.is == "above";
     good += (wanted ? above : below) ? 1 : 0;
@@ -147,12 +149,12 @@ Judged judge_bound(const Context& c, const SpotLine& line) {
     found += fmt::format("{}{}{}", found.empty() ? "" : ", ", c.text(s),
                          s.text.empty() ? "" : " at " + s.text);
   }
-  if (good == line.spots.size()) return {found, Holds::yes};
+  if (good == line.points.size()) return {found, Holds::yes};
   if (good > 0) return {found, Holds::partly};
-  return {found, bad == line.spots.size() ? Holds::no : Holds::open};
+  return {found, bad == line.points.size() ? Holds::no : Holds::undecided};
 }
 
-Judged judge_line(const Context& c, const SpotLine& line) {
+Verdict judge_line(const Context& c, const ClaimLine& line) {
   switch (c.claim.kind) {
     case Kind::law:
       return judge_law(c, line);
@@ -180,27 +182,28 @@ std::string_view word(Holds holds) {
       return "partly";
     case Holds::no:
       return "no";
-    case Holds::open:
+    case Holds::undecided:
       return "cannot be told";
   }
   return "";
 }
 
-Judged judge(const Claim& claim, const Campaign& campaign) {
+Verdict judge(const Claim& claim, const Campaign& campaign) {
   const Context context{claim, campaign, unit_of(campaign, claim.quantity)};
-  const std::vector<SpotLine> lines =
+  const std::vector<ClaimLine> lines =
       lines_along(campaign, claim.at, claim.against, claim.quantity);
-  Judged all;
+  Verdict all;
   bool same = true;
-  for (const SpotLine& line : lines) {
-    const Judged one = judge_line(context, line);
+  for (const ClaimLine& line : lines) {
+    const Verdict one = judge_line(context, line);
     const bool first = &line == lines.data();
     if (first) all.holds = one.holds;
     same = same && one.holds == all.holds;
-    all.found += (first ? "" : "; ") + (line.others.empty() ? "" : line.others + ": ") + one.found;
+    all.finding +=
+        (first ? "" : "; ") + (line.others.empty() ? "" : line.others + ": ") + one.finding;
   }
   if (!same) all.holds = Holds::partly;
-  if (lines.empty()) all.found = "no such point was run";
+  if (lines.empty()) all.finding = "no such point was run";
   return all;
 }
 

@@ -12,14 +12,14 @@
 // Claims of a paper against campaigns just run. The rules are in docs/papers.md.
 namespace mahlwerk::report {
 
-enum class Holds { yes, partly, no, open };  ///< open: the runs cannot tell
+enum class Holds { yes, partly, no, undecided };  ///< undecided: the runs cannot tell
 
-struct Judged {
-  std::string found;  ///< a sentence of numbers, each from the campaign
-  Holds holds = Holds::open;
+struct Verdict {
+  std::string finding;  ///< a sentence of numbers, each from the campaign
+  Holds holds = Holds::undecided;
 };
 
-Judged judge(const Claim& claim, const Campaign& campaign);
+Verdict judge(const Claim& claim, const Campaign& campaign);
 
 std::string_view word(Holds holds);  ///< "yes", "partly", "no", "cannot be told"
 

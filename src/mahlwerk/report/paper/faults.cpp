@@ -15,10 +15,10 @@ namespace mahlwerk::report {
 namespace {
 
 /// Looks one figure or claim up in its campaign.
-class Looking {
+class ReferenceCheck {
  public:
-  Looking(std::string where, const std::string& campaign, const cases::Case& what,
-          std::vector<Fault>& faults)
+  ReferenceCheck(std::string where, const std::string& campaign, const cases::Case& what,
+                 std::vector<Fault>& faults)
       : where_(std::move(where)), campaign_(campaign), case_(what), faults_(faults) {}
 
   void key(const std::string& name) {
@@ -33,7 +33,7 @@ class Looking {
     fault(fmt::format("{} takes no value {} in {}.toml", key, text, campaign_),
           "its values are " + listed(swept->values), "paper-unknown-value");
   }
-  void at(const Where& where) {
+  void at(const PointSelector& where) {
     for (const auto& [key, values] : where)
       for (const std::string& v : values) value(key, v);
   }
@@ -80,13 +80,13 @@ std::vector<Fault> paper_faults(const Paper& paper,
                                 const std::map<std::string, cases::Case>& cases) {
   std::vector<Fault> faults;
   for (const PaperFigure& figure : paper.figures) {
-    Looking look(figure.where, figure.campaign, cases.at(figure.campaign), faults);
+    ReferenceCheck look(figure.where, figure.campaign, cases.at(figure.campaign), faults);
     look.key(figure.against);
     look.at(figure.at);
     look.quantity(figure.quantity);
   }
   for (const Claim& claim : paper.claims) {
-    Looking look(claim.where, claim.campaign, cases.at(claim.campaign), faults);
+    ReferenceCheck look(claim.where, claim.campaign, cases.at(claim.campaign), faults);
     look.key(claim.against);
     look.at(claim.at);
     look.value(claim.against, claim.first);

@@ -21,10 +21,10 @@ namespace {
 using Drawn = PaperFigure::Drawn;
 
 /// The law in the colour of its points; `factor` is that of the axis.
-Series curve(const Law& law, const SpotLine& line, std::size_t colour, double factor) {
+Series curve(const FittedLaw& law, const ClaimLine& line, std::size_t colour, double factor) {
   Series drawn{.name = "", .mark = Mark::line, .colour = colour};
   constexpr int steps = 60;
-  const auto [least, most] = std::ranges::minmax(line.spots, {}, &Spot::x);
+  const auto [least, most] = std::ranges::minmax(line.points, {}, &LinePoint::x);
   for (int i = 0; i <= steps; ++i) {
     drawn.x.push_back(std::lerp(least.x, most.x, static_cast<double>(i) / steps));
     drawn.y.push_back(law.at(drawn.x.back()) / factor);
@@ -33,15 +33,15 @@ Series curve(const Law& law, const SpotLine& line, std::size_t colour, double fa
 }
 
 std::string plot(const PaperFigure& figure, const Campaign& campaign) {
-  const std::vector<SpotLine> lines =
+  const std::vector<ClaimLine> lines =
       lines_along(campaign, figure.at, figure.against, figure.quantity);
   double most = 0;
-  for (const SpotLine& line : lines)
-    for (const Spot& s : line.spots)
+  for (const ClaimLine& line : lines)
+    for (const LinePoint& s : line.points)
       if (std::isfinite(s.value)) most = std::max(most, std::abs(s.value));
   const Multiple m = multiple(most, unit_of(campaign, figure.quantity));
-  const auto key = std::ranges::find(campaign.swept, figure.against, &Swept::key);
-  const std::string unit = key == campaign.swept.end() ? "" : key->unit;
+  const auto key = std::ranges::find(campaign.keys, figure.against, &CampaignKey::key);
+  const std::string unit = key == campaign.keys.end() ? "" : key->unit;
   Plot made{.title = fmt::format("Figure {}: {}", figure.number, figure.title),
             .x = {key_words(figure.against) + (unit.empty() ? "" : " (" + unit + ")")},
             .y = {m.unit == "1"     ? label(figure.quantity)
@@ -52,12 +52,13 @@ std::string plot(const PaperFigure& figure, const Campaign& campaign) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Series points{
         .name = lines[i].others, .mark = figure.law ? Mark::dots : Mark::points, .colour = i};
-    for (const Spot& s : lines[i].spots) {
+    for (const LinePoint& s : lines[i].points) {
       points.x.push_back(s.x);
       points.y.push_back(s.value / m.factor);
       points.error.push_back(s.ci95 / m.factor);
     }
-    const std::optional<Law> law = figure.law ? law_along(*figure.law, lines[i]) : std::nullopt;
+    const std::optional<FittedLaw> law =
+        figure.law ? law_along(*figure.law, lines[i]) : std::nullopt;
     if (law) made.series.push_back(curve(*law, lines[i], i, m.factor));
     made.series.push_back(std::move(points));
   }
@@ -66,8 +67,8 @@ std::string plot(const PaperFigure& figure, const Campaign& campaign) {
 
 std::vector<Panel> panels(const PaperFigure& figure, const RunCampaign& run) {
   std::vector<Panel> list;
-  for (const SpotLine& line : lines_along(run.numbers, figure.at, "", ""))
-    for (const Spot& s : line.spots) {
+  for (const ClaimLine& line : lines_along(run.numbers, figure.at, "", ""))
+    for (const LinePoint& s : line.points) {
       const auto i = static_cast<std::size_t>(s.point - run.numbers.points.data());
       std::string title = line.others;
       if (!s.point->regime.empty()) title += (title.empty() ? "" : ": ") + s.point->regime;
@@ -111,7 +112,7 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
     result.pictures.push_back(
         {file_of(figure, used), drawing(figure, run.at(figure.campaign)), &figure});
   for (const Claim& claim : paper.claims)
-    result.judged.push_back(judge(claim, run.at(claim.campaign).numbers));
+    result.verdicts.push_back(judge(claim, run.at(claim.campaign).numbers));
   for (const auto& [name, campaign] : run) {
     result.seconds[name] = campaign.seconds;
     for (const results::Outcome& outcome : campaign.outcomes) {

@@ -18,12 +18,12 @@ namespace {
 /// How many claims hold, in a sentence.
 std::string score(const PaperResult& result) {
   std::string text;
-  for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::open}) {
-    const auto count = std::ranges::count(result.judged, one, &Judged::holds);
+  for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::undecided}) {
+    const auto count = std::ranges::count(result.verdicts, one, &Verdict::holds);
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(one), count);
   }
-  return fmt::format("Of {} claim{}: {}.", result.judged.size(),
-                     result.judged.size() == 1 ? "" : "s", text);
+  return fmt::format("Of {} claim{}: {}.", result.verdicts.size(),
+                     result.verdicts.size() == 1 ? "" : "s", text);
 }
 
 std::string why(const PaperResult& result, std::size_t claim) {
@@ -45,11 +45,11 @@ double whole_time(const PaperResult& result) {
 
 std::string claim_rows(const PaperResult& result) {
   std::string rows;
-  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
-    const Judged& judged = result.judged[i];
+    const Verdict& judged = result.verdicts[i];
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td></tr>\n",
-                        escaped(claim.figure), escaped(claim.says), escaped(judged.found),
+                        escaped(claim.figure), escaped(claim.says), escaped(judged.finding),
                         word(judged.holds), escaped(why(result, i)));
   }
   return rows;
@@ -104,11 +104,11 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
 
 std::string claims_text(const PaperResult& result) {
   std::string text;
-  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
-    const Judged& judged = result.judged[i];
+    const Verdict& judged = result.verdicts[i];
     text += fmt::format("{:<6} {:<14} {}\n{:22}{}\n", claim.figure, word(judged.holds), claim.says,
-                        "", judged.found);
+                        "", judged.finding);
     if (!why(result, i).empty()) text += fmt::format("{:22}why: {}\n", "", why(result, i));
   }
   const std::string changed = changes(result);
@@ -124,10 +124,10 @@ std::string claims_markdown(const PaperResult& result) {
     return text;
   };
   std::string text = "| figure | the paper says | we find | holds | why |\n|---|---|---|---|---|\n";
-  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
     text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.figure), cell(claim.says),
-                        cell(result.judged[i].found), word(result.judged[i].holds),
+                        cell(result.verdicts[i].finding), word(result.verdicts[i].holds),
                         cell(why(result, i)));
   }
   return text;
@@ -140,10 +140,10 @@ std::string claims_csv(const PaperResult& result) {
     return results::csv_line(quoted);
   };
   std::string text = line({"figure", "the_paper_says", "we_find", "holds", "why"});
-  for (std::size_t i = 0; i < result.judged.size(); ++i) {
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
-    text += line({claim.figure, claim.says, result.judged[i].found, word(result.judged[i].holds),
-                  why(result, i)});
+    text += line({claim.figure, claim.says, result.verdicts[i].finding,
+                  word(result.verdicts[i].holds), why(result, i)});
   }
   return text;
 }

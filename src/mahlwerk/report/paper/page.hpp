@@ -30,7 +30,7 @@ struct PaperPicture {
 struct PaperResult {
   const Paper* paper = nullptr;
   std::vector<PaperPicture> pictures;
-  std::vector<Judged> judged;             ///< by claim
+  std::vector<Verdict> verdicts;          ///< by claim
   std::map<std::string, double> seconds;  ///< by campaign
   /// What was set instead of what the campaigns say, "run.time = 2 s". The paper's words about why
   /// a claim holds are then left out: they are about its own settings.

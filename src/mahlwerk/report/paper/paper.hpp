@@ -18,7 +18,7 @@
 namespace mahlwerk::report {
 
 /// Chooses points of a campaign: swept keys, each with the values it may take there.
-using Where = std::map<std::string, std::vector<std::string>>;
+using PointSelector = std::map<std::string, std::vector<std::string>>;
 
 struct PaperFigure {
   enum class Drawn {
@@ -32,8 +32,8 @@ struct PaperFigure {
   std::string campaign;  ///< file name beside paper.toml, without .toml
   Drawn drawn = Drawn::quantity;
   std::string quantity, against;  ///< of summary.json; a key of [sweep]
-  std::optional<Form> law;
-  Where at;                    ///< which points; empty: all
+  std::optional<LawForm> law;
+  PointSelector at;            ///< which points; empty: all
   bool seen_from_jar = false;  ///< trajectories and snapshots; otherwise from what carries the jar
   std::string where;           ///< the place a fault cites
 };
@@ -53,11 +53,11 @@ struct Claim {
   std::string says, why;
   Kind kind = Kind::trend;
   std::string campaign, quantity, against;
-  Where at;
+  PointSelector at;
   /// rises, falls; larger, smaller; above, below (of a bound, or of an exponent instead of at it);
   /// a regime's word
   std::string is;
-  Form law = Form::line;
+  LawForm law = LawForm::line;
   double r2 = 0.99;  ///< [1] least share of the scatter that the law must explain
   std::optional<double> exponent;
   double within = 0.1;        ///< [1] about the exponent; relative, of `alike`

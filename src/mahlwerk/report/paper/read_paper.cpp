@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/file/section.hpp"
+#include "mahlwerk/cases/file/section_reader.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
 
 namespace mahlwerk::report {
@@ -16,7 +16,7 @@ namespace {
 
 using cases::Findings;
 using cases::Node;
-using cases::Section;
+using cases::SectionReader;
 using Words = std::vector<std::string>;
 using Kind = Claim::Kind;
 
@@ -26,19 +26,20 @@ const Words kind_words{"law", "trend", "compare", "alike", "regime", "bound"};
 const Words law_words{"linear", "power", "quadratic"};
 
 template <class Enum>
-Enum chosen(Section& in, std::string_view key, const Words& words, std::string standard = "") {
+Enum chosen(SectionReader& in, std::string_view key, const Words& words,
+            std::string standard = "") {
   const std::string word = in.choice({key, words, std::move(standard), "docs/papers.md"});
   const auto at = std::ranges::find(words, word);
   return at == words.end() ? Enum{} : static_cast<Enum>(at - words.begin());
 }
 
-std::string needed(Section& in, std::string_view key, std::string_view about) {
+std::string needed(SectionReader& in, std::string_view key, std::string_view about) {
   if (!in.gives(key)) in.missing(key, about, fmt::format("write {} = \"...\"", key));
   return in.text(key).value_or("");
 }
 
 /// Its results stand in a folder of that name.
-std::string campaign_in(Section& in) {
+std::string campaign_in(SectionReader& in) {
   const std::string name = needed(in, "campaign", "the case file beside this one, without .toml");
   if (name.find_first_of("/\\") != std::string::npos)
     in.fault(*in.find("campaign"), fmt::format("\"{}\" is no name of a campaign", name),
@@ -51,8 +52,8 @@ bool is_value(const Node& node) {
 }
 
 /// { "mill.ratio" = [-3, -2], "contact.friction" = 0.5 }
-Where read_where(Section& in) {
-  Where where;
+PointSelector read_selector(SectionReader& in) {
+  PointSelector where;
   const Node* table = in.find("at");
   if (table == nullptr) return where;
   for (const cases::Member& member : table->members) {
@@ -69,25 +70,25 @@ Where read_where(Section& in) {
   return where;
 }
 
-std::string value_of(Section& in, std::string_view key, std::string_view about) {
+std::string value_of(SectionReader& in, std::string_view key, std::string_view about) {
   const Node* node = in.find(key);
   if (node != nullptr && is_value(*node)) return node->text;
   in.missing(key, about, fmt::format("write {} = ..., as [sweep] says it", key));
   return "";
 }
 
-PaperFigure read_figure(Section& in) {
+PaperFigure read_figure(SectionReader& in) {
   PaperFigure figure;
   figure.number = needed(in, "number", "the paper's number of the figure");
   figure.title = needed(in, "title", "what is drawn");
   figure.about = in.text("about").value_or("");
   figure.campaign = campaign_in(in);
   figure.drawn = chosen<PaperFigure::Drawn>(in, "draws", drawn_words, "quantity");
-  figure.at = read_where(in);
+  figure.at = read_selector(in);
   if (figure.drawn == PaperFigure::Drawn::quantity) {
     figure.quantity = needed(in, "quantity", "its name in summary.json");
     figure.against = needed(in, "against", "a key of the campaign's [sweep]");
-    if (in.gives("law")) figure.law = chosen<Form>(in, "law", law_words);
+    if (in.gives("law")) figure.law = chosen<LawForm>(in, "law", law_words);
   } else {
     in.refuse({"quantity", "against", "law"}, "in this kind of figure", "remove it");
     figure.seen_from_jar =
@@ -96,7 +97,7 @@ PaperFigure read_figure(Section& in) {
   return figure;
 }
 
-void read_bound(Section& in, Claim& claim) {
+void read_bound(SectionReader& in, Claim& claim) {
   claim.is = in.choice({"is", {"above", "below"}, ""});
   claim.bound_text = value_of(in, "bound", "what it is above or below: \"0.5\", \"3 mJ\"");
   if (claim.bound_text.empty()) return;
@@ -108,15 +109,16 @@ void read_bound(Section& in, Claim& claim) {
   }
 }
 
-void read_law(Section& in, Claim& claim) {
-  claim.law = chosen<Form>(in, "law", law_words);
-  claim.r2 = in.maybe({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
-  if (claim.law == Form::power)
-    claim.exponent = in.maybe({"exponent", "", any_number, "the power that is claimed"});
+void read_law(SectionReader& in, Claim& claim) {
+  claim.law = chosen<LawForm>(in, "law", law_words);
+  claim.r2 =
+      in.optional_number({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
+  if (claim.law == LawForm::power)
+    claim.exponent = in.optional_number({"exponent", "", any_number, "the power that is claimed"});
   if (claim.exponent && in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
 }
 
-void read_test(Section& in, Claim& claim) {
+void read_test(SectionReader& in, Claim& claim) {
   if (claim.kind != Kind::regime)
     claim.quantity = needed(in, "quantity", "its name in summary.json");
   const bool along = claim.kind != Kind::regime && claim.kind != Kind::bound;
@@ -124,7 +126,8 @@ void read_test(Section& in, Claim& claim) {
     claim.against = needed(in, "against", "a key of the campaign's [sweep]");
   if (claim.kind == Kind::law) read_law(in, claim);
   if ((claim.exponent && claim.is.empty()) || claim.kind == Kind::alike)
-    claim.within = in.maybe({"within", "", positive, "how far off is still alike"}).value_or(0.1);
+    claim.within =
+        in.optional_number({"within", "", positive, "how far off is still alike"}).value_or(0.1);
   if (claim.kind == Kind::trend) claim.is = in.choice({"is", {"rises", "falls"}, ""});
   if (claim.kind == Kind::compare) {
     claim.is = in.choice({"is", {"larger", "smaller"}, ""});
@@ -136,20 +139,21 @@ void read_test(Section& in, Claim& claim) {
   if (claim.kind == Kind::bound) read_bound(in, claim);
 }
 
-Claim read_claim(Section& in) {
+Claim read_claim(SectionReader& in) {
   Claim claim;
   claim.figure = needed(in, "figure", "the figure or section of the paper");
   claim.says = needed(in, "says", "what the paper says");
   claim.why = in.text("why").value_or("");
   claim.kind = chosen<Kind>(in, "kind", kind_words);
   claim.campaign = campaign_in(in);
-  claim.at = read_where(in);
+  claim.at = read_selector(in);
   read_test(in, claim);
   return claim;
 }
 
 template <class One, class Read>
-std::vector<One> read_list(Section& top, const char* key, Findings& findings, const Read& read) {
+std::vector<One> read_list(SectionReader& top, const char* key, Findings& findings,
+                           const Read& read) {
   std::vector<One> list;
   const Node* nodes = top.find(key);
   if (nodes == nullptr) return list;
@@ -159,10 +163,10 @@ std::vector<One> read_list(Section& top, const char* key, Findings& findings, co
     return list;
   }
   for (std::size_t i = 0; i < nodes->items.size(); ++i) {
-    Section in(&nodes->items[i], fmt::format("{}.{}", key, i + 1), findings);
+    SectionReader in(&nodes->items[i], fmt::format("{}.{}", key, i + 1), findings);
     list.push_back(read(in));
     list.back().where = nodes->items[i].where;
-    in.close();
+    in.report_unknown_keys();
   }
   return list;
 }
@@ -172,7 +176,7 @@ std::vector<One> read_list(Section& top, const char* key, Findings& findings, co
 Paper read_paper_text(const std::string& text, const std::filesystem::path& file) {
   const Node root = cases::parse_tree(text, file.generic_string());
   Findings findings;
-  Section top(&root, "", findings);
+  SectionReader top(&root, "", findings);
   Paper paper;
   paper.folder = file.parent_path();
   for (const char* key : {"title", "source"})
@@ -184,7 +188,7 @@ Paper read_paper_text(const std::string& text, const std::filesystem::path& file
   paper.about = top.text("about").value_or("");
   paper.figures = read_list<PaperFigure>(top, "figure", findings, read_figure);
   paper.claims = read_list<Claim>(top, "claim", findings, read_claim);
-  top.close();
+  top.report_unknown_keys();
   if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
   return paper;
 }

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73
                                                   "#E69F00", "#56B4E9", "#666666"};
 
 /// A place in the plane of motion, and how far above it [m].
-struct Place {
+struct PanelPoint {
   double x = 0, y = 0, height = 0;
 };
 
@@ -32,7 +32,7 @@ class Film {
         charge_(mill_, outcome.replicates.front().tally.wall_map.grid().radius),
         view_(view) {
     const std::vector<scene::Ball> all = cases::starting_balls(outcome.what, 0);
-    for (std::size_t i = 0; i < all.size(); i += film_.every()) {
+    for (std::size_t i = 0; i < all.size(); i += film_.ball_stride()) {
       radius.push_back(all[i].radius);
       grain.push_back(outcome.what.balls[static_cast<std::size_t>(all[i].kind)].grains);
     }
@@ -44,11 +44,12 @@ class Film {
   double speed(std::size_t frame, std::size_t ball) const {
     return double{film_.speeds()[frame * film_.balls() + ball]};
   }
-  Place place(std::size_t frame, std::size_t ball) const {
-    const auto& p = film_.places()[frame * film_.balls() + ball];
-    const Vec3 at = film_.place_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
-    const Rotation turn = view_ == View::jar ? kinematics::turn(*mill_.motion, time(frame))
-                                             : kinematics::carrier(*mill_.motion, time(frame)).turn;
+  PanelPoint place(std::size_t frame, std::size_t ball) const {
+    const auto& p = film_.positions()[frame * film_.balls() + ball];
+    const Vec3 at = film_.position_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
+    const Rotation turn = view_ == View::jar
+                              ? kinematics::rotation(*mill_.motion, time(frame))
+                              : kinematics::carrier(*mill_.motion, time(frame)).rotation;
     const Vec3 e = turn * charge_.right(), f = turn * charge_.up();
     return {dot(at, e), dot(at, f), dot(at, cross(e, f))};
   }
@@ -64,10 +65,10 @@ class Film {
 };
 
 /// Panels in rows below their titles, on a drawing 720 wide.
-class PanelSheet {
+class PanelCanvas {
  public:
   /// As many in a row as leave room for the longest title.
-  explicit PanelSheet(const std::vector<Panel>& panels)
+  explicit PanelCanvas(const std::vector<Panel>& panels)
       : columns_(std::min<std::size_t>(panels.size(), 4)) {
     constexpr double letter = 6.4, widest = 340;
     double longest = 0;
@@ -95,8 +96,8 @@ class PanelSheet {
           "stroke=\"var(--soft,#59636e)\" stroke-width=\"1.5\"/>\n",
           x_, y_, scale_ * half);
   }
-  double across(const Place& p) const { return x_ + scale_ * p.x; }
-  double down(const Place& p) const { return y_ - scale_ * p.y; }
+  double across(const PanelPoint& p) const { return x_ + scale_ * p.x; }
+  double down(const PanelPoint& p) const { return y_ - scale_ * p.y; }
   double length(double l) const { return scale_ * l; }
   void add(const std::string& text) { text_ += text; }
 
@@ -126,10 +127,11 @@ bool is_round(const results::Outcome& outcome) {
   return norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
 }
 
-std::string way(const Film& film, const PanelSheet& sheet, std::size_t ball, std::size_t number) {
+std::string trajectory(const Film& film, const PanelCanvas& sheet, std::size_t ball,
+                       std::size_t number) {
   std::string path;
   for (std::size_t f = 0; f < film.frames(); ++f) {
-    const Place p = film.place(f, ball);
+    const PanelPoint p = film.place(f, ball);
     path += fmt::format("{}{:.1f} {:.1f}", f == 0 ? 'M' : 'L', sheet.across(p), sheet.down(p));
   }
   return fmt::format(
@@ -137,7 +139,7 @@ std::string way(const Film& film, const PanelSheet& sheet, std::size_t ball, std
       path, colours[number % colours.size()]);
 }
 
-std::string circle(const PanelSheet& sheet, const Place& p, double radius,
+std::string circle(const PanelCanvas& sheet, const PanelPoint& p, double radius,
                    std::string_view colour) {
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\"/>\n",
                      sheet.across(p), sheet.down(p), sheet.length(radius), colour);
@@ -151,7 +153,7 @@ double grain_speed(const Film& film, std::size_t frame) {
   return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-std::string balls(const Film& film, const PanelSheet& sheet) {
+std::string balls(const Film& film, const PanelCanvas& sheet) {
   const std::size_t frame = film.frames() - 1;
   const double fast = grain_speed(film, frame);
   std::vector<std::size_t> order(film.radius.size());
@@ -170,7 +172,7 @@ template <class Draw>
 std::string picture(const std::vector<Panel>& panels, View view, std::string_view title,
                     const Draw& draw) {
   if (std::ranges::none_of(panels, has_film)) return "";
-  PanelSheet sheet(panels);
+  PanelCanvas sheet(panels);
   for (const Panel& panel : panels) {
     if (!has_film(panel)) continue;
     const Film film(*panel.outcome, view);
@@ -183,11 +185,11 @@ std::string picture(const std::vector<Panel>& panels, View view, std::string_vie
 }  // namespace
 
 std::string trajectories_picture(const std::vector<Panel>& panels, View view) {
-  return picture(panels, view, "Ways of the balls", [](const Film& film, const PanelSheet& sheet) {
+  return picture(panels, view, "Ways of the balls", [](const Film& film, const PanelCanvas& sheet) {
     std::string text;
     std::size_t number = 0;
     for (std::size_t i = 0; i < film.radius.size(); ++i)
-      if (!film.grain[i]) text += way(film, sheet, i, number++);
+      if (!film.grain[i]) text += trajectory(film, sheet, i, number++);
     return text;
   });
 }

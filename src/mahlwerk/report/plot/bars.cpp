@@ -99,13 +99,13 @@ void BarDrawing::measure() {
 void BarDrawing::legend() {
   text(16, 18, "start", plot_.title, title_style(plot_.title, plot_width - 20));
   double x = left_;
-  for (std::size_t i = 0; i < plot_.words.size(); ++i) {
+  for (std::size_t i = 0; i < plot_.legend.size(); ++i) {
     text_ += fmt::format("<rect x=\"{:.1f}\" y=\"30\" width=\"12\" height=\"12\" fill=\"{}\"/>\n",
                          x, kind_colour(i));
-    text(x + 18, 40.5, "start", plot_.words[i]);
-    x += 36 + letter_width * static_cast<double>(width(plot_.words[i]));
+    text(x + 18, 40.5, "start", plot_.legend[i]);
+    x += 36 + letter_width * static_cast<double>(width(plot_.legend[i]));
   }
-  if (!plot_.words.empty()) top_ += 20;
+  if (!plot_.legend.empty()) top_ += 20;
   bottom_ = top_;
   for (const BarGroup& group : plot_.groups) bottom_ += height_of(group);
 }

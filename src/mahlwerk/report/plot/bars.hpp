@@ -35,7 +35,8 @@ struct BarPlot {
   double base = 0;
   bool side_by_side = false;  ///< the bars of a group one below the other
   std::vector<BarGroup> groups = {};
-  std::vector<std::string> words = {};  ///< what the colours mean, from the first on; none: nothing
+  std::vector<std::string> legend =
+      {};  ///< what the colours mean, from the first on; none: nothing
 };
 
 /// The plot as one <svg> element.

@@ -132,20 +132,20 @@ void MapDrawing::axes() {
 void MapDrawing::key() {
   double y = bottom_ + 54;
   constexpr int levels = 32;
-  if (map_.key.words.empty()) {
+  if (map_.legend.words.empty()) {
     const double part = (plot_width - 16 - left_) / levels;
     for (int i = 0; i < levels; ++i)
       text_ +=
           fmt::format("<path fill=\"{}\" d=\"M{:.1f} {:.1f}h{:.2f}v9h{:.2f}z\"/>",
                       viridis((i + 0.5) / levels), left_ + part * i, y, part + 0.5, -part - 0.5);
-    text_ += "\n" + words(left_, y + 24, "start", map_.key.low) +
-             words(0.5 * (left_ + plot_width - 16), y + 24, "middle", map_.key.about) +
-             words(plot_width - 16, y + 24, "end", map_.key.high);
+    text_ += "\n" + words(left_, y + 24, "start", map_.legend.low) +
+             words(0.5 * (left_ + plot_width - 16), y + 24, "middle", map_.legend.about) +
+             words(plot_width - 16, y + 24, "end", map_.legend.high);
     height_ = y + 32;
     return;
   }
   double x = left_;
-  for (const auto& [colour, word] : map_.key.words) {
+  for (const auto& [colour, word] : map_.legend.words) {
     const double room = 34 + letter_width * static_cast<double>(width(word));
     if (x > left_ && x + room > plot_width) {
       x = left_;

@@ -18,7 +18,7 @@ struct Cell {
 };
 
 /// What the colours of a map mean: a scale from `low` to `high`, or words.
-struct MapKey {
+struct MapLegend {
   std::string low = {}, high = {}, about = {};
   std::vector<std::pair<std::string, std::string>> words = {};  ///< colour, word
 };
@@ -28,7 +28,7 @@ struct CellMap {
   std::string title, x_label, y_label;
   std::vector<std::string> x, y;  ///< from left, from below
   std::vector<Cell> cells;        ///< row by row from below: x.size() times y.size()
-  MapKey key;
+  MapLegend legend;
 };
 
 /// The map as one <svg> element. Of many cells titles are left out.

@@ -112,7 +112,7 @@ double sum_of_squares(const Data& d, const std::function<double(double)>& y_of) 
 
 /// What the fit leaves over, and by it how sure the coefficients are and how good the law is.
 /// `variance` holds the diagonal of (cam.22) for s = 1.
-void judge(Law& law, const Data& d, const std::vector<double>& variance) {
+void judge(FittedLaw& law, const Data& d, const std::vector<double>& variance) {
   const double n = d.number(), p = static_cast<double>(law.coefficients.size());
   const double mean = weighted_mean(d, d.y);
   const double total = sum_of_squares(d, [&](double) { return mean; });
@@ -132,8 +132,8 @@ void judge(Law& law, const Data& d, const std::vector<double>& variance) {
 }
 
 /// y = sum c_j u^j, u = (x - middle)/half, and then by x itself.
-Law polynomial(const Data& d, Form form) {
-  const std::size_t size = form == Form::line ? 2 : 3;
+FittedLaw polynomial(const Data& d, LawForm form) {
+  const std::size_t size = form == LawForm::line ? 2 : 3;
   const double middle = weighted_mean(d, d.x);
   double half = 0;
   for (const double x : d.x) half = std::max(half, std::abs(x - middle));
@@ -146,7 +146,7 @@ Law polynomial(const Data& d, Form form) {
   const double m = middle / half, h = half;
   const std::array<Row, 3> by{Row{1, -m, size == 3 ? m * m : 0},
                               Row{0, 1 / h, size == 3 ? -2 * m / h : 0}, Row{0, 0, 1 / (h * h)}};
-  Law law{.form = form};
+  FittedLaw law{.form = form};
   std::vector<double> variance;
   for (std::size_t j = 0; j < size; ++j) {
     double value = 0, spread = 0;
@@ -168,7 +168,7 @@ double rounded(double value) {
 }
 
 /// ln y is a line in ln x: where a power law begins to be looked for.
-Law first_power(const Data& d) {
+FittedLaw first_power(const Data& d) {
   double x = 0, y = 0;
   for (std::size_t i = 0; i < d.x.size(); ++i) {
     x += std::log(d.x[i]) / d.number();
@@ -181,20 +181,20 @@ Law first_power(const Data& d) {
     uv += u * std::log(d.y[i]);
   }
   const double slope = uv / uu, reference = rounded(std::exp(x));
-  return {.form = Form::power,
+  return {.form = LawForm::power,
           .coefficients = {std::exp(y + slope * (std::log(reference) - x)), slope},
           .reference = reference};
 }
 
 /// Gauss and Newton in c and p, each step halved until it leads down.
-Law power(const Data& d) {
+FittedLaw power(const Data& d) {
   constexpr int most_steps = 100, most_halvings = 40;
-  Law law = first_power(d);
-  const auto left = [&](const Law& l) {
+  FittedLaw law = first_power(d);
+  const auto left = [&](const FittedLaw& l) {
     return sum_of_squares(d, [&](double x) { return l.at(x); });
   };
   // Of c its share is sought, so that both unknowns are numbers of the same size.
-  const auto next = [&](const Law& l) {
+  const auto next = [&](const FittedLaw& l) {
     std::vector<double> residuals;
     for (std::size_t i = 0; i < d.x.size(); ++i) residuals.push_back(d.y[i] - l.at(d.x[i]));
     return step(d, 2, residuals, [&](std::size_t i) {
@@ -209,7 +209,7 @@ Law power(const Data& d) {
     bool went = false;
     double share = 1;
     for (int h = 0; h < most_halvings && !went; ++h, share /= 2) {
-      Law tried = law;
+      FittedLaw tried = law;
       tried.coefficients[0] *= std::exp(share * s.change[0]);
       tried.coefficients[1] += share * s.change[1];
       const double then = left(tried);
@@ -227,45 +227,47 @@ Law power(const Data& d) {
 
 }  // namespace
 
-std::string_view name_of(Form form) {
+std::string_view name_of(LawForm form) {
   constexpr std::array<std::string_view, 3> names{"straight line", "power law", "parabola"};
   return names[static_cast<std::size_t>(form)];
 }
 
-double Law::at(double x) const {
+double FittedLaw::at(double x) const {
   switch (form) {
-    case Form::power:
+    case LawForm::power:
       return coefficients[0] * std::pow(x / reference, coefficients[1]);
-    case Form::parabola:
+    case LawForm::parabola:
       return coefficients[0] + x * (coefficients[1] + x * coefficients[2]);
-    case Form::line:
+    case LawForm::line:
       break;
   }
   return coefficients[0] + x * coefficients[1];
 }
 
-std::vector<Law> fitted_laws(const std::vector<double>& x, const std::vector<double>& y,
-                             const std::vector<double>& ci95) {
+std::vector<FittedLaw> fitted_laws(const std::vector<double>& x, const std::vector<double>& y,
+                                   const std::vector<double>& ci95) {
   const Data d = data_of(x, y, ci95);
   constexpr std::size_t fewest = 4;
   if (std::set<double>(d.x.begin(), d.x.end()).size() < fewest) return {};
   const auto [least, most] = std::ranges::minmax_element(d.y);
   if (*most - *least <= 1e-9 * std::max(std::abs(*most), std::abs(*least))) return {};
-  std::vector<Law> laws{polynomial(d, Form::line)};
+  std::vector<FittedLaw> laws{polynomial(d, LawForm::line)};
   if (*least > 0 && *std::ranges::min_element(d.x) > 0) laws.push_back(power(d));
-  laws.push_back(polynomial(d, Form::parabola));
+  laws.push_back(polynomial(d, LawForm::parabola));
   // Squares of numbers near 1e300 are none.
-  std::erase_if(laws,
-                [](const Law& l) { return l.coefficients.empty() || !std::isfinite(l.r_squared); });
+  std::erase_if(laws, [](const FittedLaw& l) {
+    return l.coefficients.empty() || !std::isfinite(l.r_squared);
+  });
   return laws;
 }
 
-Choice best_of(const std::vector<Law>& laws) {
+LawSelection select_law(const std::vector<FittedLaw>& laws) {
   constexpr double apart = 2;  // of AICc, below which laws cannot be told from each other (cam.27)
-  Choice choice;
-  const auto ranked = std::ranges::count_if(laws, [](const Law& l) { return !std::isnan(l.aicc); });
+  LawSelection choice;
+  const auto ranked =
+      std::ranges::count_if(laws, [](const FittedLaw& l) { return !std::isnan(l.aicc); });
   choice.by_aicc = ranked >= 2;
-  const auto score = [&](const Law& l) {
+  const auto score = [&](const FittedLaw& l) {
     if (!choice.by_aicc) return -l.adjusted;
     return std::isnan(l.aicc) ? INFINITY : l.aicc;
   };
@@ -273,12 +275,12 @@ Choice best_of(const std::vector<Law>& laws) {
     if (score(laws[i]) < score(laws[choice.best])) choice.best = i;
   for (std::size_t i = 0; i < laws.size() && choice.by_aicc; ++i)
     if (i != choice.best && score(laws[i]) < score(laws[choice.best]) + apart)
-      choice.as_good.push_back(i);
+      choice.equivalent.push_back(i);
   return choice;
 }
 
-bool through_origin(const Law& law) {
-  return law.form == Form::line && std::abs(law.coefficients[0]) <= law.ci95[0];
+bool through_origin(const FittedLaw& law) {
+  return law.form == LawForm::line && std::abs(law.coefficients[0]) <= law.ci95[0];
 }
 
 }  // namespace mahlwerk::report

@@ -10,18 +10,18 @@
 // Plain laws put through the points of a curve (docs/theory/campaigns.md, "Fitted laws").
 namespace mahlwerk::report {
 
-enum class Form {
+enum class LawForm {
   line,     ///< y = a + b x
   power,    ///< y = c (x/x0)^p
   parabola  ///< y = a + b x + c x^2
 };
 
 /// The same in words: "straight line".
-std::string_view name_of(Form form);
+std::string_view name_of(LawForm form);
 
 /// One law and how well it describes the points it was fitted to.
-struct Law {
-  Form form = Form::line;
+struct FittedLaw {
+  LawForm form = LawForm::line;
   std::vector<double> coefficients = {};  ///< a, b; c, p; a, b, c
   std::vector<double> ci95 = {};  ///< their half-widths (cam.23); NaN with no point to spare
   double reference = 1;           ///< x0, about the middle of x; of a power law
@@ -36,18 +36,18 @@ struct Law {
 /// an x or y that is no number are left out. A power law takes positive x and y alone; each law
 /// takes a point more than it has coefficients, and no law is fitted to fewer than four different x
 /// or to a y that is the same everywhere.
-std::vector<Law> fitted_laws(const std::vector<double>& x, const std::vector<double>& y,
-                             const std::vector<double>& ci95);
+std::vector<FittedLaw> fitted_laws(const std::vector<double>& x, const std::vector<double>& y,
+                                   const std::vector<double>& ci95);
 
 /// Which of the laws describes the points best.
-struct Choice {
-  std::size_t best = 0;              ///< among `laws`
-  std::vector<std::size_t> as_good;  ///< others that cannot be told from it (cam.27)
-  bool by_aicc = true;               ///< else by adjusted R^2, for too few points
+struct LawSelection {
+  std::size_t best = 0;                 ///< among `laws`
+  std::vector<std::size_t> equivalent;  ///< others that cannot be told from it (cam.27)
+  bool by_aicc = true;                  ///< else by adjusted R^2, for too few points
 };
-Choice best_of(const std::vector<Law>& laws);
+LawSelection select_law(const std::vector<FittedLaw>& laws);
 
 /// The interval of a line's intercept holds 0.
-bool through_origin(const Law& law);
+bool through_origin(const FittedLaw& law);
 
 }  // namespace mahlwerk::report

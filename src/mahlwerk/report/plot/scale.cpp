@@ -33,17 +33,17 @@ std::vector<double> powers(double least, double most, int wanted) {
 
 }  // namespace
 
-bool shown_on(double v, bool logarithmic) {
+bool is_plottable(double v, bool logarithmic) {
   return std::isfinite(v) && (!logarithmic || v > 0);
 }
 
-void Span::hold(double v) {
-  if (!shown_on(v, logarithmic)) return;
+void AxisScale::include(double v) {
+  if (!is_plottable(v, logarithmic)) return;
   least = std::min(least, v);
   most = std::max(most, v);
 }
 
-void Span::settle(const Axis& axis, bool air) {
+void AxisScale::set_limits(const Axis& axis, bool air) {
   if (!(least <= most)) least = logarithmic ? 0.1 : 0, most = 1;
   // Values that differ by their rounding alone are one.
   if (most - least <= alike * std::max(std::abs(least), std::abs(most))) most = least;
@@ -61,7 +61,7 @@ void Span::settle(const Axis& axis, bool air) {
   if (std::isfinite(axis.most)) most = axis.most;
 }
 
-double Span::at(double v) const {
+double AxisScale::at(double v) const {
   if (logarithmic)  // differences, as quotients may be too large for a number
     return (std::log(v) - std::log(least)) / (std::log(most) - std::log(least));
   return (v - least) / (most - least);

@@ -16,16 +16,16 @@ constexpr double plot_width = 480;    ///< [px] of every plot
 constexpr double letter_width = 6.6;  ///< [px] average of one at 12 px
 
 /// Numbers alone, and positive ones alone on a logarithmic axis.
-bool shown_on(double v, bool logarithmic);
+bool is_plottable(double v, bool logarithmic);
 
 /// Least and most of an axis, from what it is told or what the data hold, with a little air.
-struct Span {
+struct AxisScale {
   double least = INFINITY, most = -INFINITY;
   bool logarithmic;
 
-  explicit Span(bool is_logarithmic) : logarithmic(is_logarithmic) {}
-  void hold(double v);
-  void settle(const Axis& axis, bool air);
+  explicit AxisScale(bool is_logarithmic) : logarithmic(is_logarithmic) {}
+  void include(double v);
+  void set_limits(const Axis& axis, bool air);
   double at(double v) const;  ///< 0 at the least, 1 at the most
 };
 

@@ -30,7 +30,7 @@ class Canvas {
  private:
   double across(double v) const { return left_ + x_.at(v) * (right_ - left_); }
   double down(double v) const { return bottom_ - y_.at(v) * (bottom_ - top_); }
-  bool inside(double v, const Span& s) const { return shown_on(v, s.logarithmic); }
+  bool inside(double v, const AxisScale& s) const { return is_plottable(v, s.logarithmic); }
   /// Far outside values are cut to what the clip path hides anyway.
   double cut_down(double v) const {
     return std::isfinite(v) && (!y_.logarithmic || v > 0) ? std::clamp(down(v), -1e4, 1e4) : 1e4;
@@ -49,7 +49,7 @@ class Canvas {
   void many(const Series& s, std::string_view colour);
 
   const Plot& plot_;
-  Span x_, y_;
+  AxisScale x_, y_;
   double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
   struct Entry {
     std::size_t series;
@@ -96,19 +96,19 @@ void Canvas::measure() {
     return std::ranges::none_of(s.y, [](double v) { return v < 0; });
   });
   for (const Series& s : plot_.series) {
-    for (const double v : s.x) x_.hold(v);
+    for (const double v : s.x) x_.include(v);
     for (std::size_t i = 0; i < s.y.size(); ++i) {
       const double error = i < s.error.size() && std::isfinite(s.error[i]) ? s.error[i] : 0;
-      y_.hold(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
-      y_.hold(positive ? std::max(s.y[i] - error, 0.0) : s.y[i] - error);
-      y_.hold(s.y[i] + error);
+      y_.include(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
+      y_.include(positive ? std::max(s.y[i] - error, 0.0) : s.y[i] - error);
+      y_.include(s.y[i] + error);
     }
   }
   const bool points = std::any_of(plot_.series.begin(), plot_.series.end(), [](const Series& s) {
     return s.mark == Mark::points || s.mark == Mark::dots;
   });
-  x_.settle(plot_.x, points);
-  y_.settle(plot_.y, true);
+  x_.set_limits(plot_.x, points);
+  y_.set_limits(plot_.y, true);
   std::size_t widest = 0;
   for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5))
     widest = std::max(widest, width(tick_text(v, y_.logarithmic)));

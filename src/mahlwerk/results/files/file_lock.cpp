@@ -23,15 +23,15 @@ bool is_there(int descriptor, const std::filesystem::path& file) {
 
 }  // namespace
 
-FileLock::FileLock(const std::filesystem::path& file, Holds holds, After after)
-    : file_(file), after_(after) {
+FileLock::FileLock(const std::filesystem::path& file, Mode mode, AtRelease at_release)
+    : file_(file), at_release_(at_release) {
   for (;;) {
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0)
       throw std::system_error(errno, std::generic_category(), file.generic_string());
-    if (::flock(descriptor_, (holds == Holds::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
+    if (::flock(descriptor_, (mode == Mode::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
       error_ = errno;
-      state_ = error_ == EWOULDBLOCK ? State::another_has_it : State::no_locks;
+      state_ = error_ == EWOULDBLOCK ? State::held_elsewhere : State::unsupported;
       return;
     }
     if (is_there(descriptor_, file)) return;
@@ -41,7 +41,8 @@ FileLock::FileLock(const std::filesystem::path& file, Holds holds, After after)
 
 FileLock::~FileLock() {
   std::error_code none;  // while it is held
-  if (state_ == State::held && after_ == After::file_goes) std::filesystem::remove(file_, none);
+  if (state_ == State::held && at_release_ == AtRelease::remove_file)
+    std::filesystem::remove(file_, none);
   ::close(descriptor_);
 }
 

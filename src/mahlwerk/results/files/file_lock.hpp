@@ -9,13 +9,17 @@ namespace mahlwerk::results {
 /// Holds a file for this process, until it ends however it ends.
 class FileLock {
  public:
-  enum class Holds { alone, with_others };
-  enum class State { held, another_has_it, no_locks };  ///< the last: this file system knows none
-  enum class After { file_stays, file_goes };
+  enum class Mode { exclusive, shared };
+  enum class State {
+    held,
+    held_elsewhere,
+    unsupported
+  };  ///< the last: this file system knows none
+  enum class AtRelease { keep_file, remove_file };
 
   /// Makes the file if need be. Throws std::system_error where it cannot be opened.
-  explicit FileLock(const std::filesystem::path& file, Holds holds = Holds::alone,
-                    After after = After::file_stays);
+  explicit FileLock(const std::filesystem::path& file, Mode mode = Mode::exclusive,
+                    AtRelease at_release = AtRelease::keep_file);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -28,7 +32,7 @@ class FileLock {
   std::filesystem::path file_;
   int descriptor_ = -1, error_ = 0;
   State state_ = State::held;
-  After after_;
+  AtRelease at_release_;
 };
 
 }  // namespace mahlwerk::results

@@ -21,16 +21,16 @@ constexpr std::string_view campaign_runs = "runs";
 /// as long as the folder lives.
 class Folder {
  public:
-  /// Makes sure, before anything is computed, that the result can be written to `wanted`, and
+  /// Makes sure, before anything is computed, that the result can be written to `target`, and
   /// removes what starts that were killed left beside it. Throws InputError if it is a file, is not
   /// empty and `force` is off, holds what is not a result of ours, another process is at work on
   /// it, or its place cannot be written to.
-  Folder(const std::filesystem::path& wanted, bool force);
+  Folder(const std::filesystem::path& target, bool force);
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  const std::filesystem::path& wanted() const { return wanted_; }  ///< where the result will be
+  const std::filesystem::path& target() const { return target_; }  ///< where the result will be
   /// Where the file of this name is written now; folders in the name are made.
   std::filesystem::path file(std::string_view name) const;
   void write(std::string_view name, std::string_view text) const;
@@ -43,7 +43,7 @@ class Folder {
   void put_in_place() const;
   void keep_complete();
 
-  std::filesystem::path wanted_, aside_;
+  std::filesystem::path target_, staging_;
   std::optional<FileLock> lock_;
   bool force_, done_ = false;
 };

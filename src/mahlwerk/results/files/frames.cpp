@@ -31,8 +31,8 @@ FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& wha
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
                      const std::vector<Vec3>& forces) {
-  const Frame frame{time, balls, forces, kinematics::ride(*chamber_.motion, time).centre,
-                    kinematics::turn(*chamber_.motion, time) * chamber_.mount};
+  const Frame frame{time, balls, forces, kinematics::frame_motion(*chamber_.motion, time).centre,
+                    kinematics::rotation(*chamber_.motion, time) * chamber_.mount};
   if (xyz_) xyz_->add(frame);
   if (vtk_) vtk_->add(frame);
 }

@@ -44,7 +44,7 @@ class FrameTimes {
  public:
   explicit FrameTimes(const cases::Case& what);
   double next() const;  ///< infinite after the last
-  void go_on() { ++done_; }
+  void advance() { ++done_; }
 
  private:
   double settle_, end_, every_;

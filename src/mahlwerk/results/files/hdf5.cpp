@@ -23,13 +23,13 @@ constexpr std::size_t records_at_once = 16384;  // records handed over at once
 
 /// One number of a record: its name in the file, its unit, what it is, and where it lies in a
 /// Collision.
-struct Part {
+struct RecordMember {
   const char *name, *unit, *about;
   std::size_t offset;
   bool whole = false;  ///< a 32-bit integer instead of a double
 };
 
-const Part record_parts[] = {
+const RecordMember record_parts[] = {
     {"time", "s", "of first touch, since the start of the run", offsetof(Collision, time)},
     {"duration", "s", "of the contact; 0 in the event engine", offsetof(Collision, duration)},
     {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
@@ -61,7 +61,7 @@ InputError failure(const std::filesystem::path& file, const char* doing) {
 /// The record as it lies in memory.
 Handle record_type() {
   Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Collision)), H5Tclose);
-  for (const Part& p : record_parts)
+  for (const RecordMember& p : record_parts)
     H5Tinsert(type, p.name, p.offset, p.whole ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE);
   return type;
 }
@@ -72,16 +72,16 @@ std::string group_name(int replicate) {
 
 }  // namespace
 
-struct CollisionFile::Inside {
+struct CollisionFile::Impl {
   std::filesystem::path path;
   Handle file, in_memory;
   std::map<int, Handle> sets;
-  std::exception_ptr trouble;  ///< of a log's last records_at_once, kept until close()
+  std::exception_ptr pending_error;  ///< of a log's last records_at_once, kept until close()
 
   Handle& set(int replicate);
 };
 
-Handle& CollisionFile::Inside::set(int replicate) {
+Handle& CollisionFile::Impl::set(int replicate) {
   Handle& found = sets[replicate];
   if (found.valid()) return found;
   const Handle group(
@@ -99,7 +99,7 @@ Handle& CollisionFile::Inside::set(int replicate) {
                  H5Dclose);
   if (!found.valid()) throw failure(path, "make a data set in the file");
   bool good = write_attribute(found, "about", "every counted collision of a replicate, by time");
-  for (const Part& p : record_parts) {
+  for (const RecordMember& p : record_parts) {
     good = write_attribute(found, std::string("unit_") + p.name, p.unit) && good;
     good = write_attribute(found, std::string("about_") + p.name, p.about) && good;
   }
@@ -109,28 +109,27 @@ Handle& CollisionFile::Inside::set(int replicate) {
 
 CollisionFile::CollisionFile(const std::filesystem::path& file, std::string_view case_text,
                              std::string_view version)
-    : inside_(std::make_unique<Inside>()) {
+    : impl_(std::make_unique<Impl>()) {
   const auto lock = hdf5_library();
   errno = 0;
-  inside_->path = file;
-  inside_->in_memory = record_type();
-  inside_->file =
-      Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-  if (!inside_->file.valid()) throw failure(file, "create the file");
-  if (!write_attribute(inside_->file, "mahlwerk", version) ||
-      !write_attribute(inside_->file, "case", case_text))
+  impl_->path = file;
+  impl_->in_memory = record_type();
+  impl_->file = Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  if (!impl_->file.valid()) throw failure(file, "create the file");
+  if (!write_attribute(impl_->file, "mahlwerk", version) ||
+      !write_attribute(impl_->file, "case", case_text))
     throw failure(file, "write the case into the file");
 }
 
 CollisionFile::~CollisionFile() {
   const auto lock = hdf5_library();
-  inside_.reset();
+  impl_.reset();
 }
 
 void CollisionFile::append(int replicate, std::span<const Collision> records) {
   const auto lock = hdf5_library();
   errno = 0;
-  Handle& set = inside_->set(replicate);
+  Handle& set = impl_->set(replicate);
   hsize_t before = 0;
   {
     const Handle space(H5Dget_space(set), H5Sclose);
@@ -141,20 +140,19 @@ void CollisionFile::append(int replicate, std::span<const Collision> records) {
   const Handle target(H5Dget_space(set), H5Sclose);
   good = good && H5Sselect_hyperslab(target, H5S_SELECT_SET, &before, nullptr, &more, nullptr) >= 0;
   const Handle source(H5Screate_simple(1, &more, nullptr), H5Sclose);
-  good =
-      good && H5Dwrite(set, inside_->in_memory, source, target, H5P_DEFAULT, records.data()) >= 0;
-  if (!good) throw failure(inside_->path, "write collisions into the file");
+  good = good && H5Dwrite(set, impl_->in_memory, source, target, H5P_DEFAULT, records.data()) >= 0;
+  if (!good) throw failure(impl_->path, "write collisions into the file");
 }
 
 void CollisionFile::close() {
   const auto lock = hdf5_library();
-  if (!inside_->file.valid()) return;
+  if (!impl_->file.valid()) return;
   errno = 0;
-  bool good = H5Fflush(inside_->file, H5F_SCOPE_GLOBAL) >= 0;
-  for (auto& [replicate, set] : inside_->sets) good = set.close() && good;
-  good = inside_->file.close() && good;
-  if (inside_->trouble) std::rethrow_exception(inside_->trouble);
-  if (!good) throw failure(inside_->path, "finish the file");
+  bool good = H5Fflush(impl_->file, H5F_SCOPE_GLOBAL) >= 0;
+  for (auto& [replicate, set] : impl_->sets) good = set.close() && good;
+  good = impl_->file.close() && good;
+  if (impl_->pending_error) std::rethrow_exception(impl_->pending_error);
+  if (!good) throw failure(impl_->path, "finish the file");
 }
 
 CollisionLog::CollisionLog(CollisionFile& file, int replicate)
@@ -167,17 +165,17 @@ CollisionLog::~CollisionLog() {
     flush();
   } catch (...) {
     const auto lock = hdf5_library();
-    if (!file_.inside_->trouble) file_.inside_->trouble = std::current_exception();
+    if (!file_.impl_->pending_error) file_.impl_->pending_error = std::current_exception();
   }
 }
 
 void CollisionLog::collisions(std::span<const Collision> finished) {
-  waiting_.insert(waiting_.end(), finished.begin(), finished.end());
-  if (waiting_.size() >= records_at_once) flush();
+  buffer_.insert(buffer_.end(), finished.begin(), finished.end());
+  if (buffer_.size() >= records_at_once) flush();
 }
 
 void CollisionLog::flush() {
-  const std::vector<Collision> now = std::exchange(waiting_, {});
+  const std::vector<Collision> now = std::exchange(buffer_, {});
   if (!now.empty()) file_.append(replicate_, now);
 }
 

@@ -33,8 +33,8 @@ class CollisionFile {
 
  private:
   friend class CollisionLog;
-  struct Inside;
-  std::unique_ptr<Inside> inside_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Writes what it hears to one replicate of a file, in large pieces; the last when it is destroyed.
@@ -51,7 +51,7 @@ class CollisionLog final : public scene::Observer {
 
   CollisionFile& file_;
   int replicate_;
-  std::vector<scene::Collision> waiting_;
+  std::vector<scene::Collision> buffer_;
 };
 
 /// The records of one replicate, counted from 0. Throws InputError if they are not there.

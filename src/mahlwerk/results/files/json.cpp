@@ -23,7 +23,7 @@ Json texts(const Notices& notices, bool warnings) {
   return list;
 }
 
-Json listed(const Notices& notices) {
+Json notice_list(const Notices& notices) {
   Json list = Json::array();
   for (const Notice& one : notices)
     list.push_back(Json::object(
@@ -35,7 +35,7 @@ Json about(const Outcome& outcome, std::string_view version) {
   Json runs = Json::array();
   for (const Replicate& r : outcome.replicates) {
     Json run = Json::object({{"complete", r.complete && r.time() > 0}, {"time", r.time()}});
-    if (!r.stopped.empty()) run["stopped"] = r.stopped;
+    if (!r.stop_reason.empty()) run["stopped"] = r.stop_reason;
     runs.push_back(std::move(run));
   }
   const bool whole = complete(outcome);
@@ -48,7 +48,7 @@ Json about(const Outcome& outcome, std::string_view version) {
                        {"regime_reason", outcome.summary.regime_reason},
                        {"notes", texts(outcome.notices, false)},
                        {"warnings", texts(outcome.notices, true)},
-                       {"notices", listed(outcome.notices)},
+                       {"notices", notice_list(outcome.notices)},
                        {"threshold", outcome.what.observe.threshold},
                        {"complete", whole},
                        {"interrupted", outcome.interrupted && !whole},
@@ -85,7 +85,7 @@ Json states_of(const TwoStates& found) {
       one[q.name] = Json::object({{"value", q.value}, {"ci95", q.ci95}, {"unit", q.unit}});
     states.push_back(std::move(one));
   }
-  return Json::object({{"chance", found.chance}, {"states", std::move(states)}});
+  return Json::object({{"chance", found.p_value}, {"states", std::move(states)}});
 }
 
 }  // namespace

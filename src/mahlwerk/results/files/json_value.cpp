@@ -10,28 +10,28 @@
 namespace mahlwerk::results {
 namespace {
 
-using Library = nlohmann::ordered_json;
+using NlohmannJson = nlohmann::ordered_json;
 
-Library of_library(const Json& json);
+NlohmannJson to_nlohmann(const Json& json);
 
-Library of_library(const Json::Array& values) {
-  Library::array_t made;
+NlohmannJson to_nlohmann(const Json::Array& values) {
+  NlohmannJson::array_t made;
   made.reserve(values.size());
-  for (const Json& value : values) made.push_back(of_library(value));
+  for (const Json& value : values) made.push_back(to_nlohmann(value));
   return made;
 }
 
-Library of_library(const Json::Object& members) {
-  Library::object_t made;
-  for (const auto& [key, value] : members) made.emplace(key, of_library(value));
+NlohmannJson to_nlohmann(const Json::Object& members) {
+  NlohmannJson::object_t made;
+  for (const auto& [key, value] : members) made.emplace(key, to_nlohmann(value));
   return made;
 }
 
-Library of_library(const Json& json) {
-  const auto made = [](const auto& value) -> Library {
+NlohmannJson to_nlohmann(const Json& json) {
+  const auto made = [](const auto& value) -> NlohmannJson {
     using Kind = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Kind, Json::Array> || std::is_same_v<Kind, Json::Object>)
-      return of_library(value);
+      return to_nlohmann(value);
     else
       return value;
   };
@@ -91,7 +91,7 @@ Json& Json::back() {
 }
 
 std::string Json::text(int indent) const {
-  return of_library(*this).dump(indent, ' ', false, Library::error_handler_t::replace);
+  return to_nlohmann(*this).dump(indent, ' ', false, NlohmannJson::error_handler_t::replace);
 }
 
 }  // namespace mahlwerk::results

@@ -71,7 +71,7 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.what.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
-    if (const Replicate& r = outcome.replicates[i]; !r.at_stop.empty())
+    if (const Replicate& r = outcome.replicates[i]; !r.balls_at_stop.empty())
       all.push_back({stopped_name(static_cast<int>(i)),
                      "the balls of a replicate where physics stopped it", balls_at_stop(r)});
   return all;

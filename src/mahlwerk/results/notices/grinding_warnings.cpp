@@ -35,7 +35,7 @@ void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, N
 
 void more_than_dissipated(const Chosen& chosen, Notices& list) {
   const double given = mean_over(chosen, [](const Replicate& r) {
-    return share(r.ground->caught.power, dissipated_power(r));
+    return share(r.grinding->capture.power, dissipated_power(r));
   });
   if (given > 1)
     list.push_back(warning(
@@ -54,8 +54,8 @@ void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hi
   constexpr double nearly = 0.999, often = 0.01;
   double whole = 0, all = 0;
   for (const powder::Stress& s : hits.stresses) {
-    const powder::Catch c =
-        process.caught(hits.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    const powder::Capture c =
+        process.capture_per_hit(hits.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
     if (c.grains * grain.mass() >= nearly * what.powder->mass) whole += s.rate * s.energy;
     all += s.rate * s.energy;
   }
@@ -69,7 +69,7 @@ void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hi
 void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
   constexpr double much = 0.05, often = 0.01;
   const double finest = mean_over(
-      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().back(); });
+      chosen, [](const Replicate& r) { return r.grinding->milling().shares.back().back(); });
   if (finest > much)
     list.push_back(warning(
         "finest-class",
@@ -79,7 +79,7 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
             "further: a smaller grinding.smallest shows more, if the models still hold there.",
             two_digits(100 * finest), show_rounded(grinding.smallest, "m"))));
   const double coarsest = mean_over(
-      chosen, [](const Replicate& r) { return r.ground->milling().shares.back().front(); });
+      chosen, [](const Replicate& r) { return r.grinding->milling().shares.back().front(); });
   if (grinding.welding > 0 && coarsest > often)
     list.push_back(
         warning("coarsest-class", fmt::format("{} % of the powder welded into grains sixteen "
@@ -91,7 +91,7 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
 void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices& list) {
   constexpr std::int64_t close = 12;
   const bool binary = std::holds_alternative<powder::BinaryFragments>(*grinding.fragments);
-  if (binary && chosen.front()->ground->balance && grinding.classes_per_octave < close)
+  if (binary && chosen.front()->grinding->balance && grinding.classes_per_octave < close)
     list.push_back(warning(
         "wide-classes",
         fmt::format("Two pieces cut anywhere are nearly as large as the grain: with {} classes an "
@@ -105,11 +105,11 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
 }  // namespace
 
 Notices grinding_warnings(const Outcome& outcome) {
-  const Chosen chosen = ground_replicates(outcome);
+  const Chosen chosen = grinding_replicates(outcome);
   const cases::Case& what = outcome.what;
   Notices list;
   if (chosen.empty() || !what.capture) return list;
-  const powder::StressSpectrum hits = stresses(what, chosen);
+  const powder::StressSpectrum hits = stress_spectrum(what, chosen);
   large_grains(what, hits, list);
   more_than_dissipated(chosen, list);
   all_of_the_powder(what, hits, list);

@@ -59,7 +59,7 @@ bool start_differs(const std::vector<double>& stored, std::size_t first) {
 void not_steady(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.1, balanced = 0.01;
   constexpr std::size_t fewest = 50;  // windows: ten batches
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   const std::vector<double> energy = stored(chosen);
   if (energy.size() < fewest) return;
   const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
@@ -78,20 +78,20 @@ void not_steady(const Outcome& outcome, Notices& list) {
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
-  if (averaged(outcome).empty())
+  if (averaged_replicates(outcome).empty())
     list.push_back(warning("no-result", "No time was counted: there is no result."));
   if (outcome.interrupted && !complete(outcome))
     list.push_back(
         warning("interrupted",
                 "The run was interrupted: these numbers come from the part that was computed."));
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
-    if (!outcome.replicates[i].stopped.empty())
+    if (!outcome.replicates[i].stop_reason.empty())
       list.push_back(warning("stopped", fmt::format("Replicate {} was stopped: {}", i + 1,
-                                                    outcome.replicates[i].stopped)));
+                                                    outcome.replicates[i].stop_reason)));
 }
 
 void not_certain(const Outcome& outcome, Notices& list) {
-  if (std::ranges::all_of(averaged(outcome), &Replicate::sure)) return;
+  if (std::ranges::all_of(averaged_replicates(outcome), &Replicate::precision_reached)) return;
   list.push_back(warning(
       "not-certain",
       fmt::format(
@@ -104,7 +104,8 @@ void not_certain(const Outcome& outcome, Notices& list) {
 bool appeared(const Outcome& outcome) {
   double worst = 0;
   for (const Replicate& r : outcome.replicates)
-    if (std::abs(r.account.residual()) > std::abs(worst)) worst = r.account.residual();
+    if (std::abs(r.energy_balance.residual()) > std::abs(worst))
+      worst = r.energy_balance.residual();
   return worst > 0;
 }
 
@@ -113,8 +114,8 @@ void energy_gained(const Outcome& outcome, Notices& list) {
   const bool soft = outcome.engine == cases::EngineName::soft;
   const double rounding = soft ? closed_run_in_steps : 1e-9;
   for (const Replicate& r : outcome.replicates) {
-    const scene::Account& a = r.account;
-    const double turned_over = a.kinetic + std::abs(a.started_with) + std::abs(a.wall_work);
+    const scene::EnergyBalance& a = r.energy_balance;
+    const double turned_over = a.kinetic + std::abs(a.initial_energy) + std::abs(a.wall_work);
     const double lost = std::min(a.lost(), a.lost() - r.at_settled.lost());
     if (!(lost < -rounding * turned_over)) continue;
     const char* const why =

@@ -7,11 +7,11 @@
 namespace mahlwerk::results {
 namespace {
 
-using scene::Account;
+using scene::EnergyBalance;
 
 double energy_balance(const cases::Case&, const Replicate& r) {
-  const Account& a = r.account;
-  const double scale = std::abs(a.wall_work) + std::abs(a.lost()) + std::abs(a.started_with);
+  const EnergyBalance& a = r.energy_balance;
+  const double scale = std::abs(a.wall_work) + std::abs(a.lost()) + std::abs(a.initial_energy);
   const double residual = std::abs(a.residual());
   return residual == 0 ? 0 : residual / scale;
 }
@@ -43,7 +43,8 @@ std::vector<Measure> check_measures() {
   return {
       {"energy_residual", "1",
        "largest relative residual of one collision's energy balance, of all replicates",
-       [](const cases::Case&, const Replicate& r) { return r.account.worst_collision; }, true},
+       [](const cases::Case&, const Replicate& r) { return r.energy_balance.worst_collision; },
+       true},
       {"energy_balance", "1",
        "residual of a whole run's energy balance over wall work + losses + energy at the start, of "
        "the "
@@ -51,7 +52,8 @@ std::vector<Measure> check_measures() {
        energy_balance, true},
       {"deepest_overlap", "1",
        "deepest overlap of two bodies as they collided over the ball's radius, of all replicates",
-       [](const cases::Case&, const Replicate& r) { return r.account.deepest_overlap; }, true},
+       [](const cases::Case&, const Replicate& r) { return r.energy_balance.deepest_overlap; },
+       true},
       {"simulated_time", "s", "counted time of one replicate",
        [](const cases::Case&, const Replicate& r) { return r.time(); }},
   };

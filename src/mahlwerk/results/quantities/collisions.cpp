@@ -7,28 +7,28 @@
 namespace mahlwerk::results {
 namespace {
 
-using observe::Sums;
+using observe::CollisionSums;
 
 /// The mean over all collisions, or over those above the threshold.
-template <double Sums::*sum, Sums observe::Tally::*which>
+template <double CollisionSums::*sum, CollisionSums observe::CollisionStatistics::*which>
 double mean_per_collision(const cases::Case&, const Replicate& r) {
-  constexpr double factor = sum == &Sums::angle ? 180 / std::numbers::pi : 1;
-  const Sums& sums = r.tally.*which;
+  constexpr double factor = sum == &CollisionSums::angle ? 180 / std::numbers::pi : 1;
+  const CollisionSums& sums = r.tally.*which;
   return share(factor * sums.*sum, static_cast<double>(sums.count));
 }
 
-template <double Sums::*sum>
+template <double CollisionSums::*sum>
 void add_means(std::vector<Measure>& list, const std::string& name, const char* unit,
                const std::string& about) {
-  list.push_back({name, unit, about, mean_per_collision<sum, &observe::Tally::all>});
+  list.push_back({name, unit, about, mean_per_collision<sum, &observe::CollisionStatistics::all>});
   list.push_back({name + "_above_threshold", unit, about + "; collisions above the threshold",
-                  mean_per_collision<sum, &observe::Tally::above>});
+                  mean_per_collision<sum, &observe::CollisionStatistics::above>});
 }
 
-double between_balls(const Sums& sums, const Replicate& r) {
+double between_balls(const CollisionSums& sums, const Replicate& r) {
   return share(static_cast<double>(sums.between_balls), r.time());
 }
-double with_jar(const Sums& sums, const Replicate& r) {
+double with_jar(const CollisionSums& sums, const Replicate& r) {
   return share(static_cast<double>(sums.count - sums.between_balls), r.time());
 }
 
@@ -48,7 +48,7 @@ std::vector<Measure> collision_rates() {
       {"collision_rate_in_flight", "1/s",
        "collisions above the threshold per second that the balls are not in lasting contact",
        [](const cases::Case& c, const Replicate& r) {
-         const double contact = r.account.contact_time - r.at_settled.contact_time;
+         const double contact = r.energy_balance.contact_time - r.at_settled.contact_time;
          return share(static_cast<double>(r.tally.above.count),
                       r.time() - contact / count_of_balls(c));
        }},
@@ -74,21 +74,25 @@ std::vector<Measure> collision_rates_by_partner(const cases::Case& what) {
 
 std::vector<Measure> collision_means() {
   std::vector<Measure> list;
-  add_means<&Sums::energy_normal>(list, "energy_normal_mean", "J",
-                                  "mean impact energy of the normal motion, m u_n^2/2");
-  add_means<&Sums::energy_contact_point>(list, "energy_contact_point_mean", "J",
-                                         "mean impact energy of the motion of the touching points, "
-                                         "m (u_n^2 + u_t^2)/2, spin included");
-  add_means<&Sums::energy_centre>(list, "energy_centre_mean", "J",
-                                  "mean impact energy of the motion of the centres, spin left out");
-  add_means<&Sums::lost>(list, "energy_lost_mean", "J", "mean energy dissipated in one collision");
-  add_means<&Sums::approach>(list, "impact_speed_normal_mean", "m/s",
-                             "mean normal speed u_n at first touch");
-  add_means<&Sums::slip>(
+  add_means<&CollisionSums::energy_normal>(list, "energy_normal_mean", "J",
+                                           "mean impact energy of the normal motion, m u_n^2/2");
+  add_means<&CollisionSums::energy_contact_point>(
+      list, "energy_contact_point_mean", "J",
+      "mean impact energy of the motion of the touching points, "
+      "m (u_n^2 + u_t^2)/2, spin included");
+  add_means<&CollisionSums::energy_centre>(
+      list, "energy_centre_mean", "J",
+      "mean impact energy of the motion of the centres, spin left out");
+  add_means<&CollisionSums::lost>(list, "energy_lost_mean", "J",
+                                  "mean energy dissipated in one collision");
+  add_means<&CollisionSums::approach>(list, "impact_speed_normal_mean", "m/s",
+                                      "mean normal speed u_n at first touch");
+  add_means<&CollisionSums::slip>(
       list, "impact_speed_tangential_mean", "m/s",
       "mean tangential speed |u_t| of the touching points at first touch, spin included");
-  add_means<&Sums::angle>(list, "impact_angle_mean", "deg",
-                          "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing");
+  add_means<&CollisionSums::angle>(
+      list, "impact_angle_mean", "deg",
+      "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing");
   return list;
 }
 

@@ -50,8 +50,8 @@ void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int
 std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Replicate*>& of) {
   std::vector<powder::Nip> mean;
   for (const Replicate* r : of) {
-    const std::vector<powder::Nip> own = r->ground && !r->ground->stresses.nips.empty()
-                                             ? r->ground->stresses.nips
+    const std::vector<powder::Nip> own = r->grinding && !r->grinding->stresses.nips.empty()
+                                             ? r->grinding->stresses.nips
                                              : nips(what, r->tally);
     if (mean.empty()) mean.resize(own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -63,22 +63,22 @@ std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Rep
 }
 
 powder::Stream stream_of(const Replicate& r, const std::vector<powder::Nip>& nips) {
-  powder::Stream stream{{}, static_cast<double>(r.stream.each()), r.time()};
+  powder::Stream stream{{}, static_cast<double>(r.stream.stride()), r.time()};
   for (const observe::StressStream::Hit& hit : r.stream.hits())
     if (hit.energy > 0 && nips[static_cast<std::size_t>(hit.pair)].radius > 0)
       stream.hits.push_back({hit.energy, hit.pair});
   return stream;
 }
 
-powder::Milling sampled(const Case& what, const Replicate& r, const StressSpectrum& stresses,
-                        int index) {
+powder::SizeEvolution milling_by_sample(const Case& what, const Replicate& r,
+                                        const StressSpectrum& stresses, int index) {
   // A stream of its own, far from those that place balls.
   constexpr std::uint32_t first = 0x706f7764U;
   Random random(what.seed, first + static_cast<std::uint32_t>(index));
   const auto start = static_cast<std::uint64_t>(std::ldexp(random.uniform(), 53));
-  return powder::mill_a_sample(cases::process(what), stresses.nips, stream_of(r, stresses.nips),
-                               size_grid(what), what.powder->feed, what.grinding->time,
-                               static_cast<int>(what.grinding->sample), start);
+  return powder::grind_sample(cases::process(what), stresses.nips, stream_of(r, stresses.nips),
+                              size_grid(what), what.powder->feed, what.grinding->time,
+                              static_cast<int>(what.grinding->sample), start);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ observe::StressStream::Energy stream_energy(const Case& what) {
   return Kept::lost;
 }
 
-StressSpectrum stresses(const Case& what, const std::vector<const Replicate*>& of) {
+StressSpectrum stress_spectrum(const Case& what, const std::vector<const Replicate*>& of) {
   StressSpectrum all;
   all.nips = mean_nips(what, of);
   for (int pair = 0; pair < std::ssize(all.nips); ++pair)
@@ -115,28 +115,28 @@ powder::SizeGrid size_grid(const Case& what) {
           static_cast<int>(what.grinding->classes_per_octave)};
 }
 
-powder::Milling milled(const Case& what, const StressSpectrum& stresses,
-                       const powder::Beds* known) {
-  return powder::mill_by_balance(cases::process(what), stresses, size_grid(what), what.powder->feed,
-                                 what.grinding->time, known);
+powder::SizeEvolution milling_by_balance(const Case& what, const StressSpectrum& stresses,
+                                         const powder::CaptureTable* known) {
+  return powder::grind_by_balance(cases::process(what), stresses, size_grid(what),
+                                  what.powder->feed, what.grinding->time, known);
 }
 
-powder::Beds beds(const Case& what, const StressSpectrum& stresses) {
+powder::CaptureTable beds(const Case& what, const StressSpectrum& stresses) {
   if (what.grinding->bed == powder::Bed::mixed) return {};
-  return powder::beds(cases::process(what), stresses, size_grid(what), 0);
+  return powder::capture_table(cases::process(what), stresses, size_grid(what), 0);
 }
 
-CaughtRates caught_rates(const Case& what, const StressSpectrum& stresses) {
+CaptureRates capture_rates(const Case& what, const StressSpectrum& stresses) {
   const powder::Process process = cases::process(what);
   const powder::Grain grain = process.grain(*what.powder->size);
-  CaughtRates rates;
+  CaptureRates rates;
   double energy = 0;
   for (const powder::Stress& s : stresses.stresses) {
-    const powder::Catch c =
-        process.caught(stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    const powder::Capture c = process.capture_per_hit(
+        stresses.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
     rates.mass += s.rate * c.mean_mass(grain);
-    rates.power += s.rate * c.chance * process.energy_share * s.energy;
-    rates.grains += s.rate * s.energy * c.chance * c.grains;
+    rates.power += s.rate * c.probability * process.energy_share * s.energy;
+    rates.grains += s.rate * s.energy * c.probability * c.grains;
     energy += s.rate * s.energy;
   }
   rates.grains = share(rates.grains, energy);
@@ -145,7 +145,7 @@ CaughtRates caught_rates(const Case& what, const StressSpectrum& stresses) {
 
 namespace {
 
-bool dose_is_caught(const Case& what) {
+bool dose_is_captured(const Case& what) {
   return !what.kinetics || what.kinetics->dose == cases::Kinetics::Dose::captured;
 }
 
@@ -153,8 +153,8 @@ bool dose_is_caught(const Case& what) {
 
 double dose_rate(const Case& what, const std::vector<const Replicate*>& of,
                  const StressSpectrum& stresses) {
-  const bool caught = dose_is_caught(what);
-  double power = caught ? caught_rates(what, stresses).power : 0;
+  const bool caught = dose_is_captured(what);
+  double power = caught ? capture_rates(what, stresses).power : 0;
   if (!caught)
     for (const Replicate* r : of) power += dissipated_power(*r) / static_cast<double>(of.size());
   return power / what.powder->mass;
@@ -162,20 +162,21 @@ double dose_rate(const Case& what, const std::vector<const Replicate*>& of,
 
 void grind(const Case& what, Replicate& replicate, int index) {
   if (!what.powder || (!what.capture && !what.kinetics) || !(replicate.time() > 0)) return;
-  Ground ground;
+  GrindingOutcome grinding;
   const std::vector<const Replicate*> alone{&replicate};
   if (what.capture) {
-    ground.stresses = stresses(what, alone);
-    ground.caught = caught_rates(what, ground.stresses);
+    grinding.stresses = stress_spectrum(what, alone);
+    grinding.capture = capture_rates(what, grinding.stresses);
   }
-  ground.dose_rate = what.capture && dose_is_caught(what) ? ground.caught.power / what.powder->mass
-                                                          : dose_rate(what, alone, ground.stresses);
+  grinding.dose_rate = what.capture && dose_is_captured(what)
+                           ? grinding.capture.power / what.powder->mass
+                           : dose_rate(what, alone, grinding.stresses);
   using Method = cases::Grinding::Method;
   if (what.grinding && what.grinding->method != Method::statistical)
-    ground.balance = milled(what, ground.stresses);
+    grinding.balance = milling_by_balance(what, grinding.stresses);
   if (what.grinding && what.grinding->method != Method::balance)
-    ground.sample = sampled(what, replicate, ground.stresses, index);
-  replicate.ground = std::move(ground);
+    grinding.sample = milling_by_sample(what, replicate, grinding.stresses, index);
+  replicate.grinding = std::move(grinding);
 }
 
 namespace {
@@ -183,8 +184,8 @@ namespace {
 /// Of the powder at the end of its milling, of what the case chose.
 template <class Of>
 double at_end(const Replicate& r, const Of& of) {
-  if (!r.ground || !r.ground->grinds()) return nothing;
-  const powder::Milling& milling = r.ground->milling();
+  if (!r.grinding || !r.grinding->has_milling()) return undefined;
+  const powder::SizeEvolution& milling = r.grinding->milling();
   return of(milling.grid, milling.shares.back());
 }
 
@@ -194,8 +195,8 @@ double size_at_end(const Replicate& r, double share) {
   });
 }
 
-CaughtRates caught(const Replicate& r) {
-  return r.ground ? r.ground->caught : CaughtRates{nothing, nothing, nothing};
+CaptureRates capture_of(const Replicate& r) {
+  return r.grinding ? r.grinding->capture : CaptureRates{undefined, undefined, undefined};
 }
 
 }  // namespace
@@ -204,19 +205,21 @@ std::vector<Measure> capture_measures(const Case& what) {
   if (!what.capture) return {};
   return {
       {"captured_mass_rate", "kg/s", "powder that collisions catch per second",
-       [](const Case&, const Replicate& r) { return caught(r).mass; }},
+       [](const Case&, const Replicate& r) { return capture_of(r).mass; }},
       {"captured_share_rate", "1/s", "that over the mass of the powder: how often a grain is hit",
-       [](const Case& c, const Replicate& r) { return caught(r).mass / c.powder->mass; }},
+       [](const Case& c, const Replicate& r) { return capture_of(r).mass / c.powder->mass; }},
       {"captured_grains_mean", "1",
        "grains of the feed's median size in a collision, mean weighted by its energy",
-       [](const Case&, const Replicate& r) { return caught(r).grains; }},
+       [](const Case&, const Replicate& r) { return capture_of(r).grains; }},
       {"captured_energy_mean", "J/g", "energy that caught powder gets in a collision, by its mass",
        [](const Case&, const Replicate& r) {
-         const CaughtRates rates = caught(r);
+         const CaptureRates rates = capture_of(r);
          return share(rates.power, 1000 * rates.mass);
        }},
       {"captured_dose_rate", "W/g", "power that caught grains get, by mass of the powder",
-       [](const Case& c, const Replicate& r) { return caught(r).power / (1000 * c.powder->mass); }},
+       [](const Case& c, const Replicate& r) {
+         return capture_of(r).power / (1000 * c.powder->mass);
+       }},
   };
 }
 
@@ -241,7 +244,7 @@ std::vector<Measure> grinding_measures(const Case& what) {
        }},
       {"specific_grinding_energy", "J/g", "what caught grains got over the time of milling",
        [](const Case& c, const Replicate& r) {
-         return caught(r).power * c.grinding->time / (1000 * c.powder->mass);
+         return capture_of(r).power * c.grinding->time / (1000 * c.powder->mass);
        }},
   };
   return list;
@@ -252,18 +255,18 @@ std::vector<Measure> kinetics_measures(const Case& what) {
   std::vector<Measure> list{
       {"milling_dose", "J/g", "energy by mass of powder over the time of milling",
        [](const Case& c, const Replicate& r) {
-         return r.ground ? r.ground->dose_rate * c.kinetics->time / 1000 : nothing;
+         return r.grinding ? r.grinding->dose_rate * c.kinetics->time / 1000 : undefined;
        }},
       {"conversion", "1", "after milling, by that dose", [](const Case& c, const Replicate& r) {
-         return r.ground ? c.kinetics->conversion.at(r.ground->dose_rate * c.kinetics->time)
-                         : nothing;
+         return r.grinding ? c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time)
+                           : undefined;
        }}};
   if (!what.kinetics->property.empty())
     list.push_back({"property", "1", what.kinetics->property + ", after milling",
                     [](const Case& c, const Replicate& r) {
-                      if (!r.ground) return nothing;
+                      if (!r.grinding) return undefined;
                       const double done =
-                          c.kinetics->conversion.at(r.ground->dose_rate * c.kinetics->time);
+                          c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time);
                       return std::lerp(c.kinetics->initial, c.kinetics->final, done);
                     }});
   return list;

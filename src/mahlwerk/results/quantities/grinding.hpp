@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
-#include "mahlwerk/powder/milling.hpp"
+#include "mahlwerk/powder/size_evolution.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
@@ -15,7 +15,8 @@ namespace mahlwerk::results {
 
 /// The collisions of some replicates together, by kind of pair, in the energy that [capture] chose.
 /// A new run of the mill is not needed to grind anew.
-powder::StressSpectrum stresses(const cases::Case& what, const std::vector<const Replicate*>& of);
+powder::StressSpectrum stress_spectrum(const cases::Case& what,
+                                       const std::vector<const Replicate*>& of);
 
 /// The energy that [capture] chose, as the stream knows it.
 observe::StressStream::Energy stream_energy(const cases::Case& what);
@@ -25,20 +26,21 @@ powder::SizeGrid size_grid(const cases::Case& what);
 
 /// How the powder of a case with [grinding] gets finer under these collisions, by the balance.
 /// `known`: its beds by size, where they are at hand.
-powder::Milling milled(const cases::Case& what, const powder::StressSpectrum& stresses,
-                       const powder::Beds* known = nullptr);
+powder::SizeEvolution milling_by_balance(const cases::Case& what,
+                                         const powder::StressSpectrum& stresses,
+                                         const powder::CaptureTable* known = nullptr);
 /// Those beds, which stay the same as long as [capture], [powder] and the classes do; of a mixed
 /// bed nothing that could be kept.
-powder::Beds beds(const cases::Case& what, const powder::StressSpectrum& stresses);
+powder::CaptureTable beds(const cases::Case& what, const powder::StressSpectrum& stresses);
 
 /// [J/kg] That the powder gets in a second: what is dissipated, or what caught grains get.
 double dose_rate(const cases::Case& what, const std::vector<const Replicate*>& of,
                  const powder::StressSpectrum& stresses);
 
 /// Of grains of the median size of the feed.
-CaughtRates caught_rates(const cases::Case& what, const powder::StressSpectrum& stresses);
+CaptureRates capture_rates(const cases::Case& what, const powder::StressSpectrum& stresses);
 
-/// Fills `replicate.ground` of a case with [capture] or [kinetics].
+/// Fills `replicate.grinding` of a case with [capture] or [kinetics].
 void grind(const cases::Case& what, Replicate& replicate, int index);
 
 std::vector<Measure> capture_measures(const cases::Case& what);

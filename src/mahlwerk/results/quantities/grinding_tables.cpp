@@ -17,23 +17,23 @@
 namespace mahlwerk::results {
 namespace {
 
-using powder::Milling;
+using powder::SizeEvolution;
 
-using MillingOf = std::optional<Milling> Ground::*;
-const Milling& milling(const Replicate& r, MillingOf method) {
-  return *((*r.ground).*method);
+using MillingOf = std::optional<SizeEvolution> GrindingOutcome::*;
+const SizeEvolution& milling(const Replicate& r, MillingOf method) {
+  return *((*r.grinding).*method);
 }
 
 std::vector<MillingOf> methods(const Replicate& r) {
   std::vector<MillingOf> list;
-  for (const MillingOf method : {&Ground::balance, &Ground::sample})
-    if (((*r.ground).*method).has_value()) list.push_back(method);
+  for (const MillingOf method : {&GrindingOutcome::balance, &GrindingOutcome::sample})
+    if (((*r.grinding).*method).has_value()) list.push_back(method);
   return list;
 }
 
 /// What stands before the names of columns of the sample where there is a balance, too.
 std::string prefix(const Replicate& r, MillingOf method) {
-  return methods(r).size() == 2 && method == &Ground::sample ? "sample_" : "";
+  return methods(r).size() == 2 && method == &GrindingOutcome::sample ? "sample_" : "";
 }
 
 }  // namespace
@@ -49,18 +49,18 @@ Table capture(const Outcome& outcome) {
            {"energy_per_grain", "J", "that each gets"},
            {"specific_energy", "J/kg", "that by its mass"}})
     table.columns.push_back(c);
-  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
   const powder::Process process = cases::process(outcome.what);
   const powder::Grain grain = process.grain(*outcome.what.powder->size);
-  const powder::StressSpectrum all = stresses(outcome.what, chosen);
+  const powder::StressSpectrum all = stress_spectrum(outcome.what, chosen);
   for (const powder::Stress& s : all.stresses) {
-    const powder::Catch c =
-        process.caught(all.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    const powder::Capture c =
+        process.capture_per_hit(all.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
     std::vector<double> row =
         pair_cells(table, pair_names(outcome.what, chosen.front()->tally.by_pair, s.nip));
     const double each = process.energy_share * s.energy / c.grains;
-    row.insert(row.end(), {s.energy, s.rate, c.chance * c.grains, c.mean_mass(grain), c.radius,
+    row.insert(row.end(), {s.energy, s.rate, c.probability * c.grains, c.mean_mass(grain), c.radius,
                            each, each / grain.mass()});
     table.rows.push_back(std::move(row));
   }
@@ -73,18 +73,18 @@ Table captured_grains(const Outcome& outcome) {
                {"rate", "1/s", "collisions per second"},
                {"power", "W", "the sum of their energy per second"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
   const powder::Process process = cases::process(outcome.what);
-  const powder::StressSpectrum all = stresses(outcome.what, chosen);
+  const powder::StressSpectrum all = stress_spectrum(outcome.what, chosen);
   std::map<int, std::array<double, 2>> bins;  // quarters of an octave; 0: one grain
   for (const powder::Stress& s : all.stresses) {
-    const powder::Catch c = process.caught(all.nips[static_cast<std::size_t>(s.nip)], s.energy,
-                                           *outcome.what.powder->size);
+    const powder::Capture c = process.capture_per_hit(all.nips[static_cast<std::size_t>(s.nip)],
+                                                      s.energy, *outcome.what.powder->size);
     const int bin = c.grains > 1 ? 1 + static_cast<int>(4 * std::log2(c.grains)) : 0;
     auto& [rate, power] = bins[bin];
-    rate += s.rate * c.chance;
-    power += s.rate * c.chance * s.energy;
+    rate += s.rate * c.probability;
+    power += s.rate * c.probability * s.energy;
   }
   for (const auto& [bin, sums] : bins)
     table.rows.push_back({bin == 0 ? 1 : std::exp2(0.25 * (bin - 1)),
@@ -96,7 +96,7 @@ Table grinding(const Outcome& outcome) {
   Table table{{{"time", "s", "of milling"},
                {"specific_energy", "J/g", "that caught grains got until then"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.grinding || chosen.empty()) return table;
   constexpr std::array<std::pair<double, const char*>, 3> shares{
       {{0.1, "d10"}, {0.5, "d50"}, {0.9, "d90"}}};
@@ -106,22 +106,23 @@ Table grinding(const Outcome& outcome) {
       table.columns.push_back(
           {prefix(first, method) + name, "m",
            fmt::format("size that {:.0f} % of the mass is finer than{}", 100 * share,
-                       method == &Ground::sample ? ", of the sample" : "")});
+                       method == &GrindingOutcome::sample ? ", of the sample" : "")});
     table.columns.push_back(
         {prefix(first, method) + "specific_surface", "m2/kg", "of spheres of these sizes"});
   }
-  const double power = mean_over(chosen, [](const Replicate& r) { return r.ground->caught.power; });
+  const double power =
+      mean_over(chosen, [](const Replicate& r) { return r.grinding->capture.power; });
   const std::vector<double>& times = milling(first, methods(first).front()).time;
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<double> row{times[i], power * times[i] / (1000 * outcome.what.powder->mass)};
     for (const MillingOf method : methods(first)) {
       for (const auto& [share, name] : shares)
         row.push_back(mean_over(chosen, [&, part = share](const Replicate& r) {
-          const Milling& m = milling(r, method);
+          const SizeEvolution& m = milling(r, method);
           return powder::quantile(m.grid, m.shares[i], part);
         }));
       row.push_back(mean_over(chosen, [&](const Replicate& r) {
-        const Milling& m = milling(r, method);
+        const SizeEvolution& m = milling(r, method);
         return powder::specific_surface(m.grid, m.shares[i], *outcome.what.powder->density);
       }));
     }
@@ -135,7 +136,7 @@ Table size_distribution(const Outcome& outcome) {
                {"size_low", "m", "lower edge of the class"},
                {"size_high", "m", "upper edge of the class"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.grinding || chosen.empty()) return table;
   const Replicate& first = *chosen.front();
   for (const MillingOf method : methods(first)) {
@@ -177,7 +178,7 @@ Table conversion(const Outcome& outcome) {
                {"dose", "J/g", "energy by mass of powder until then"},
                {"conversion", "1", "by that dose"}},
               {}};
-  const std::vector<const Replicate*> chosen = ground_replicates(outcome);
+  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.kinetics || chosen.empty()) return table;
   const cases::Kinetics& kinetics = *outcome.what.kinetics;
   if (!kinetics.property.empty()) table.columns.push_back({"property", "1", kinetics.property});
@@ -185,9 +186,9 @@ Table conversion(const Outcome& outcome) {
   for (int i = 0; i <= points; ++i) {
     const double time = kinetics.time * i / points;
     const double dose =
-        mean_over(chosen, [&](const Replicate& r) { return r.ground->dose_rate * time; });
+        mean_over(chosen, [&](const Replicate& r) { return r.grinding->dose_rate * time; });
     const double done = mean_over(chosen, [&](const Replicate& r) {
-      return kinetics.conversion.at(r.ground->dose_rate * time);
+      return kinetics.conversion.at(r.grinding->dose_rate * time);
     });
     table.rows.push_back({time, dose / 1000, done});
     if (!kinetics.property.empty())

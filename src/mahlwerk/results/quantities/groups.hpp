@@ -31,7 +31,7 @@ std::vector<Measure> mill_measures(const cases::Case& what);
 /// Dose and stress of the powder; none without [powder].
 std::vector<Measure> dose_measures(const cases::Case& what);
 /// Where the dissipated energy is: in finished collisions, in contacts that go on, in lasting ones.
-std::vector<Measure> ledger_measures();
+std::vector<Measure> energy_balance_measures();
 
 // motion.cpp
 /// Occupied share of the jar's cross-section, of tumbling and planetary mills, and the balls'

@@ -18,13 +18,14 @@ Index count(const JarMesh& mesh) {
 }
 
 /// A point of a profile: distance from the axis, and height.
-struct Place {
+struct ProfilePoint {
   double rho, z;
 };
-using Profile = std::vector<Place>;
+using Profile = std::vector<ProfilePoint>;
 
 /// Adds a quarter of a circle about a point, from `from` on [rad, 0 outwards, pi/2 upwards].
-void add_quarter(Profile& profile, const Place& middle, double radius, double from, Index facets) {
+void add_quarter(Profile& profile, const ProfilePoint& middle, double radius, double from,
+                 Index facets) {
   for (Index i = 0; i <= facets / 4; ++i) {
     const SinCos at = sin_cos(from + 2 * std::numbers::pi * i / facets);
     profile.push_back({middle.rho + radius * at.cos, middle.z + radius * at.sin});
@@ -35,14 +36,14 @@ void add_quarter(Profile& profile, const Place& middle, double radius, double fr
 void add_revolved(JarMesh& mesh, const Profile& profile, Index facets) {
   const double tiny = 1e-12 * (profile.back().z - profile.front().z);  // rounding
   Profile rings;
-  for (const Place& p : profile)
+  for (const ProfilePoint& p : profile)
     if (p.rho > tiny && (rings.empty() || std::abs(p.rho - rings.back().rho) > tiny ||
                          std::abs(p.z - rings.back().z) > tiny))
       rings.push_back(p);
   const Index bottom = count(mesh), top = bottom + 1, first = bottom + 2;
   mesh.vertices.push_back({0, 0, profile.front().z});
   mesh.vertices.push_back({0, 0, profile.back().z});
-  for (const Place& p : rings)
+  for (const ProfilePoint& p : rings)
     for (Index k = 0; k < facets; ++k) {
       const SinCos at = sin_cos(2 * std::numbers::pi * k / facets);
       mesh.vertices.push_back({p.rho * at.cos, p.rho * at.sin, p.z});
@@ -105,7 +106,7 @@ void add_box(JarMesh& mesh, double width, double depth, double height) {
 }
 
 /// Where the side of a bar ends on the shell: [m] out from the axis, and aside of the bar's middle.
-Place bar_foot(const geometry::LifterCylinder& jar, const Place& top) {
+ProfilePoint bar_base(const geometry::LifterCylinder& jar, const ProfilePoint& top) {
   const SinCos side = sin_cos(jar.lifter_face_angle);
   const double r = 0.5 * jar.diameter, b = top.z * side.sin + top.rho * side.cos;
   const double down = -b + std::sqrt(b * b - (top.z * top.z + top.rho * top.rho - r * r));
@@ -115,9 +116,9 @@ Place bar_foot(const geometry::LifterCylinder& jar, const Place& top) {
 /// The drum's section: for each bar the two edges of its top, then the shell as far as the next.
 void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
   const double slope = std::cos(jar.lifter_face_angle) / std::sin(jar.lifter_face_angle);
-  const Place top{0.5 * jar.lifter_width - slope * jar.lifter_height,
-                  0.5 * jar.diameter - jar.lifter_height};
-  const Place foot = bar_foot(jar, top);
+  const ProfilePoint top{0.5 * jar.lifter_width - slope * jar.lifter_height,
+                         0.5 * jar.diameter - jar.lifter_height};
+  const ProfilePoint foot = bar_base(jar, top);
   const auto bars = static_cast<Index>(jar.lifters);
   const double half = std::atan2(foot.rho, foot.z), pitch = 2 * std::numbers::pi / jar.lifters;
   const double shell = pitch - 2 * half;
@@ -207,7 +208,7 @@ std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, Index facets) 
 
 Rotation rotor_turn(const geometry::AnyShape& shape, double time) {
   const auto* stirred = geometry::as<geometry::Attritor>(shape);
-  return stirred == nullptr ? Rotation{} : turning({0, 0, 1}, stirred->rotor_speed * time);
+  return stirred == nullptr ? Rotation{} : rotation_about({0, 0, 1}, stirred->rotor_speed * time);
 }
 
 }  // namespace mahlwerk::results

@@ -13,7 +13,7 @@ void combine(Quantity& q, const std::vector<double>& values) {
   for (const double v : values) {
     if (std::isfinite(v)) there.push_back(v);
   }
-  q.value = q.ci95 = nothing;
+  q.value = q.ci95 = undefined;
   if (there.empty()) return;
   const observe::Estimate e = observe::estimate(there);
   q.value = e.mean;
@@ -28,7 +28,7 @@ std::vector<Quantity> means(const std::vector<Measure>& measures,
     std::vector<double> values;
     for (const std::size_t n : numbers) values.push_back(each[n - 1][i]);
     const Measure& m = measures[i];
-    combine(list.emplace_back(Quantity{m.name, nothing, nothing, m.unit, m.about}), values);
+    combine(list.emplace_back(Quantity{m.name, undefined, undefined, m.unit, m.about}), values);
   }
   return list;
 }

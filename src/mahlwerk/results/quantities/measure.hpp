@@ -11,11 +11,11 @@
 // How quantities of a summary are made: each from a case and one replicate of it.
 namespace mahlwerk::results {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 struct Measure {
   std::string name, unit, about;
-  double (*of)(const cases::Case&, const Replicate&);
+  double (*compute)(const cases::Case&, const Replicate&);
   bool worst = false;  ///< over replicates: the largest instead of the mean
 };
 
@@ -23,16 +23,16 @@ struct Measure {
 std::vector<Measure> measures(const cases::Case& what);
 
 inline double share(double part, double whole) {
-  return whole > 0 ? part / whole : nothing;
+  return whole > 0 ? part / whole : undefined;
 }
 
 /// Of an account's number, how much a second of the counted time.
-inline double per_time(const Replicate& r, double scene::Account::*what) {
-  return share(r.account.*what - r.at_settled.*what, r.time());
+inline double per_time(const Replicate& r, double scene::EnergyBalance::*what) {
+  return share(r.energy_balance.*what - r.at_settled.*what, r.time());
 }
 
 inline double dissipated_power(const Replicate& r) {
-  return share(r.account.lost() - r.at_settled.lost(), r.time());
+  return share(r.energy_balance.lost() - r.at_settled.lost(), r.time());
 }
 
 inline double count_of_balls(const cases::Case& c) {

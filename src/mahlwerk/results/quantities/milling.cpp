@@ -13,13 +13,13 @@ namespace {
 
 using cases::Case;
 
-double impacts_per_ball(const Case& c, const Replicate& r, const observe::Sums& sums) {
+double impacts_per_ball(const Case& c, const Replicate& r, const observe::CollisionSums& sums) {
   // A collision of two balls is an impact on each.
   return share(static_cast<double>(sums.count + sums.between_balls), r.time() * count_of_balls(c));
 }
 
 double drawn(const Replicate& r) {
-  return per_time(r, &scene::Account::wall_work);
+  return per_time(r, &scene::EnergyBalance::wall_work);
 }
 
 /// [rad/s] of the shaft that drives the mill; NaN where none turns steadily.
@@ -28,12 +28,12 @@ double shaft_speed(const Case& c) {
     return std::abs(drum->speed);
   if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
     return planetary->speed;
-  return nothing;
+  return undefined;
 }
 
 /// [1] particles of the powder; NaN if their size is not known.
 double particles(const Case& c) {
-  if (!c.powder->size || !c.powder->density) return nothing;
+  if (!c.powder->size || !c.powder->density) return undefined;
   const double x = *c.powder->size;
   return c.powder->mass / (*c.powder->density * std::numbers::pi / 6 * x * x * x);
 }
@@ -111,7 +111,7 @@ std::vector<Measure> dose_measures(const Case& what) {
   return list;
 }
 
-std::vector<Measure> ledger_measures() {  // (obs.3)
+std::vector<Measure> energy_balance_measures() {  // (obs.3)
   return {
       {"dissipated_power_of_collisions", "W",
        "of the dissipated power, what finished collisions tell: the sum of the spectrum",
@@ -120,8 +120,8 @@ std::vector<Measure> ledger_measures() {  // (obs.3)
        "of it, in contacts that last: rolling and sliding that no record tells of, and contacts "
        "that had not ended",
        [](const Case&, const Replicate& r) {
-         return per_time(r, &scene::Account::lost_lasting) +
-                per_time(r, &scene::Account::lost_open);
+         return per_time(r, &scene::EnergyBalance::lost_lasting) +
+                per_time(r, &scene::EnergyBalance::lost_open);
        }},
   };
 }

@@ -12,8 +12,8 @@ namespace {
 
 using cases::Case;
 using observe::Charge;
+using observe::CollisionSums;
 using observe::PlaneField;
-using observe::Sums;
 
 double smallest_radius(const Case& c) {
   double least = INFINITY;
@@ -37,7 +37,7 @@ double occupied_share(const Case& c, const Replicate& r) {
       mass += field.density(i, j);
       if (std::hypot(middle(i), middle(j)) < reach) found.push_back(field.density(i, j));
     }
-  if (!(mass > 0) || found.empty()) return nothing;
+  if (!(mass > 0) || found.empty()) return undefined;
   const double even = mass / static_cast<double>(found.size());
   const auto full = std::ranges::count_if(found, [&](double d) { return d > bound * even; });
   return static_cast<double>(full) / static_cast<double>(found.size());
@@ -51,13 +51,13 @@ double speed(const PlaneField& field) {
       mass += field.density(i, j);
       energy += field.kinetic_energy(i, j);
     }
-  return mass > 0 ? std::sqrt(2 * energy / mass) : nothing;
+  return mass > 0 ? std::sqrt(2 * energy / mass) : undefined;
 }
 
-double across(const Sums& sums) {
+double across(const CollisionSums& sums) {
   return sums.energy_contact_point - sums.energy_normal;
 }
-double mean_across(const Sums& sums) {
+double mean_across(const CollisionSums& sums) {
   return share(across(sums), static_cast<double>(sums.count));
 }
 
@@ -100,12 +100,12 @@ std::vector<Measure> tangential_measures() {
        [](const Case&, const Replicate& r) { return share(across(r.tally.all), r.time()); }},
       {"grazing_share", "1", "share of the collisions at 80 to 90 degrees from head-on",
        [](const Case&, const Replicate& r) {
-         return grazing(r.tally.whole().angle_all, r.tally.all.count);
+         return grazing(r.tally.total_spectra().angle_all, r.tally.all.count);
        }},
       {"grazing_share_above_threshold", "1",
        "share of the collisions at 80 to 90 degrees from head-on; collisions above the threshold",
        [](const Case&, const Replicate& r) {
-         return grazing(r.tally.whole().angle_above, r.tally.above.count);
+         return grazing(r.tally.total_spectra().angle_above, r.tally.above.count);
        }},
   };
 }

@@ -14,9 +14,9 @@
 namespace mahlwerk::results {
 namespace {
 
-using observe::ByPair;
+using observe::PairStatistics;
 using observe::PairSums;
-using observe::PairTally;
+using observe::StatisticsByPair;
 
 /// A kind of pair under its names, and the tallies it is made of.
 struct PairKind {
@@ -32,11 +32,11 @@ struct PairTotals {
 /// A number of one kind of pair in one replicate, whose counted time is `time` [s].
 struct PairMeasure {
   std::string name, unit, about;
-  double (*of)(const PairTotals& tally, double time);
+  double (*compute)(const PairTotals& tally, double time);
 };
 
 double mean_of(const PairSums& sums, double PairSums::*what) {
-  return sums.count > 0 ? sums.*what / static_cast<double>(sums.count) : nothing;
+  return sums.count > 0 ? sums.*what / static_cast<double>(sums.count) : undefined;
 }
 
 const std::vector<PairMeasure>& pair_measures() {
@@ -67,7 +67,8 @@ const std::vector<PairMeasure>& pair_measures() {
 constexpr std::string_view jar = "jar";
 
 /// Kinds of pairs with the faces of the jar taken together.
-std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const ByPair& pairs) {
+std::vector<PairKind> kinds_of_pairs(const cases::Case& what,
+                                     const observe::StatisticsByPair& pairs) {
   std::vector<PairKind> list;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
@@ -84,7 +85,7 @@ std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const ByPair& pair
   return list;
 }
 
-PairSums sums_of(const Replicate& r, const PairKind& kind, PairSums (*of)(const PairTally&)) {
+PairSums sums_of(const Replicate& r, const PairKind& kind, PairSums (*of)(const PairStatistics&)) {
   PairSums sum;
   for (const int pair : kind.pairs) sum.add(of(r.tally.by_pair[pair]));
   return sum;
@@ -101,7 +102,8 @@ std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& n
   return {table.columns[0].number_of(names[0]), table.columns[1].number_of(names[1])};
 }
 
-std::array<std::string, 2> pair_names(const cases::Case& what, const ByPair& pairs, int pair) {
+std::array<std::string, 2> pair_names(const cases::Case& what,
+                                      const observe::StatisticsByPair& pairs, int pair) {
   const auto kinds = pairs.kinds_of(pair);
   const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
   if (!kinds.with_jar()) return {one, cases::set_name(what, static_cast<std::size_t>(kinds.other))};
@@ -111,7 +113,7 @@ std::array<std::string, 2> pair_names(const cases::Case& what, const ByPair& pai
 }
 
 std::vector<PairSummary> by_pair(const Outcome& outcome) {
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   std::vector<PairSummary> found;
   if (chosen.empty()) return found;
   const std::vector<PairKind> kinds = kinds_of_pairs(outcome.what, chosen.front()->tally.by_pair);
@@ -120,12 +122,12 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
     PairSummary made{kind.one, kind.other, {}};
     std::vector<PairTotals> totals;
     for (const Replicate* r : chosen)
-      totals.push_back({sums_of(*r, kind, [](const PairTally& t) { return t.all(); }),
-                        sums_of(*r, kind, [](const PairTally& t) { return t.above; })});
+      totals.push_back({sums_of(*r, kind, [](const PairStatistics& t) { return t.all(); }),
+                        sums_of(*r, kind, [](const PairStatistics& t) { return t.above; })});
     for (const PairMeasure& m : pair_measures()) {
       std::vector<double> values;
       for (std::size_t i = 0; i < chosen.size(); ++i)
-        values.push_back(m.of(totals[i], chosen[i]->time()));
+        values.push_back(m.compute(totals[i], chosen[i]->time()));
       combine(made.quantities.emplace_back(Quantity{m.name, 0, 0, m.unit, m.about}), values);
     }
     found.push_back(std::move(made));

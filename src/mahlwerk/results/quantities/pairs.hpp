@@ -23,8 +23,8 @@ std::vector<Column> pair_columns();
 std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names);
 /// Who the two are: ball sets, a face of the jar as in [[contact.pairs]] ("jar.side"), or "jar"
 /// where faces are not told apart.
-std::array<std::string, 2> pair_names(const cases::Case& what, const observe::ByPair& pairs,
-                                      int pair);
+std::array<std::string, 2> pair_names(const cases::Case& what,
+                                      const observe::StatisticsByPair& pairs, int pair);
 
 /// sizes.csv: the sizes of balls of each set; no rows where each set has one size.
 Table sizes(const cases::Case& what);

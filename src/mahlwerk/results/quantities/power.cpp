@@ -4,21 +4,23 @@
 
 namespace mahlwerk::results {
 
-using scene::Account;
+using scene::EnergyBalance;
 
 std::vector<Measure> power_measures() {
   return {
       {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
        [](const cases::Case&, const Replicate& r) { return dissipated_power(r); }},
       {"drawn_power", "W", "work of the jar on the balls per time",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::wall_work); }},
+       [](const cases::Case&, const Replicate& r) {
+         return per_time(r, &EnergyBalance::wall_work);
+       }},
       {"contact_time_share", "1", "share of the balls' time spent in lasting contact",
        [](const cases::Case& c, const Replicate& r) {
-         return per_time(r, &Account::contact_time) / count_of_balls(c);
+         return per_time(r, &EnergyBalance::contact_time) / count_of_balls(c);
        }},
       {"lasting_contacts_rate", "1/s", "lasting contacts begun per second",
        [](const cases::Case&, const Replicate& r) {
-         const auto begun = r.account.lasting_contacts - r.at_settled.lasting_contacts;
+         const auto begun = r.energy_balance.lasting_contacts - r.at_settled.lasting_contacts;
          return share(static_cast<double>(begun), r.time());
        }},
   };
@@ -28,46 +30,52 @@ std::vector<Measure> loss_measures(const cases::Case& what) {
   if (what.run.engine != cases::EngineName::soft) return {};
   return {
       {"dissipated_power_normal", "W", "of it along the normal: dampers, hysteresis, cohesion",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_normal); }},
+       [](const cases::Case&, const Replicate& r) {
+         return per_time(r, &EnergyBalance::lost_normal);
+       }},
       {"dissipated_power_tangential", "W", "of it across the normal: sliding and dampers",
        [](const cases::Case&, const Replicate& r) {
-         return per_time(r, &Account::lost_tangential);
+         return per_time(r, &EnergyBalance::lost_tangential);
        }},
       {"dissipated_power_sliding", "W", "of that, by slip at the Coulomb limit",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::slid); }},
+       [](const cases::Case&, const Replicate& r) { return per_time(r, &EnergyBalance::slid); }},
       {"dissipated_power_rolling", "W", "of the dissipated power, by rolling resistance",
-       [](const cases::Case&, const Replicate& r) { return per_time(r, &Account::lost_rolling); }},
+       [](const cases::Case&, const Replicate& r) {
+         return per_time(r, &EnergyBalance::lost_rolling);
+       }},
   };
 }
 
 std::vector<Measure> contact_time_measures(const cases::Case& what) {
   const bool soft = what.run.engine == cases::EngineName::soft;  // which has no such rule
-  if (soft || what.contact.lasting != cases::Lasting::tc) return {};
+  if (soft || what.contact.lasting != cases::SustainedContactModel::tc) return {};
   return {{"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
            [](const cases::Case&, const Replicate& r) {
-             return share(static_cast<double>(r.account.tc_collisions - r.at_settled.tc_collisions),
-                          static_cast<double>(r.account.collisions - r.at_settled.collisions));
+             return share(
+                 static_cast<double>(r.energy_balance.tc_collisions - r.at_settled.tc_collisions),
+                 static_cast<double>(r.energy_balance.collisions - r.at_settled.collisions));
            }},
           {"power_share_within_contact_time", "1",
            "share of the dissipated power in collisions within contact_time of another of the same "
            "body",
            [](const cases::Case&, const Replicate& r) {
-             return share(r.account.lost_within - r.at_settled.lost_within,
-                          r.account.lost() - r.at_settled.lost());
+             return share(r.energy_balance.lost_within - r.at_settled.lost_within,
+                          r.energy_balance.lost() - r.at_settled.lost());
            }},
           {"hit_share_within_contact_time", "1",
            "share of the collisions above the threshold within contact_time of another of the same "
            "body",
            [](const cases::Case&, const Replicate& r) {
-             return share(static_cast<double>(r.account.hits_within - r.at_settled.hits_within),
-                          static_cast<double>(r.tally.above.count));
+             return share(
+                 static_cast<double>(r.energy_balance.hits_within - r.at_settled.hits_within),
+                 static_cast<double>(r.tally.above.count));
            }},
           {"withheld_power_share", "1",
            "power that restitution would have dissipated but for the TC rule, over the dissipated "
            "power",
            [](const cases::Case&, const Replicate& r) {
-             return share(r.account.withheld - r.at_settled.withheld,
-                          r.account.lost() - r.at_settled.lost());
+             return share(r.energy_balance.withheld - r.at_settled.withheld,
+                          r.energy_balance.lost() - r.at_settled.lost());
            }}};
 }
 

@@ -52,17 +52,17 @@ Reference reference(const Case& c) {
 /// counted round from where there is least, opposite its middle. The toe is within half a turn of
 /// the reference.
 struct Ends {
-  double toe = nothing, shoulder = nothing;
+  double toe = undefined, shoulder = undefined;
 };
 Ends ends(const Charge& charge, const Reference& from) {
   constexpr int n = Charge::angles;
   const double step = 2 * std::numbers::pi / n;
   double x = 0, y = 0, all = 0;
-  for (std::size_t i = 0; i < charge.mass_at.size(); ++i) {
+  for (std::size_t i = 0; i < charge.mass_by_angle.size(); ++i) {
     const double at = step * (static_cast<double>(i) + 0.5);
-    x += charge.mass_at[i] * std::cos(at);
-    y += charge.mass_at[i] * std::sin(at);
-    all += charge.mass_at[i];
+    x += charge.mass_by_angle[i] * std::cos(at);
+    y += charge.mass_by_angle[i] * std::sin(at);
+    all += charge.mass_by_angle[i];
   }
   if (!(all > 0)) return {};
   const int first = static_cast<int>(std::floor((std::atan2(y, x) + std::numbers::pi) / step));
@@ -71,7 +71,7 @@ Ends ends(const Charge& charge, const Reference& from) {
   const auto angle_of = [&](double part) {
     double below = 0;
     for (int k = 0; k < n; ++k) {
-      const double mass = charge.mass_at[static_cast<std::size_t>((first + on * k + n) % n)];
+      const double mass = charge.mass_by_angle[static_cast<std::size_t>((first + on * k + n) % n)];
       if (mass > 0 && below + mass >= part * all)
         return start + step * (k + (part * all - below) / mass);
       below += mass;
@@ -83,13 +83,13 @@ Ends ends(const Charge& charge, const Reference& from) {
 }
 
 double flight_share(const Case& c, const Replicate& r) {
-  return 1 - per_time(r, &scene::Account::contact_time) / count_of_balls(c);
+  return 1 - per_time(r, &scene::EnergyBalance::contact_time) / count_of_balls(c);
 }
 
 /// Mass in the emptiest of 36 sectors over what an even charge would have there.
 double emptiest_sector(const Case&, const Replicate& r) {
   constexpr std::size_t sectors = 36, each = Charge::angles / sectors;
-  const std::vector<double>& mass = r.charge.mass_at;
+  const std::vector<double>& mass = r.charge.mass_by_angle;
   const double all = std::accumulate(mass.begin(), mass.end(), 0.0);
   double least = all;
   for (std::size_t s = 0; s < sectors && !mass.empty(); ++s)
@@ -113,7 +113,7 @@ double jar_spin(const Case& c) {
 
 double wall_slip(const Case& c, const Replicate& r) {
   const double wall = std::abs(jar_spin(c)) * r.tally.wall_map.grid().radius;
-  return share(share(r.charge.wall_slip, r.charge.at_wall), wall);
+  return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall);
 }
 
 /// What turning presses a ball on the wall with, over what pulls it off it.
@@ -131,9 +131,9 @@ double pinning(const Case& c, const Replicate& r) {
 /// The mean over the averaged replicates.
 double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
   double sum = 0;
-  const auto chosen = averaged(outcome);
+  const auto chosen = averaged_replicates(outcome);
   for (const Replicate* r : chosen) sum += of(outcome.what, *r);
-  return chosen.empty() ? nothing : sum / static_cast<double>(chosen.size());
+  return chosen.empty() ? undefined : sum / static_cast<double>(chosen.size());
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ std::vector<Measure> regime_measures(const Case& what) {
 }
 
 std::string regime(const Outcome& outcome) {
-  if (!has_regime(outcome.what) || averaged(outcome).empty()) return "";
+  if (!has_regime(outcome.what) || averaged_replicates(outcome).empty()) return "";
   const double flight = mean_of(outcome, flight_share);
   const bool all_round = mean_of(outcome, emptiest_sector) > 0.1;
   if (flight < 0.02 && all_round)

@@ -49,7 +49,7 @@ double ci95_over_time(const std::vector<const Replicate*>& replicates, std::stri
   if (replicates.empty()) return std::numeric_limits<double>::quiet_NaN();
   double squares = 0;
   for (const Replicate* r : replicates) {
-    const double one = observe::over_time(series(r->windows, name)).ci95;
+    const double one = observe::time_series_estimate(series(r->windows, name)).ci95;
     squares += one * one;
   }
   return std::sqrt(squares) / static_cast<double>(replicates.size());
@@ -64,7 +64,7 @@ double settling_time(const std::vector<const Replicate*>& replicates) {
     for (std::size_t i = 0; i < together.size(); ++i) together[i] += one[i];
     if (!r->windows.empty()) length = r->windows.front().length;
   }
-  return static_cast<double>(observe::unsettled(together)) * length;
+  return static_cast<double>(observe::transient_length(together)) * length;
 }
 
 }  // namespace mahlwerk::results

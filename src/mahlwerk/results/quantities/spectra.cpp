@@ -18,7 +18,7 @@ using observe::Spectra;
 /// An energy of collisions: its name in columns, and what it is.
 struct Energy {
   std::string name, about;
-  Histogram part;
+  HistogramMember part;
 };
 
 const std::vector<Energy>& energies() {
@@ -34,8 +34,8 @@ const std::vector<Energy>& energies() {
   return list;
 }
 
-std::vector<Histogram> histograms() {
-  std::vector<Histogram> list;
+std::vector<HistogramMember> histograms() {
+  std::vector<HistogramMember> list;
   for (const Energy& e : energies()) list.push_back(e.part);
   return list;
 }
@@ -76,10 +76,10 @@ std::vector<double> energy_row(const MeanSpectra& spectra, int bin) {
 }
 
 /// One histogram as a table with a row per bin.
-Table single(const Outcome& outcome, Histogram part, std::vector<Column> columns) {
+Table single(const Outcome& outcome, HistogramMember part, std::vector<Column> columns) {
   Table table{std::move(columns), {}};
-  const MeanSpectra spectra(averaged(outcome));
-  const auto [first, last] = spectra.filled({part});
+  const MeanSpectra spectra(averaged_replicates(outcome));
+  const auto [first, last] = spectra.filled_bins({part});
   for (int bin = first; bin < last; ++bin)
     table.rows.push_back({lower_edge(bin), LogHistogram::lower(bin + 1), spectra.rate(part, bin)});
   return table;
@@ -88,25 +88,27 @@ Table single(const Outcome& outcome, Histogram part, std::vector<Column> columns
 }  // namespace
 
 MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates) {
-  for (const Replicate* r : replicates) each_.push_back({r->tally.whole(), r->time()});
+  for (const Replicate* r : replicates)
+    replicates_.push_back({r->tally.total_spectra(), r->time()});
 }
 
 MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates, int pair) {
   for (const Replicate* r : replicates)
-    each_.push_back({r->tally.by_pair[pair].spectra, r->time()});
+    replicates_.push_back({r->tally.by_pair[pair].spectra, r->time()});
 }
 
 template <class Of>
 double MeanSpectra::mean(const Of& of) const {
   double sum = 0;
-  for (const One& one : each_) sum += static_cast<double>(of(one.spectra)) / one.time;
-  return each_.empty() ? 0 : sum / static_cast<double>(each_.size());
+  for (const ReplicateSpectra& one : replicates_)
+    sum += static_cast<double>(of(one.spectra)) / one.time;
+  return replicates_.empty() ? 0 : sum / static_cast<double>(replicates_.size());
 }
 
-double MeanSpectra::rate(Histogram part, int bin) const {
+double MeanSpectra::rate(HistogramMember part, int bin) const {
   return mean([&](const Spectra& s) { return (s.*part).count(bin); });
 }
-double MeanSpectra::power(Histogram part, int bin) const {
+double MeanSpectra::power(HistogramMember part, int bin) const {
   return mean([&](const Spectra& s) { return (s.*part).sum(bin); });
 }
 double MeanSpectra::rate(observe::Angles Spectra::*part, std::size_t degree) const {
@@ -116,11 +118,11 @@ double MeanSpectra::rate(int normal, int tangential) const {
   return mean([&](const Spectra& s) { return s.normal_tangential.count(normal, tangential); });
 }
 
-std::array<int, 2> MeanSpectra::filled(const std::vector<Histogram>& wanted) const {
+std::array<int, 2> MeanSpectra::filled_bins(const std::vector<HistogramMember>& wanted) const {
   int first = LogHistogram::bins, last = 0;
-  for (const One& one : each_)
-    for (const Histogram part : wanted) {
-      const auto [low, high] = (one.spectra.*part).filled();
+  for (const ReplicateSpectra& one : replicates_)
+    for (const HistogramMember part : wanted) {
+      const auto [low, high] = (one.spectra.*part).occupied_range();
       if (low == high) continue;
       first = std::min(first, low);
       last = std::max(last, high);
@@ -130,8 +132,8 @@ std::array<int, 2> MeanSpectra::filled(const std::vector<Histogram>& wanted) con
 
 Table spectrum(const Outcome& outcome) {
   Table table{energy_columns(), {}};
-  const MeanSpectra spectra(averaged(outcome));
-  const auto [first, last] = spectra.filled(histograms());
+  const MeanSpectra spectra(averaged_replicates(outcome));
+  const auto [first, last] = spectra.filled_bins(histograms());
   for (int bin = first; bin < last; ++bin) table.rows.push_back(energy_row(spectra, bin));
   return table;
 }
@@ -163,7 +165,7 @@ Table angles(const Outcome& outcome) {
                {"rate", "1/s", "collisions per second by impact angle"},
                {"rate_above_threshold", "1/s", "those of at least the threshold in normal speed"}},
               {}};
-  const MeanSpectra spectra(averaged(outcome));
+  const MeanSpectra spectra(averaged_replicates(outcome));
   if (spectra.empty()) return table;
   for (std::size_t bin = 0; bin < observe::angle_bins; ++bin) {
     const auto low = static_cast<double>(bin);
@@ -180,7 +182,7 @@ Table normal_tangential(const Outcome& outcome) {
                {"energy_tangential_high", "J", "upper edge of that bin"},
                {"rate", "1/s", "collisions per second in both bins"}},
               {}};
-  const MeanSpectra spectra(averaged(outcome));
+  const MeanSpectra spectra(averaged_replicates(outcome));
   for (int n = 0; n < JointHistogram::bins; ++n)
     for (int t = 0; t < JointHistogram::bins; ++t)
       if (const double rate = spectra.rate(n, t); rate > 0)
@@ -192,12 +194,12 @@ Table normal_tangential(const Outcome& outcome) {
 Table spectra_by_pair(const Outcome& outcome) {
   Table table{pair_columns(), {}};
   for (Column& column : energy_columns()) table.columns.push_back(std::move(column));
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   if (chosen.empty()) return table;
-  const observe::ByPair& first = chosen.front()->tally.by_pair;
+  const observe::StatisticsByPair& first = chosen.front()->tally.by_pair;
   for (int pair = 0; pair < first.pairs(); ++pair) {
     const MeanSpectra spectra(chosen, pair);
-    const auto [from, to] = spectra.filled(histograms());
+    const auto [from, to] = spectra.filled_bins(histograms());
     for (int bin = from; bin < to; ++bin) {
       const std::vector<double> numbers = energy_row(spectra, bin);
       if (std::all_of(numbers.begin() + 2, numbers.end(), [](double v) { return v == 0; }))

@@ -11,7 +11,7 @@
 // How collisions are distributed: spectrum.csv, spectra_by_pair.csv and what belongs to them.
 namespace mahlwerk::results {
 
-using Histogram = observe::LogHistogram observe::Spectra::*;
+using HistogramMember = observe::LogHistogram observe::Spectra::*;
 
 /// The spectra of some replicates, each with its counted time, as means over the replicates.
 class MeanSpectra {
@@ -21,22 +21,22 @@ class MeanSpectra {
   /// Of one kind of pair.
   MeanSpectra(const std::vector<const Replicate*>& replicates, int pair);
 
-  double rate(Histogram part, int bin) const;   ///< [1/s] collisions in that bin
-  double power(Histogram part, int bin) const;  ///< the sum of their values, per second
+  double rate(HistogramMember part, int bin) const;   ///< [1/s] collisions in that bin
+  double power(HistogramMember part, int bin) const;  ///< the sum of their values, per second
   /// First and one past the last bin that any replicate filled in any of `parts`; {0, 0}: none.
-  std::array<int, 2> filled(const std::vector<Histogram>& parts) const;
+  std::array<int, 2> filled_bins(const std::vector<HistogramMember>& parts) const;
   double rate(observe::Angles observe::Spectra::*part, std::size_t degree) const;  ///< [1/s]
   double rate(int normal, int tangential) const;  ///< [1/s] of the joint histogram
-  bool empty() const { return each_.empty(); }
+  bool empty() const { return replicates_.empty(); }
 
  private:
-  struct One {
+  struct ReplicateSpectra {
     observe::Spectra spectra;
     double time;
   };
   template <class Of>
   double mean(const Of& of) const;
-  std::vector<One> each_;
+  std::vector<ReplicateSpectra> replicates_;
 };
 
 Table spectrum(const Outcome& outcome);

@@ -51,12 +51,12 @@ std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Me
                                     const std::vector<std::vector<double>>& each) {
   constexpr double much = 0.2;  // of the larger power
   std::vector<double> powers;
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   for (const Replicate* r : chosen) powers.push_back(dissipated_power(*r));
   if (!std::ranges::all_of(powers, [](double p) { return std::isfinite(p); })) return std::nullopt;
   const auto groups = observe::two_groups(powers);
   if (!groups) return std::nullopt;
-  TwoStates found{.states = {}, .chance = groups->chance};
+  TwoStates found{.states = {}, .p_value = groups->p_value};
   for (std::size_t i = 0; i < chosen.size(); ++i)
     found.states[powers[i] > groups->between ? 1 : 0].replicates.push_back(
         number_of(outcome, *chosen[i]));
@@ -76,7 +76,7 @@ Notices state_notices(const Summary& summary) {
       fmt::format("The replicates fall into two states: {}, {}. One normal distribution splits as "
                   "sharply with a chance of {:.2g} %. A mean over both, with its interval, "
                   "describes neither.",
-                  words(*found, 0), words(*found, 1), 100 * found->chance))};
+                  words(*found, 0), words(*found, 1), 100 * found->p_value))};
 }
 
 }  // namespace mahlwerk::results

@@ -35,7 +35,7 @@ Table time_series(const Outcome& outcome) {
        {"contact_time_share", "1", "share of the balls' time in lasting contact"},
        {"kinetic_energy", "J", "at the end of the stretch, in the laboratory frame"}},
       {}};
-  const Chosen chosen = averaged(outcome);
+  const Chosen chosen = averaged_replicates(outcome);
   double balls = 0;
   for (const cases::BallSet& set : outcome.what.balls) balls += static_cast<double>(set.count);
   std::size_t most = 0;
@@ -61,7 +61,7 @@ Table replicates(const Outcome& outcome) {
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
     const Replicate& r = outcome.replicates[i];
     if (!(r.time() > 0)) continue;
-    const std::vector<double>& values = outcome.summary.each[i];
+    const std::vector<double>& values = outcome.summary.by_replicate[i];
     std::vector<double> row{static_cast<double>(i + 1), r.complete ? 1.0 : 0.0};
     row.insert(row.end(), values.begin(), values.end());
     if (table.rows.empty())
@@ -89,7 +89,7 @@ Table balls_at_stop(const Replicate& replicate) {
                {"spin_z", "rad/s", "likewise"}},
               {}};
   double number = 0;
-  for (const scene::Ball& b : replicate.at_stop)
+  for (const scene::Ball& b : replicate.balls_at_stop)
     table.rows.push_back({++number, b.kind + 1.0, b.radius, b.position.x, b.position.y,
                           b.position.z, b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x,
                           b.spin.y, b.spin.z});

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "mahlwerk/observe/columns.hpp"
+#include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 
@@ -54,10 +54,10 @@ Borders borders_of(const WallGrid& grid) {
 }
 
 /// Shares triangles out to the cells they lie in.
-class Sharing {
+class AreaSplitter {
  public:
   /// Pieces at the borders of rings, which are round, are no longer than `least` [m].
-  Sharing(const WallGrid& grid, double least)
+  AreaSplitter(const WallGrid& grid, double least)
       : areas(WallGrid::cells), grid_(grid), borders_(borders_of(grid)), least_(least) {}
 
   void add(const Triangle& t) {
@@ -146,24 +146,24 @@ const char* part_name(int cell) {
   return "";
 }
 
-std::vector<double> reckoned_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+std::vector<double> compute_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   // A third as long as cells, but no more pieces than take a blink.
   constexpr double parts = 3, many = 1e6;
   const double cell = 2 * std::numbers::pi * grid.radius / WallGrid::around;
-  Sharing sharing(grid, std::max(cell / parts, std::sqrt(wall_area(shape) / many)));
-  for_triangles(shape, [&](const Triangle& t) { sharing.add(t); });
-  return std::move(sharing.areas);
+  AreaSplitter splitter(grid, std::max(cell / parts, std::sqrt(wall_area(shape) / many)));
+  for_triangles(shape, [&](const Triangle& t) { splitter.add(t); });
+  return std::move(splitter.areas);
 }
 
 /// A jar and its grid, the areas of which are reckoned when they are first asked for.
-struct KnownAreas {
-  KnownAreas(const geometry::AnyShape& of, const WallGrid& in) : shape(of), grid(in) {}
-  bool are_of(const geometry::AnyShape& other, const WallGrid& in) const {
+struct CachedAreas {
+  CachedAreas(const geometry::AnyShape& of, const WallGrid& in) : shape(of), grid(in) {}
+  bool matches(const geometry::AnyShape& other, const WallGrid& in) const {
     return grid.radius == in.radius && grid.bottom == in.bottom && grid.top == in.top &&
            shape == other;
   }
-  const std::vector<double>& reckoned() {
-    std::call_once(once, [&] { areas = reckoned_areas(*shape, grid); });
+  const std::vector<double>& values() {
+    std::call_once(once, [&] { areas = compute_areas(*shape, grid); });
     return areas;
   }
   const Indirect<geometry::AnyShape> shape;
@@ -173,21 +173,21 @@ struct KnownAreas {
 };
 
 /// A result asks several times, the points of a campaign mostly for a few jars.
-std::shared_ptr<KnownAreas> known_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
+std::shared_ptr<CachedAreas> cached_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   constexpr std::size_t most = 64;
   static std::mutex mutex;
-  static std::deque<std::shared_ptr<KnownAreas>> known;
+  static std::deque<std::shared_ptr<CachedAreas>> cache;
   const std::lock_guard lock(mutex);
-  for (const auto& one : known)
-    if (one->are_of(shape, grid)) return one;
-  if (known.size() == most) known.pop_front();
-  return known.emplace_back(std::make_shared<KnownAreas>(shape, grid));
+  for (const auto& one : cache)
+    if (one->matches(shape, grid)) return one;
+  if (cache.size() == most) cache.pop_front();
+  return cache.emplace_back(std::make_shared<CachedAreas>(shape, grid));
 }
 
 }  // namespace
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  return known_areas(shape, grid)->reckoned();
+  return cached_areas(shape, grid)->values();
 }
 
 double wall_area(const geometry::AnyShape& shape) {
@@ -197,7 +197,7 @@ double wall_area(const geometry::AnyShape& shape) {
 }
 
 WallRates wall_rates(const Outcome& outcome) {
-  const std::vector<const Replicate*> chosen = averaged(outcome);
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   constexpr auto n = static_cast<std::size_t>(WallGrid::cells);
   WallRates rates{.grid = chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid(),
                   .area = {},
@@ -214,7 +214,7 @@ WallRates wall_rates(const Outcome& outcome) {
       rates.rate[i] += per * static_cast<double>(sums.count);
       rates.energy_normal[i] += per * sums.energy_normal;
       rates.lost[i] += per * sums.lost;
-      rates.slid[i] += per * sums.slid;
+      rates.slid[i] += per * sums.load_distance;
       rates.erosion[i] += per * sums.erosion;
     }
   }
@@ -236,7 +236,7 @@ Table wall_map(const Outcome& outcome) {
   const bool wears = outcome.what.wear.has_value();
   if (wears)
     table.columns.push_back({"wear_depth_rate", "m/s", "depth of wall worn off per second"});
-  if (averaged(outcome).empty()) return table;
+  if (averaged_replicates(outcome).empty()) return table;
   const WallRates rates = wall_rates(outcome);
   for (int cell = 0; cell < WallGrid::cells; ++cell) {
     const auto i = static_cast<std::size_t>(cell);
@@ -246,7 +246,7 @@ Table wall_map(const Outcome& outcome) {
                           b.across[0], b.across[1], rates.area[i], rates.rate[i],
                           rates.energy_normal[i], rates.lost[i], rates.slid[i]});
     if (wears) {
-      const double volume = worn_off_wall(outcome.what, rates.slid[i], rates.erosion[i]);
+      const double volume = wall_wear_rate(outcome.what, rates.slid[i], rates.erosion[i]);
       table.rows.back().push_back(rates.area[i] > 0 ? volume / rates.area[i] : 0);
     }
   }
@@ -255,7 +255,7 @@ Table wall_map(const Outcome& outcome) {
 
 observe::Charge charge_of(const Outcome& outcome) {
   observe::Charge sum;
-  for (const Replicate* r : averaged(outcome)) sum.merge(r->charge);
+  for (const Replicate* r : averaged_replicates(outcome)) sum.merge(r->charge);
   return sum;
 }
 
@@ -269,7 +269,7 @@ Table fields(const Outcome& outcome) {
                {"kinetic_energy", "J/m2", "of the balls' flight, seen from the frame"}},
               {}};
   const observe::Charge charge = charge_of(outcome);
-  if (!(charge.of_all > 0)) return table;
+  if (!(charge.mass_total > 0)) return table;
   for (const auto& [name, field] :
        {std::pair("carrier", &charge.in_carrier), std::pair("jar", &charge.in_jar)}) {
     const double width = 2 * field->half() / PlaneField::cells;

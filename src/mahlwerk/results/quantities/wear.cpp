@@ -16,10 +16,10 @@ namespace mahlwerk::results {
 namespace {
 
 using cases::Case;
-using observe::PairTally;
+using observe::PairStatistics;
 constexpr double zero_celsius = 273.15;  // [K]
 
-double worn(const Case& c, double slid, double erosion, double vickers) {
+double wear_rate(const Case& c, double slid, double erosion, double vickers) {
   const double hardness = powder::hardness(vickers);
   return c.wear->model == cases::Wear::Model::archard
              ? powder::archard(c.wear->coefficient, slid, hardness)
@@ -27,41 +27,41 @@ double worn(const Case& c, double slid, double erosion, double vickers) {
 }
 
 /// [m3/s] off the balls of one set; grains are powder, and do not wear.
-double worn_off_set(const Case& c, const Replicate& r, int set) {
+double set_wear_rate(const Case& c, const Replicate& r, int set) {
   const cases::BallSet& balls = c.balls[static_cast<std::size_t>(set)];
   if (balls.grains) return 0;
   double slid = 0, erosion = 0;
-  const observe::ByPair& pairs = r.tally.by_pair;
+  const observe::StatisticsByPair& pairs = r.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
     const int times = (one == set ? 1 : 0) + (other == set ? 1 : 0);  // two of it both wear
-    slid += times * pairs[pair].slid;
+    slid += times * pairs[pair].load_distance;
     erosion += times * pairs[pair].erosion;
   }
-  return worn(c, slid, erosion, balls.substance.hardness) / r.time();
+  return wear_rate(c, slid, erosion, balls.substance.hardness) / r.time();
 }
 
 /// [m3/s] off one face of the jar, or all of them for -1.
-double worn_off_face(const Case& c, const Replicate& r, int face) {
+double face_wear_rate(const Case& c, const Replicate& r, int face) {
   double slid = 0, erosion = 0;
-  const observe::ByPair& pairs = r.tally.by_pair;
+  const observe::StatisticsByPair& pairs = r.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
     if (!kinds.with_jar() || (face >= 0 && kinds.face() != face)) continue;
-    slid += pairs[pair].slid;
+    slid += pairs[pair].load_distance;
     erosion += pairs[pair].erosion;
   }
-  return worn_off_wall(c, slid / r.time(), erosion / r.time());
+  return wall_wear_rate(c, slid / r.time(), erosion / r.time());
 }
 
 double balls_wear(const Case& c, const Replicate& r) {
   double mass = 0;
   for (int set = 0; set < std::ssize(c.balls); ++set)
-    mass += worn_off_set(c, r, set) * c.balls[static_cast<std::size_t>(set)].density;
+    mass += set_wear_rate(c, r, set) * c.balls[static_cast<std::size_t>(set)].density;
   return mass;
 }
 double jar_wear(const Case& c, const Replicate& r) {
-  return worn_off_face(c, r, -1) * c.jar.density;
+  return face_wear_rate(c, r, -1) * c.jar.density;
 }
 
 /// What a mill comes to that loses this power, at the end of its last milling.
@@ -70,15 +70,15 @@ powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
   const powder::MillCycles mill = cases::mill_cycles(c, dissipated_power(r));
   const double end = (mill.milling + mill.pause) * static_cast<double>(mill.cycles) - mill.pause;
   powder::HeatPoint last;
-  for (const powder::HeatPoint& p : powder::history(nodes, mill))
+  for (const powder::HeatPoint& p : powder::temperature_history(nodes, mill))
     if (p.time <= end * (1 + 1e-12)) last = p;
   return last;
 }
 
 }  // namespace
 
-double worn_off_wall(const Case& what, double slid, double erosion) {
-  return worn(what, slid, erosion, what.jar.substance.hardness);
+double wall_wear_rate(const Case& what, double slid, double erosion) {
+  return wear_rate(what, slid, erosion, what.jar.substance.hardness);
 }
 
 std::vector<Measure> wear_measures(const Case& what) {
@@ -102,22 +102,22 @@ Table wear(const Outcome& outcome) {
                {"mass_rate", "kg/s", "mass worn off it per second"}},
               {}};
   const Case& c = outcome.what;
-  const auto chosen = averaged(outcome);
+  const auto chosen = averaged_replicates(outcome);
   if (!c.wear || chosen.empty()) return table;
   const auto add = [&](const std::string& name, double density, const auto& of) {
     double volume = 0;
     for (const Replicate* r : chosen) volume += of(*r) / static_cast<double>(chosen.size());
     table.rows.push_back({table.columns[0].number_of(name), volume, volume * density});
   };
-  const observe::ByPair& pairs = chosen.front()->tally.by_pair;
+  const observe::StatisticsByPair& pairs = chosen.front()->tally.by_pair;
   for (int set = 0; set < pairs.kinds(); ++set)
     if (const auto i = static_cast<std::size_t>(set); !c.balls[i].grains)
       add(cases::set_name(c, i), c.balls[i].density,
-          [&](const Replicate& r) { return worn_off_set(c, r, set); });
+          [&](const Replicate& r) { return set_wear_rate(c, r, set); });
   for (int pair = 0; pair < pairs.pairs(); ++pair)
     if (const auto kinds = pairs.kinds_of(pair); kinds.one == 0 && kinds.with_jar())
       add(pair_names(c, pairs, pair)[1], c.jar.density,
-          [&](const Replicate& r) { return worn_off_face(c, r, kinds.face()); });
+          [&](const Replicate& r) { return face_wear_rate(c, r, kinds.face()); });
   return table;
 }
 
@@ -147,14 +147,15 @@ Table temperatures(const Outcome& outcome) {
                {"balls", "degC", "temperature of the balls"},
                {"jar", "degC", "temperature of the jar"}},
               {}};
-  const auto chosen = averaged(outcome);
+  const auto chosen = averaged_replicates(outcome);
   if (!outcome.what.heat || chosen.empty()) return table;
   double power = 0;
   for (const Replicate* r : chosen)
     power += dissipated_power(*r) / static_cast<double>(chosen.size());
   const powder::HeatNodes nodes =
       cases::heat_nodes(outcome.what, wall_area(*outcome.what.jar.shape));
-  for (const powder::HeatPoint& p : powder::history(nodes, cases::mill_cycles(outcome.what, power)))
+  for (const powder::HeatPoint& p :
+       powder::temperature_history(nodes, cases::mill_cycles(outcome.what, power)))
     table.rows.push_back({p.time, p.balls - zero_celsius, p.jar - zero_celsius});
   return table;
 }

@@ -11,7 +11,7 @@
 namespace mahlwerk::results {
 
 /// [m3/s] off the jar's wall, from sums per second over hits on it. The case must have [wear].
-double worn_off_wall(const cases::Case& what, double slid, double erosion);
+double wall_wear_rate(const cases::Case& what, double slid, double erosion);
 
 /// Wear of balls and jar and what of it comes into the powder; none without [wear].
 std::vector<Measure> wear_measures(const cases::Case& what);

@@ -9,41 +9,45 @@
 
 namespace mahlwerk::soft {
 
-FewBodySolver::Stored FewBodySolver::stored() const {
-  Stored energy;
+FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
+  ElasticEnergy energy;
   for (const PairPacket& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
-      const double memory[contact::law_memories] = {p.memory[0][l], p.memory[1][l]};
-      const Vec3 apart = nearest(particles_.position.one(static_cast<std::size_t>(p.j[l])) -
-                                 particles_.position.one(static_cast<std::size_t>(p.i[l])));
-      const double overlap = p.radius_i[l] + p.radius_j[l] - norm(apart);
+      const double law_history[contact::law_history_size] = {p.law_history[0][l],
+                                                             p.law_history[1][l]};
+      const Vec3 separation = nearest(particles_.position.get(static_cast<std::size_t>(p.j[l])) -
+                                      particles_.position.get(static_cast<std::size_t>(p.i[l])));
+      const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
       if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
-      energy.normal +=
-          std::visit([&](const auto& law) { return law.stored(numbers_of(p, l), memory, overlap); },
-                     *rules_.model.law);
-      energy.tangential += 0.5 * p.stiffness[l] * squared(one(p.spring, l));
+      energy.normal += std::visit(
+          [&](const auto& law) {
+            return law.elastic_energy(coefficients_of(p, l), law_history, overlap);
+          },
+          *rules_.model.law);
+      energy.tangential += 0.5 * p.stiffness[l] * squared(get_lane(p.spring, l));
     }
   return energy;
 }
 
-scene::Account FewBodySolver::account() const {
-  scene::Account a = account_;
+scene::EnergyBalance FewBodySolver::energy_balance() const {
+  scene::EnergyBalance a = energy_balance_;
   a.time = time_of(now_);
-  if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
-  const kinematics::Ride ride = jar_->ride(clock(particles_.step));
-  const Flown way = flown(now_ - particles_.step);
-  const kinematics::Ride there = way.time > 0 ? jar_->ride(clock(now_)) : ride;
+  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
+    a.time = target_time_;  // rounding
+  const kinematics::FrameMotion frame = jar_->frame_motion(clock(particles_.step));
+  const FreeFlight way = free_flight(now_ - particles_.step);
+  const kinematics::FrameMotion there = way.time > 0 ? jar_->frame_motion(clock(now_)) : frame;
   a.kinetic = a.potential = 0;
   for (std::size_t b = 0; b < particles_.balls; ++b) {
     const Species& of = pairs_.of(b);
-    const Vec3 v0 = particles_.velocity.one(b);
+    const Vec3 v0 = particles_.velocity.get(b);
     const Vec3 v = v0 + way.gain + there.velocity;
-    const Vec3 x = particles_.position.one(b) + way.time * v0 + way.shift + there.centre;
-    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin.one(b)));
+    const Vec3 x = particles_.position.get(b) + way.time * v0 + way.shift + there.centre;
+    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin.get(b)));
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
-  const Stored kept = stored();
+  const ElasticEnergy kept = elastic_energy();
   a.elastic = kept.normal + kept.tangential;
   for (const PairPacket& p : particles_.packets)
     for (int l = 0; l < lanes; ++l) {
@@ -55,22 +59,23 @@ scene::Account FewBodySolver::account() const {
   a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
   a.lost_tangential -= kept.tangential;
   a.lost_open -= a.elastic;
-  a.contact_time += static_cast<double>(in_touch_) * time_of(particles_.step - in_touch_since_);
+  a.contact_time +=
+      static_cast<double>(balls_in_contact_) * time_of(particles_.step - contact_count_step_);
   return a;
 }
 
 void FewBodySolver::check_energy() {
-  const scene::Account a = account();
+  const scene::EnergyBalance a = energy_balance();
   const double t = clock(particles_.step);
-  const double wall = jar_->fastest(t);
+  const double wall = jar_->max_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < particles_.balls; ++b)
-    if (!(squared(particles_.velocity.one(b)) <= squared(particles_.velocity.one(fastest))))
+    if (!(squared(particles_.velocity.get(b)) <= squared(particles_.velocity.get(fastest))))
       fastest = b;
-  stop(fastest, energy_jumped);
+  stop(fastest, energy_jump_message);
 }
 
 }  // namespace mahlwerk::soft

@@ -12,7 +12,7 @@ namespace mahlwerk::soft {
 bool FewBodySolver::start_skip() {
   if (!skips_ || touched_ || particles_.step < next_skip_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
-  const std::int64_t steps = free_steps();
+  const std::int64_t steps = collision_free_steps();
   if (steps < worth) {
     next_skip_ = particles_.step + pause;
     return false;
@@ -23,17 +23,17 @@ bool FewBodySolver::start_skip() {
 
 /// Whole steps that end before the next touch. Between balls that is a quadratic: all fall alike,
 /// so they pass each other on straight lines.
-std::int64_t FewBodySolver::free_steps() const {
+std::int64_t FewBodySolver::collision_free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;
   const double now = clock(particles_.step);
-  if (folds_) return 0;
+  if (periodic_) return 0;
   for (std::size_t i = 0; i < particles_.balls; ++i) {
-    const Vec3 x = particles_.position.one(i), v = particles_.velocity.one(i);
-    time = std::min(time, jar_->clear(x, v, now, made_of_[i].radius));
+    const Vec3 x = particles_.position.get(i), v = particles_.velocity.get(i);
+    time = std::min(time, jar_->safe_time(x, v, now, initial_balls_[i].radius));
     for (std::size_t j = i + 1; j < particles_.balls; ++j) {
-      const Vec3 r = particles_.position.one(j) - x, u = particles_.velocity.one(j) - v;
-      const double touch = made_of_[i].radius + made_of_[j].radius;
+      const Vec3 r = particles_.position.get(j) - x, u = particles_.velocity.get(j) - v;
+      const double touch = initial_balls_[i].radius + initial_balls_[j].radius;
       const double b = dot(r, u), gap = squared(r) - touch * touch;
       const double d = b * b - squared(u) * gap;
       if (b < 0 && d > 0) time = std::min(time, std::max(gap, 0.0) / (std::sqrt(d) - b));
@@ -42,11 +42,11 @@ std::int64_t FewBodySolver::free_steps() const {
   return static_cast<std::int64_t>(time / rules_.time_step) - 1;
 }
 
-FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
+FewBodySolver::FreeFlight FewBodySolver::free_flight(std::int64_t steps) const {
   if (steps == 0) return {};
   const double time = time_of(steps);
-  const kinematics::Ride from = jar_->ride(clock(particles_.step));
-  const kinematics::Ride to = jar_->ride(clock(particles_.step + steps));
+  const kinematics::FrameMotion from = jar_->frame_motion(clock(particles_.step));
+  const kinematics::FrameMotion to = jar_->frame_motion(clock(particles_.step + steps));
   const Vec3& g = jar_->gravity();
   return {.shift = time * from.velocity + 0.5 * time * time * g - (to.centre - from.centre),
           .gain = time * g - (to.velocity - from.velocity),
@@ -54,11 +54,11 @@ FewBodySolver::Flown FewBodySolver::flown(std::int64_t steps) const {
 }
 
 void FewBodySolver::end_skip() {
-  const Flown way = flown(skip_end_ - particles_.step);
+  const FreeFlight way = free_flight(skip_end_ - particles_.step);
   for (std::size_t b = 0; b < particles_.balls; ++b) {
-    const Vec3 v = particles_.velocity.one(b);
-    particles_.position.put_one(b, particles_.position.one(b) + way.time * v + way.shift);
-    particles_.velocity.put_one(b, v + way.gain);
+    const Vec3 v = particles_.velocity.get(b);
+    particles_.position.set(b, particles_.position.get(b) + way.time * v + way.shift);
+    particles_.velocity.set(b, v + way.gain);
   }
   particles_.step = skip_end_;
   next_skip_ = skip_end_ + 1;

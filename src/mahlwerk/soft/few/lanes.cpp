@@ -13,17 +13,17 @@ namespace {
 template <class F>
 void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
-  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.reach, &p.friction, &p.rolling,
-                   &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
+  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.pull_off_distance, &p.friction,
+                   &p.rolling, &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
     f(*c);
-  for (Lanes& c : p.numbers) f(c);
-  for (Lanes& c : p.memory) f(c);
+  for (Lanes& c : p.coefficients) f(c);
+  for (Lanes& c : p.law_history) f(c);
   for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.roll}) f(v->x), f(v->y), f(v->z);
   ContactWork& d = p.work;
   for (Lanes* c :
        {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
     f(*c);
-  f(p.face), f(p.species_pair), f(p.used), f(p.began);
+  f(p.face), f(p.species_pair), f(p.used), f(p.onset);
 }
 
 /// Empties a lane; its bodies are the first ball twice, far from touching: radii 0.
@@ -62,7 +62,7 @@ void move_lane(PairPacket& from, int lane, PairPacket& to, int other_lane) {
 }  // namespace
 
 /// Pairs that touch sit in the first packets, so that the others are passed over.
-bool FewBodySolver::touching_first() {
+bool FewBodySolver::sort_touching_first() {
   std::vector<PairPacket>& packets = particles_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
@@ -101,7 +101,7 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
         continue;
       }
       if (p.touching[l] != 0) end(p, l);
-      settle(p, l);
+      flush_work(p, l);
       clear_lane(p, l);
     }
   std::size_t at = 0;
@@ -156,37 +156,37 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
 /// A wall point for each ball near a wall, in the order of the lanes.
 void FewBodySolver::find_wall_points() {
   ParticleData& w = particles_;
-  w.near.clear();
+  w.wall_neighbours.clear();
   for (PairPacket& p : w.packets)
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
       if (!p.used[k] || p.face[k] < 0) continue;
-      p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.near.size());
-      w.near.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k],
-                        (1 + past_touch) * p.radius_i[l] + reach_});
+      p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.wall_neighbours.size());
+      w.wall_neighbours.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k],
+                                   (1 + past_touch) * p.radius_i[l] + pull_off_distance_});
     }
   const std::size_t blocks =
-      w.blocks + std::max<std::size_t>(1, (w.near.size() + lanes - 1) / lanes);
-  for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
+      w.blocks + std::max<std::size_t>(1, (w.wall_neighbours.size() + lanes - 1) / lanes);
+  for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
     c->resize(std::max(blocks, c->x.size()));
 }
 
-void FewBodySolver::find_owners() {
+void FewBodySolver::build_gather_maps() {
   ParticleData& w = particles_;
-  w.few = w.blocks == 1 && w.near.size() <= lanes;
-  w.owners.assign(w.packets.size(), {});
-  if (!w.few) return;
+  w.fits_registers = w.blocks == 1 && w.wall_neighbours.size() <= lanes;
+  w.gather_maps.assign(w.packets.size(), {});
+  if (!w.fits_registers) return;
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
     std::array<int, lanes> count{};
     for (int l = 0; l < lanes; ++l) {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
       const auto give = [&](std::int64_t ball, int from) {
-        Owners& o = w.owners[n];
+        GatherMap& o = w.gather_maps[n];
         const auto k = static_cast<std::size_t>(count[static_cast<std::size_t>(ball)]++);
-        o.from[k][ball] = from;
-        o.has[k][ball] = -1;
-        o.most = std::max(o.most, static_cast<int>(k) + 1);
+        o.source[k][ball] = from;
+        o.active[k][ball] = -1;
+        o.max_contacts = std::max(o.max_contacts, static_cast<int>(k) + 1);
       };
       give(p.i[l], l);
       if (p.wall[l] == 0) give(p.j[l], lanes + l);

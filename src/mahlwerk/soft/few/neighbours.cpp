@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t few = 8;  // balls all of whose pairs are tested
+constexpr std::size_t all_pairs_limit = 8;  // balls all of whose pairs are tested
 
 }  // namespace
 
@@ -20,71 +20,72 @@ void FewBodySolver::rebuild_neighbour_list() {
     particles_.list_positions.put(b, particles_.position.at(b));
   list_step_ = particles_.step;
   particles_.wall_points_due = true;
-  wanted_.clear();
-  if (particles_.balls <= few) {
+  found_pairs_.clear();
+  if (particles_.balls <= all_pairs_limit) {
     for (std::size_t b = 0; b < particles_.balls; ++b) {
-      near_walls(b);
-      for (std::size_t other = b + 1; other < particles_.balls; ++other) near_ball(b, other);
+      find_wall_pairs(b);
+      for (std::size_t other = b + 1; other < particles_.balls; ++other) test_pair(b, other);
     }
   } else {
-    near_balls();
-    for (std::size_t b = 0; b < particles_.balls; ++b) near_walls(b);
-    std::ranges::sort(wanted_);
+    find_ball_pairs();
+    for (std::size_t b = 0; b < particles_.balls; ++b) find_wall_pairs(b);
+    std::ranges::sort(found_pairs_);
   }
-  const bool same = wanted_ == listed_;
+  const bool same = found_pairs_ == listed_pairs_;
   if (!same) {
-    listed_ = wanted_;
-    fill_lanes(wanted_);
+    listed_pairs_ = found_pairs_;
+    fill_lanes(found_pairs_);
   }
-  if (touching_first() || !same) {
+  if (sort_touching_first() || !same) {
     find_wall_points();
-    find_owners();
+    build_gather_maps();
   }
   if (jar_->sweep() > 0) return;  // the wall comes by itself
-  for (WallNeighbour& n : particles_.near)
-    n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - reach_;
+  for (WallNeighbour& n : particles_.wall_neighbours)
+    n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - pull_off_distance_;
 }
 
 /// Finds a ball that has gone wrong, too.
-void FewBodySolver::near_walls(std::size_t b) {
-  const Vec3 x = particles_.position.one(b);
-  if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.one(b))))
+void FewBodySolver::find_wall_pairs(std::size_t b) {
+  const Vec3 x = particles_.position.get(b);
+  if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.get(b))))
     stop(b, "its place or speed is no number");
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
-  const double radius = made_of_[b].radius;
-  jar_->distances(x, clock(particles_.step), radius + skin_ + reach_, gaps);
+  const double radius = initial_balls_[b].radius;
+  jar_->distances(x, clock(particles_.step), radius + skin_ + pull_off_distance_, gaps);
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
-    if (gap > skin_ + reach_ || !jar_->meets(face, radius)) continue;
+    if (gap > skin_ + pull_off_distance_ || !jar_->meets(face, radius)) continue;
     if (!(gap > -radius)) stop(b, "it is outside the jar");
-    wanted_.push_back({static_cast<std::int32_t>(b), -1, face});
+    found_pairs_.push_back({static_cast<std::int32_t>(b), -1, face});
   }
 }
 
 /// i < j.
-void FewBodySolver::near_ball(std::size_t i, std::size_t j) {
-  const Vec3 apart = nearest(particles_.position.one(j) - particles_.position.one(i));
-  const double far = made_of_[i].radius + made_of_[j].radius + skin_ + reach_;
-  if (squared(apart) < far * far)
-    wanted_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
+void FewBodySolver::test_pair(std::size_t i, std::size_t j) {
+  const Vec3 separation = nearest(particles_.position.get(j) - particles_.position.get(i));
+  const double far =
+      initial_balls_[i].radius + initial_balls_[j].radius + skin_ + pull_off_distance_;
+  if (squared(separation) < far * far)
+    found_pairs_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
 }
 
 /// All pairs along a line: sorted by x, only those whose intervals of x are near are tested. Where
 /// the box repeats along x, every pair is.
-void FewBodySolver::near_balls() {
-  const bool repeats = std::isfinite(jar_->periods().x);
+void FewBodySolver::find_ball_pairs() {
+  const bool periodic = std::isfinite(jar_->periods().x);
   double largest = 0;
   for (const Species& s : pairs_.all_species()) largest = std::max(largest, s.radius);
   std::vector<std::int32_t> order(particles_.balls);
   std::iota(order.begin(), order.end(), 0);
-  const double* x = numbers(particles_.position.x);
+  const double* x = column_data(particles_.position.x);
   std::ranges::sort(
       order, [&](std::int32_t a, std::int32_t b) { return x[a] != x[b] ? x[a] < x[b] : a < b; });
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a + 1; b < order.size(); ++b) {
-      if (!repeats && x[order[b]] - x[order[a]] > 2 * largest + skin_ + reach_) break;
-      near_ball(static_cast<std::size_t>(std::min(order[a], order[b])),
+      if (!periodic && x[order[b]] - x[order[a]] > 2 * largest + skin_ + pull_off_distance_) break;
+      test_pair(static_cast<std::size_t>(std::min(order[a], order[b])),
                 static_cast<std::size_t>(std::max(order[a], order[b])));
     }
 }

@@ -23,62 +23,64 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
                              const std::vector<scene::Ball>& balls, const Rules& rules,
                              const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
-      made_of_(balls),
+      initial_balls_(balls),
       rules_(rules),
       pairs_(balls, pairs, *rules.model.law),
       step_block_(
           std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *rules_.model.law)),
       start_(start),
       skips_(rules.free_flight_skip && balls.size() <= skipping),
-      folds_(repeats(jar_->periods())),
+      periodic_(is_periodic(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
-  for (const SpeciesPair& b : pairs_.all()) reach_ = std::max(reach_, b.reach);
+  for (const SpeciesPair& b : pairs_.all())
+    pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
   ParticleData& w = particles_;
   w.balls = balls.size();
   w.blocks = (balls.size() + lanes - 1) / lanes;
-  for (Columns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.list_positions})
+  for (VectorColumns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.list_positions})
     c->resize(w.blocks);
-  for (Columns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
+  for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
     c->resize(w.blocks + 1);
   w.half_kick.resize(w.blocks);
   w.half_spin_kick.resize(w.blocks);
-  w.moved.resize(w.blocks);
+  w.displacement_squared.resize(w.blocks);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    w.position.put_one(b, balls[b].position);
-    w.velocity.put_one(b, balls[b].velocity);
-    w.spin.put_one(b, balls[b].spin);
-    w.half_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).mass;
-    w.half_spin_kick[b / lanes].is[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).inertia;
+    w.position.set(b, balls[b].position);
+    w.velocity.set(b, balls[b].velocity);
+    w.spin.set(b, balls[b].spin);
+    w.half_kick[b / lanes].value[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).mass;
+    w.half_spin_kick[b / lanes].value[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.of(b).mass;
   }
   skin_ = 0.03 * smallest;
   rebuild_neighbour_list();
   refuse_overlaps();
-  account_.started_with = 0;
-  const scene::Account now = account();
-  account_.started_with = now.kinetic + now.potential + now.elastic;
+  energy_balance_.initial_energy = 0;
+  const scene::EnergyBalance now = energy_balance();
+  energy_balance_.initial_energy = now.kinetic + now.potential + now.elastic;
   watch_.begin(now);
 }
 
 /// Bodies that overlap much at the start would fly apart.
 void FewBodySolver::refuse_overlaps() const {
   const double t = clock(particles_.step);
-  for (const NearPair& c : listed_) {
+  for (const NearPair& c : listed_pairs_) {
     const auto i = static_cast<std::size_t>(c.i);
-    const double radius = made_of_[i].radius;
-    const Vec3 x = particles_.position.one(i);
+    const double radius = initial_balls_[i].radius;
+    const Vec3 x = particles_.position.get(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
-      if (overlap > rules_.most_overlap) throw overlapping(i, "the jar", overlap);
+      if (overlap > rules_.most_overlap) throw overlap_error(i, "the jar", overlap);
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
-    const double touch = radius + made_of_[j].radius;
-    const double overlap = (touch - norm(nearest(particles_.position.one(j) - x))) / radius;
-    if (overlap > rules_.most_overlap) throw overlapping(i, fmt::format("ball {}", j + 1), overlap);
+    const double touch = radius + initial_balls_[j].radius;
+    const double overlap = (touch - norm(nearest(particles_.position.get(j) - x))) / radius;
+    if (overlap > rules_.most_overlap)
+      throw overlap_error(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
 
@@ -91,10 +93,10 @@ double FewBodySolver::clock(std::int64_t step) const {
 
 void FewBodySolver::advance(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
-  asked_ = time;
+  target_time_ = time;
   const auto hand_over = [&] {
-    if (!ended_.empty()) observer.collisions(ended_);
-    ended_.clear();
+    if (!finished_.empty()) observer.collisions(finished_);
+    finished_.clear();
   };
   try {
     while (now_ < until) {
@@ -106,7 +108,7 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
         advance_block(until);
         now_ = particles_.step;
       }
-      if (ended_.size() > 1000) hand_over();
+      if (finished_.size() > 1000) hand_over();
     }
   } catch (...) {
     now_ = particles_.step;
@@ -127,21 +129,21 @@ void FewBodySolver::advance_block(std::int64_t until) {
   StepBlock s{.particles = w,
               .jar = *jar_,
               .slow_path = *this,
-              .frame = frame_of(rules_, jar_->periods()),
+              .constants = step_constants(rules_, jar_->periods()),
               .drive = drive_,
               .start = start_,
-              .moved = 0.5 * skin_,
-              .swept_since = list_step_,
-              .idle_ends = skips_ && !waits};
+              .max_displacement = 0.5 * skin_,
+              .list_step = list_step_,
+              .stop_when_idle = skips_ && !waits};
   const std::int64_t before = w.step;
   touched_ = step_block_(s);
-  account_.time_steps += w.step - before;
+  energy_balance_.time_steps += w.step - before;
   if (w.step % energy_check == 0) check_energy();
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {
-  throw unstable_run(time_of(particles_.step), ball, why, particles_.position.one(ball),
-                     particles_.velocity.one(ball));
+  throw unstable_run_error(time_of(particles_.step), ball, why, particles_.position.get(ball),
+                           particles_.velocity.get(ball));
 }
 
 }  // namespace mahlwerk::soft

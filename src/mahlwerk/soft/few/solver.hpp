@@ -21,10 +21,10 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
                 const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
-  scene::Account account() const override;
+  scene::EnergyBalance energy_balance() const override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
-  void carry(Archive& archive) override;
+  void serialize(Archive& archive) override;
 
  private:
   // The main loop (solver.cpp).
@@ -35,10 +35,10 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
   // Energy (energy.cpp).
-  struct Stored {
+  struct ElasticEnergy {
     double normal = 0, tangential = 0;  // [J]
   };
-  Stored stored() const;  // in contacts, now
+  ElasticEnergy elastic_energy() const;  // in contacts, now
   void check_energy();
 
   // Neighbour list (neighbours.cpp).
@@ -47,65 +47,65 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
     friend auto operator<=>(const NearPair&, const NearPair&) = default;
   };
   void rebuild_neighbour_list() override;
-  void near_walls(std::size_t ball);
-  void near_ball(std::size_t i, std::size_t j);
-  Vec3 nearest(const Vec3& apart) const {
-    return folds_ ? nearest_image(apart, jar_->periods()) : apart;
+  void find_wall_pairs(std::size_t ball);
+  void test_pair(std::size_t i, std::size_t j);
+  Vec3 nearest(const Vec3& separation) const {
+    return periodic_ ? nearest_image(separation, jar_->periods()) : separation;
   }
-  void near_balls();
+  void find_ball_pairs();
 
   // Lane of each pair (lanes.cpp).
-  bool touching_first();
+  bool sort_touching_first();
   void fill_lanes(const std::vector<NearPair>& wanted);
   void assign_lane(PairPacket& p, int lane, const NearPair& c);
   void find_wall_points();
-  void find_owners();
+  void build_gather_maps();
 
   // Contacts that begin and end (contacts.cpp).
   void begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,
-             const Bodies& b) override;
+             const PairMotion& b) override;
   void end(PairPacket& p, const LaneMask& ended) override;
-  void begin(PairPacket& p, int lane, const ContactGeometry& m, const Bodies& b);
+  void begin(PairPacket& p, int lane, const ContactGeometry& m, const PairMotion& b);
   void end(PairPacket& p, int lane);
-  void settle(PairPacket& p, int lane);       // adds its work to the account
-  void touches(std::int64_t body, int more);  // a contact more or less of a ball
+  void flush_work(PairPacket& p, int lane);                // adds its work to the account
+  void change_contact_count(std::int64_t body, int more);  // a contact more or less of a ball
 
   // Free flight (free_flight_skip.cpp).
   bool start_skip();
-  std::int64_t free_steps() const;
-  struct Flown {
+  std::int64_t collision_free_steps() const;
+  struct FreeFlight {
     Vec3 shift, gain;  // of every position and velocity, besides those of straight flight
     double time = 0;
   };
-  Flown flown(std::int64_t steps) const;
+  FreeFlight free_flight(std::int64_t steps) const;
   void end_skip();
 
   std::unique_ptr<const MovingWall> jar_;
-  std::vector<scene::Ball> made_of_;  // radius, density, kind; positions of the start
+  std::vector<scene::Ball> initial_balls_;  // radius, density, kind; positions of the start
   Rules rules_;
   SpeciesPairs pairs_;
   BlockStepper step_block_;
   double start_, skin_;
-  double mass_ = 0;           // [kg] of all balls
-  double reach_ = 0;          // [m] farthest that a contact holds beyond touch
-  bool skips_, folds_;        // over free flight; the box repeats
-  std::vector<double> gaps_;  // [m] of each ball to each face, when the list was built
+  double mass_ = 0;               // [kg] of all balls
+  double pull_off_distance_ = 0;  // [m] farthest that a contact holds beyond touch
+  bool skips_, periodic_;         // over free flight; the box repeats
+  std::vector<double> gaps_;      // [m] of each ball to each face, when the list was built
 
   ParticleData particles_;
-  std::vector<NearPair> wanted_, listed_;  // near each other now; that have a lane
+  std::vector<NearPair> found_pairs_, listed_pairs_;  // near each other now; that have a lane
   std::int64_t list_step_ = 0;
   std::int64_t next_skip_ = 0;  // not before this step
   std::int64_t skip_end_ = -1;  // of a skip under way; < 0: none
   std::int64_t now_ = 0;        // the step reached; ahead of the particles' in a skip
   bool touched_ = true;         // in the last step
-  double asked_ = 0;            // [s] where the last call wanted to go
+  double target_time_ = 0;      // [s] where the last call wanted to go
 
-  scene::Account account_;                 // of contacts that have ended
+  scene::EnergyBalance energy_balance_;    // of contacts that have ended
   std::vector<std::int32_t> contacts_of_;  // each ball
-  std::int64_t in_touch_ = 0;              // balls that touch something
-  std::int64_t in_touch_since_ = 0;
+  std::int64_t balls_in_contact_ = 0;      // balls that touch something
+  std::int64_t contact_count_step_ = 0;
   EnergyWatch watch_;
-  std::vector<scene::Collision> ended_;
+  std::vector<scene::Collision> finished_;
   std::vector<DriveSample> drive_;
 };
 

@@ -11,20 +11,22 @@ namespace mahlwerk::soft {
 /// Numbers of a column at the bodies of eight lanes. With AVX-512, two registers hold all
 /// bodies and one instruction picks eight.
 template <bool avx512>
-[[gnu::always_inline]] inline Lanes pick(const std::vector<Eight>& column, const LaneMask& at,
-                                         bool few) {
+[[gnu::always_inline]] inline Lanes gather(const std::vector<AlignedLanes>& column,
+                                           const LaneMask& at, bool fits_registers) {
 #ifdef MAHLWERK_AVX512
   if constexpr (avx512)
-    if (few) return __builtin_shuffle(column[0].is, column[1].is, at);
+    if (fits_registers) return __builtin_shuffle(column[0].value, column[1].value, at);
 #endif
-  const double* all = numbers(column);
+  const double* all = column_data(column);
   Lanes found;
   for (int l = 0; l < lanes; ++l) found[l] = all[at[l]];
   return found;
 }
 template <bool avx512>
-[[gnu::always_inline]] inline Vec<Lanes> pick(const Columns& c, const LaneMask& at, bool few) {
-  return {pick<avx512>(c.x, at, few), pick<avx512>(c.y, at, few), pick<avx512>(c.z, at, few)};
+[[gnu::always_inline]] inline Vec<Lanes> gather(const VectorColumns& c, const LaneMask& at,
+                                                bool fits_registers) {
+  return {gather<avx512>(c.x, at, fits_registers), gather<avx512>(c.y, at, fits_registers),
+          gather<avx512>(c.z, at, fits_registers)};
 }
 
 /// Half a kick, a drift, and the velocities predicted for the contacts of this step (dem.26).
@@ -32,26 +34,28 @@ template <bool avx512>
 [[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
-  const Lanes none{}, step = none + s.frame.step, half = 0.5 * step;
-  const Vec<Lanes> pull0{none + before.pull.x, none + before.pull.y, none + before.pull.z};
-  const Vec<Lanes> pull1{none + after.pull.x, none + after.pull.y, none + after.pull.z};
-  const double slack =
-      s.moved - s.jar.sweep() * static_cast<double>(w.step - s.swept_since) * s.frame.step;
+  const Lanes none{}, step = none + s.constants.step, half = 0.5 * step;
+  const Vec<Lanes> pull0{none + before.body_acceleration.x, none + before.body_acceleration.y,
+                         none + before.body_acceleration.z};
+  const Vec<Lanes> pull1{none + after.body_acceleration.x, none + after.body_acceleration.y,
+                         none + after.body_acceleration.z};
+  const double slack = s.max_displacement -
+                       s.jar.sweep() * static_cast<double>(w.step - s.list_step) * s.constants.step;
   const double limit = slack > 0 ? slack * slack : -1;
   LaneMask far{};
   for (std::size_t b = 0; b < w.blocks; ++b) {
-    const Vec<Lanes> kick = w.half_kick[b].is * w.force.at(b);
+    const Vec<Lanes> kick = w.half_kick[b].value * w.force.at(b);
     const Vec<Lanes> v = w.velocity.at(b) + kick + half * pull0;
     const Vec<Lanes> x = w.position.at(b) + step * v;
     w.position.put(b, x);
     w.velocity_predicted.put(b, v + kick + half * pull1);
     w.velocity.put(b, v + half * pull1);  // lacks the second kick of the contacts
-    const Vec<Lanes> turn = w.half_spin_kick[b].is * w.torque.at(b), spin = w.spin.at(b) + turn;
+    const Vec<Lanes> turn = w.half_spin_kick[b].value * w.torque.at(b), spin = w.spin.at(b) + turn;
     w.spin.put(b, spin);
     w.spin_predicted.put(b, spin + turn);
     const Vec<Lanes> way = x - w.list_positions.at(b);
     const Lanes moved = dot(way, way);
-    w.moved[b].is = moved;
+    w.displacement_squared[b].value = moved;
     far |= ~less(moved, none + limit);
   }
   return any(far);
@@ -62,20 +66,21 @@ template <bool avx512>
                                         const Vec<Lanes>& torque) {
   w.force.put(b, force);
   w.torque.put(b, torque);
-  w.velocity.put(b, w.velocity.at(b) + w.half_kick[b].is * force);
-  w.spin.put(b, w.spin.at(b) + w.half_spin_kick[b].is * torque);
+  w.velocity.put(b, w.velocity.at(b) + w.half_kick[b].value * force);
+  w.spin.put(b, w.spin.at(b) + w.half_spin_kick[b].value * torque);
 }
 
 /// Adds what a packet does to each of eight balls, in the order of its lanes.
-[[gnu::always_inline]] inline void add(const Owners& owners, const ContactForce& f,
-                                       Vec<Lanes>& force, Vec<Lanes>& torque) {
+[[gnu::always_inline]] inline void gather_forces(const GatherMap& gather_maps,
+                                                 const ContactForce& f, Vec<Lanes>& force,
+                                                 Vec<Lanes>& torque) {
 #ifdef MAHLWERK_AVX512
   const auto sum = [&](Lanes& all, const Lanes& i, const Lanes& j, int k) {
-    const Lanes part = __builtin_shuffle(i, j, owners.from[static_cast<std::size_t>(k)]);
-    all += choose(owners.has[static_cast<std::size_t>(k)], part, Lanes{});
+    const Lanes part = __builtin_shuffle(i, j, gather_maps.source[static_cast<std::size_t>(k)]);
+    all += select(gather_maps.active[static_cast<std::size_t>(k)], part, Lanes{});
   };
   const Vec<Lanes> back = -f.force;
-  for (int k = 0; k < owners.most; ++k) {
+  for (int k = 0; k < gather_maps.max_contacts; ++k) {
     sum(force.x, f.force.x, back.x, k);
     sum(force.y, f.force.y, back.y, k);
     sum(force.z, f.force.z, back.z, k);
@@ -89,8 +94,8 @@ template <bool avx512>
 /// The same through memory, for any number of balls.
 [[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
                                            const ContactForce& f) {
-  const auto give = [&](std::vector<Eight>& column, const Lanes& i, const Lanes& j) {
-    double* all = numbers(column);
+  const auto give = [&](std::vector<AlignedLanes>& column, const Lanes& i, const Lanes& j) {
+    double* all = column_data(column);
     for (int l = 0; l < lanes; ++l) {
       all[p.i[l]] += i[l];
       if (p.wall[l] == 0) all[p.j[l]] += j[l];
@@ -109,22 +114,24 @@ template <bool avx512>
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline bool apply_packet(StepBlock& s, PairPacket& p, ContactForce& out) {
   const ParticleData& w = s.particles;
-  Bodies b;
-  b.apart = pick<avx512>(w.position, p.j, w.few) - pick<avx512>(w.position, p.i, w.few);
-  if (s.frame.periodic) b.apart = folded(b.apart, s.frame.periods);
-  const Lanes squared = dot(b.apart, b.apart), near = touch_distance(p, p.touching);
+  PairMotion b;
+  b.separation = gather<avx512>(w.position, p.j, w.fits_registers) -
+                 gather<avx512>(w.position, p.i, w.fits_registers);
+  if (s.constants.periodic) b.separation = folded(b.separation, s.constants.periods);
+  const Lanes squared = dot(b.separation, b.separation), near = touch_distance(p, p.touching);
   const LaneMask touching = less(squared, near * near);
-  const Edges edges{touching & ~p.touching, p.touching & ~touching};
+  const ContactTransitions transitions{touching & ~p.touching, p.touching & ~touching};
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
-  b.vj = pick<avx512>(w.velocity_predicted, p.j, w.few);
-  b.relative = pick<avx512>(w.velocity_predicted, p.i, w.few) - b.vj;
-  b.wi = pick<avx512>(w.spin_predicted, p.i, w.few);
-  b.wj = pick<avx512>(w.spin_predicted, p.j, w.few);
+  b.vj = gather<avx512>(w.velocity_predicted, p.j, w.fits_registers);
+  b.relative = gather<avx512>(w.velocity_predicted, p.i, w.fits_registers) - b.vj;
+  b.wi = gather<avx512>(w.spin_predicted, p.i, w.fits_registers);
+  b.wj = gather<avx512>(w.spin_predicted, p.j, w.fits_registers);
   const ContactGeometry m = contact_geometry(p, b, squared);
-  if (changes) s.slow_path.begin(p, edges.begun, m, b);
-  out = contact_force<Law>(p, p, p.work, s.frame, b, m, touching, changes ? &edges : nullptr, true);
-  if (changes) s.slow_path.end(p, edges.ended);
+  if (changes) s.slow_path.begin(p, transitions.begun, m, b);
+  out = contact_force<Law>(p, p, p.work, s.constants, b, m, touching,
+                           changes ? &transitions : nullptr, true);
+  if (changes) s.slow_path.end(p, transitions.ended);
   p.normal = m.n;
   return true;
 }
@@ -140,23 +147,26 @@ template <class Law, bool avx512>
     ++w.step;
     if (far) {
       s.slow_path.rebuild_neighbour_list();
-      s.swept_since = w.step;
+      s.list_step = w.step;
     }
-    if (!w.near.empty()) {
+    if (!w.wall_neighbours.empty()) {
       const std::size_t f = w.blocks * lanes;
-      s.jar.wall_points(w.near, s.start + static_cast<double>(w.step) * s.frame.step, drive,
-                        {numbers(w.position.x), numbers(w.position.y), numbers(w.position.z),
-                         w.wall_points_due ? nullptr : numbers(w.moved), numbers(w.position.x) + f,
-                         numbers(w.position.y) + f, numbers(w.position.z) + f,
-                         numbers(w.velocity_predicted.x) + f, numbers(w.velocity_predicted.y) + f,
-                         numbers(w.velocity_predicted.z) + f, numbers(w.spin_predicted.x) + f,
-                         numbers(w.spin_predicted.y) + f, numbers(w.spin_predicted.z) + f});
+      s.jar.wall_points(
+          w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.step, drive,
+          {column_data(w.position.x), column_data(w.position.y), column_data(w.position.z),
+           w.wall_points_due ? nullptr : column_data(w.displacement_squared),
+           column_data(w.position.x) + f, column_data(w.position.y) + f,
+           column_data(w.position.z) + f, column_data(w.velocity_predicted.x) + f,
+           column_data(w.velocity_predicted.y) + f, column_data(w.velocity_predicted.z) + f,
+           column_data(w.spin_predicted.x) + f, column_data(w.spin_predicted.y) + f,
+           column_data(w.spin_predicted.z) + f});
       w.wall_points_due = false;
     }
     const Lanes none{};
-    s.frame.jar_speed = {none + drive.speed.x, none + drive.speed.y, none + drive.speed.z};
+    s.constants.jar_velocity = {none + drive.velocity.x, none + drive.velocity.y,
+                                none + drive.velocity.z};
     touched = false;
-    const bool in_registers = avx512 && w.few;
+    const bool in_registers = avx512 && w.fits_registers;
     Vec<Lanes> force{}, torque{};
     for (std::size_t b = 0; b < w.blocks && !in_registers; ++b)
       w.force.put(b, force), w.torque.put(b, torque);
@@ -165,14 +175,14 @@ template <class Law, bool avx512>
       if (!apply_packet<Law, avx512>(s, w.packets[n], found)) continue;
       touched = true;
       if (in_registers)
-        add(w.owners[n], found, force, torque);
+        gather_forces(w.gather_maps[n], found, force, torque);
       else
         scatter(w, w.packets[n], found);
     }
     if (in_registers) kick(w, 0, force, torque);
     for (std::size_t b = 0; b < w.blocks && !in_registers; ++b)
       kick(w, b, w.force.at(b), w.torque.at(b));
-    if (!touched && s.idle_ends) return false;
+    if (!touched && s.stop_when_idle) return false;
   }
   return touched;
 }

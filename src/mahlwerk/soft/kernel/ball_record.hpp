@@ -38,23 +38,23 @@ struct alignas(16) FloatPosition {
 
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 using FourFloats = float __attribute__((vector_size(4 * sizeof(float)), may_alias));
-using EightAnywhere = double __attribute__((vector_size(8 * sizeof(double)), may_alias));
-using FourAnywhere = double __attribute__((vector_size(4 * sizeof(double)), may_alias));
+using AliasedLanes = double __attribute__((vector_size(8 * sizeof(double)), may_alias));
+using AliasedFour = double __attribute__((vector_size(4 * sizeof(double)), may_alias));
 
 template <class R>
-[[gnu::always_inline]] inline Lanes eight(const R& row) {
-  return *reinterpret_cast<const EightAnywhere*>(&row);
+[[gnu::always_inline]] inline Lanes load_eight(const R& row) {
+  return *reinterpret_cast<const AliasedLanes*>(&row);
 }
 template <class R>
-[[gnu::always_inline]] inline void put_eight(R& row, const Lanes& a) {
-  *reinterpret_cast<EightAnywhere*>(&row) = a;
+[[gnu::always_inline]] inline void store_eight(R& row, const Lanes& a) {
+  *reinterpret_cast<AliasedLanes*>(&row) = a;
 }
 template <class R>
-[[gnu::always_inline]] inline Four four(const R& row) {
-  return *reinterpret_cast<const FourAnywhere*>(&row);
+[[gnu::always_inline]] inline Four load_four(const R& row) {
+  return *reinterpret_cast<const AliasedFour*>(&row);
 }
 /// Side by side. Said outright: GCC 12 would load both and then shuffle.
-[[gnu::always_inline]] inline Lanes joined(const FourAnywhere& a, const FourAnywhere& b) {
+[[gnu::always_inline]] inline Lanes join(const AliasedFour& a, const AliasedFour& b) {
   Lanes both;
 #ifdef MAHLWERK_AVX512
   asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
@@ -65,22 +65,21 @@ template <class R>
 }
 /// The first four numbers of two rows, or the last.
 template <class R>
-[[gnu::always_inline]] inline Lanes fours(const R& a, const R& b) {
-  return joined(*reinterpret_cast<const FourAnywhere*>(&a),
-                *reinterpret_cast<const FourAnywhere*>(&b));
+[[gnu::always_inline]] inline Lanes load_fours(const R& a, const R& b) {
+  return join(*reinterpret_cast<const AliasedFour*>(&a), *reinterpret_cast<const AliasedFour*>(&b));
 }
 template <class R>
-[[gnu::always_inline]] inline Lanes last_fours(const R& a, const R& b) {
-  return joined(*(reinterpret_cast<const FourAnywhere*>(&a) + 1),
-                *(reinterpret_cast<const FourAnywhere*>(&b) + 1));
+[[gnu::always_inline]] inline Lanes load_last_fours(const R& a, const R& b) {
+  return join(*(reinterpret_cast<const AliasedFour*>(&a) + 1),
+              *(reinterpret_cast<const AliasedFour*>(&b) + 1));
 }
 template <class R>
-[[gnu::always_inline]] inline void put_four(R& row, const Four& a) {
-  *reinterpret_cast<FourAnywhere*>(&row) = a;
+[[gnu::always_inline]] inline void store_four(R& row, const Four& a) {
+  *reinterpret_cast<AliasedFour*>(&row) = a;
 }
 /// Streaming store: past the cache.
 template <class R, class A>
-[[gnu::always_inline]] inline void put_past_cache(R& row, const A& a) {
+[[gnu::always_inline]] inline void stream_store(R& row, const A& a) {
 #ifdef MAHLWERK_AVX512
   asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
 #else
@@ -88,13 +87,13 @@ template <class R, class A>
 #endif
 }
 /// Memory fence: orders the streaming stores before other threads read.
-[[gnu::always_inline]] inline void all_are_put() {
+[[gnu::always_inline]] inline void store_fence() {
 #ifdef MAHLWERK_AVX512
   asm volatile("sfence" ::: "memory");
 #endif
 }
-[[gnu::always_inline]] inline Four four(const FloatPosition& spot) {
-  return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&spot), Four);
+[[gnu::always_inline]] inline Four load_four(const FloatPosition& position) {
+  return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&position), Four);
 }
 
 /// Rows k and k + 4 side by side, of four numbers each, to four columns of eight, in place.

@@ -22,7 +22,7 @@ struct alignas(64) ContactWork {
 };
 
 /// How a contact began.
-struct Beginning {
+struct ContactOnset {
   std::int64_t step = 0;
   double approach = 0, slip = 0, glide = 0;  ///< [m/s]
 };
@@ -34,8 +34,8 @@ struct alignas(64) PairParameters {
   Lanes radius_i{}, radius_j{};  ///< [m] 0 of a wall point
   Lanes per_radius{};            ///< [1/m] of radius_i
   Lanes share{};                 ///< of the overlap that lies in i: half, or all against a wall
-  Lanes reach{};                 ///< [m] a contact holds beyond touch
-  Lanes numbers[contact::law_numbers]{};
+  Lanes pull_off_distance{};     ///< [m] a contact holds beyond touch
+  Lanes coefficients[contact::law_coefficient_count]{};
   Lanes friction{};     ///< mu
   Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
   Lanes roll_spring{};  ///< [m2] epsd: its stiffness over the contact's stiffness across
@@ -43,16 +43,16 @@ struct alignas(64) PairParameters {
   Lanes lag{};          ///< [m/N] of the tangential spring (dem.37)
 };
 
-inline Vec3 one(const Vec<Lanes>& a, int lane) {
+inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {
   return {a.x[lane], a.y[lane], a.z[lane]};
 }
-inline void put(Vec<Lanes>& a, int lane, const Vec3& b) {
+inline void set_lane(Vec<Lanes>& a, int lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
-inline contact::LawNumbers numbers_of(const PairParameters& p, int lane) {
-  contact::LawNumbers numbers;
-  for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = p.numbers[n][lane];
-  return numbers;
+inline contact::LawCoefficients coefficients_of(const PairParameters& p, int lane) {
+  contact::LawCoefficients coefficients;
+  for (std::size_t n = 0; n < coefficients.size(); ++n) coefficients[n] = p.coefficients[n][lane];
+  return coefficients;
 }
 inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
   constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
@@ -66,7 +66,7 @@ inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int 
 
 /// What eight contacts remember from step to step.
 struct alignas(64) History {
-  Lanes memory[contact::law_memories]{};
+  Lanes law_history[contact::law_history_size]{};
   Vec<Lanes> spring{};  ///< [m] xi, the tangential spring, half a step ahead
   Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
   Lanes stiffness{};    ///< [N/m] across, at the last step

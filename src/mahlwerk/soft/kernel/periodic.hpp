@@ -10,21 +10,21 @@
 // Separations in a periodic box; `periods` [m] are infinite where it does not repeat.
 namespace mahlwerk::soft {
 
-inline bool repeats(const Vec3& periods) {
+inline bool is_periodic(const Vec3& periods) {
   return std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z);
 }
 
 /// To the nearest image, however far apart.
-inline Vec3 nearest_image(const Vec3& apart, const Vec3& periods) {
-  return {std::remainder(apart.x, periods.x), std::remainder(apart.y, periods.y),
-          std::remainder(apart.z, periods.z)};
+inline Vec3 nearest_image(const Vec3& separation, const Vec3& periods) {
+  return {std::remainder(separation.x, periods.x), std::remainder(separation.y, periods.y),
+          std::remainder(separation.z, periods.z)};
 }
-inline Vec<Lanes> nearest_image(const Vec<Lanes>& apart, const Vec3& periods) {
+inline Vec<Lanes> nearest_image(const Vec<Lanes>& separation, const Vec3& periods) {
   Vec<Lanes> nearest;
   for (int l = 0; l < lanes; ++l) {
-    nearest.x[l] = std::remainder(apart.x[l], periods.x);
-    nearest.y[l] = std::remainder(apart.y[l], periods.y);
-    nearest.z[l] = std::remainder(apart.z[l], periods.z);
+    nearest.x[l] = std::remainder(separation.x[l], periods.x);
+    nearest.y[l] = std::remainder(separation.y[l], periods.y);
+    nearest.z[l] = std::remainder(separation.z[l], periods.z);
   }
   return nearest;
 }
@@ -32,13 +32,14 @@ inline Vec<Lanes> nearest_image(const Vec<Lanes>& apart, const Vec3& periods) {
 /// To the nearest image, of positions that are at most a period and a half apart.
 [[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
   Lanes x = a;
-  x -= choose(x > 0.5 * period, period, Lanes{});
-  x += choose(x < -0.5 * period, period, Lanes{});
+  x -= select(x > 0.5 * period, period, Lanes{});
+  x += select(x < -0.5 * period, period, Lanes{});
   return x;
 }
-[[gnu::always_inline]] inline Vec<Lanes> folded(const Vec<Lanes>& apart,
+[[gnu::always_inline]] inline Vec<Lanes> folded(const Vec<Lanes>& separation,
                                                 const Vec<Lanes>& periods) {
-  return {folded(apart.x, periods.x), folded(apart.y, periods.y), folded(apart.z, periods.z)};
+  return {folded(separation.x, periods.x), folded(separation.y, periods.y),
+          folded(separation.z, periods.z)};
 }
 
 }  // namespace mahlwerk::soft

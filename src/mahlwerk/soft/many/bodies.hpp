@@ -11,12 +11,12 @@ namespace mahlwerk::soft {
 
 enum class ContactKind { own, halo, wall };
 
-using Bodied = std::array<std::int32_t, lanes>;  // a body for each lane
+using LaneBodies = std::array<std::int32_t, lanes>;  // a body for each lane
 
 /// Places and velocities. Without AVX-512, number by number.
 template <bool avx512>
-[[gnu::always_inline]] inline void motion(const BallRecord* rows, const Bodied& at,
-                                          Vec<Lanes>& position, Vec<Lanes>& velocity) {
+[[gnu::always_inline]] inline void gather_motion(const BallRecord* rows, const LaneBodies& at,
+                                                 Vec<Lanes>& position, Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const BallRecord& a = rows[at[k]];
@@ -26,7 +26,7 @@ template <bool avx512>
       v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
     } else if (k < 4) {
       const BallRecord& b = rows[at[k + 4]];
-      x[k] = fours(a, b), v[k] = last_fours(a, b);
+      x[k] = load_fours(a, b), v[k] = load_last_fours(a, b);
     }
   }
   if constexpr (avx512) transpose(x), transpose(v);
@@ -34,8 +34,9 @@ template <bool avx512>
 }
 /// The same, of j less i.
 template <bool avx512>
-[[gnu::always_inline]] inline void differences(const BallRecord* rows, const ContactPacket& g,
-                                               Vec<Lanes>& position, Vec<Lanes>& velocity) {
+[[gnu::always_inline]] inline void gather_differences(const BallRecord* rows,
+                                                      const ContactPacket& g, Vec<Lanes>& position,
+                                                      Vec<Lanes>& velocity) {
   Lanes x[4], v[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const BallRecord &i = rows[g.i[k]], &j = rows[g.j[k]];
@@ -45,14 +46,16 @@ template <bool avx512>
       v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
     } else if (k < 4) {
       const BallRecord &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
-      x[k] = fours(j, j4) - fours(i, i4), v[k] = last_fours(j, j4) - last_fours(i, i4);
+      x[k] = load_fours(j, j4) - load_fours(i, i4),
+      v[k] = load_last_fours(j, j4) - load_last_fours(i, i4);
     }
   }
   if constexpr (avx512) transpose(x), transpose(v);
   position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 template <bool avx512>
-[[gnu::always_inline]] inline Vec<Lanes> spins(const SpinRecord* spins, const Bodied& at) {
+[[gnu::always_inline]] inline Vec<Lanes> gather_spins(const SpinRecord* spins,
+                                                      const LaneBodies& at) {
   Lanes w[4];
   for (std::size_t k = 0; k < lanes; ++k) {
     const SpinRecord& a = spins[at[k]];
@@ -60,7 +63,7 @@ template <bool avx512>
     if constexpr (!avx512)
       w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
     else if (k < 4)
-      w[k] = fours(a, spins[at[k + 4]]);
+      w[k] = load_fours(a, spins[at[k + 4]]);
   }
   if constexpr (avx512) transpose(w);
   return {w[0], w[1], w[2]};
@@ -68,18 +71,19 @@ template <bool avx512>
 
 /// Adds forces and torques to the rows of the balls, in the order of the lanes.
 template <bool avx512>
-[[gnu::always_inline]] inline void add(VectorPair* loads, std::int32_t first, const Bodied& at,
-                                       const Vec<Lanes>& force, const Vec<Lanes>& torque) {
+[[gnu::always_inline]] inline void add_forces(VectorPair* ball_forces, std::int32_t first,
+                                              const LaneBodies& at, const Vec<Lanes>& force,
+                                              const Vec<Lanes>& torque) {
   Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
   if constexpr (avx512) {
     transpose(r);
     for (int l = 0; l < lanes; ++l) {
-      VectorPair& sum = loads[at[static_cast<std::size_t>(l)] - first];
-      put_eight(sum, eight(sum) + r[l]);
+      VectorPair& sum = ball_forces[at[static_cast<std::size_t>(l)] - first];
+      store_eight(sum, load_eight(sum) + r[l]);
     }
   } else {
     for (int l = 0; l < lanes; ++l) {
-      VectorPair& sum = loads[at[static_cast<std::size_t>(l)] - first];
+      VectorPair& sum = ball_forces[at[static_cast<std::size_t>(l)] - first];
       sum.x += r[0][l], sum.y += r[1][l], sum.z += r[2][l];
       sum.a += r[4][l], sum.b += r[5][l], sum.c += r[6][l];
     }
@@ -88,34 +92,35 @@ template <bool avx512>
 
 /// The bodies of a packet.
 template <bool avx512>
-[[gnu::always_inline]] inline Bodies bodies(const ChunkStep& s, const ContactPacket& g,
-                                            LaneMask touching, ContactKind kind) {
-  Bodies b;
+[[gnu::always_inline]] inline PairMotion gather_pair_motion(const ChunkStep& s,
+                                                            const ContactPacket& g,
+                                                            LaneMask touching, ContactKind kind) {
+  PairMotion b;
   const Lanes none{};
   Vec<Lanes> position, velocity;
-  b.wi = spins<avx512>(s.spins, g.i);
+  b.wi = gather_spins<avx512>(s.spins, g.i);
   if (kind == ContactKind::wall) {
-    Eight points[3];
-    s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.reach, points);
-    motion<avx512>(s.rows, g.i, position, velocity);
-    const Vec<Lanes> at{points[0].is, points[1].is, points[2].is};
+    AlignedLanes points[3];
+    s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.pull_off_distance, points);
+    gather_motion<avx512>(s.rows, g.i, position, velocity);
+    const Vec<Lanes> at{points[0].value, points[1].value, points[2].value};
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
     for (int l = 0; s.turning && l < lanes; ++l) {
       if (g.j[static_cast<std::size_t>(l)] < s.jar->turning_from()) continue;
-      const Vec3& rotor = s.before.rotor;
+      const Vec3& rotor = s.before.rotor_spin;
       b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
     }
     b.vj = cross(b.wj, at);
-    b.apart = at - position;
+    b.separation = at - position;
     b.relative = velocity - b.vj;
   } else {
-    differences<avx512>(s.rows, g, position, velocity);
-    b.apart = position;
-    if (s.frame.periodic) b.apart = folded(position, s.frame.periods);
+    gather_differences<avx512>(s.rows, g, position, velocity);
+    b.separation = position;
+    if (s.constants.periodic) b.separation = folded(position, s.constants.periods);
     b.relative = -velocity;
     b.vj = {none, none, none};
-    b.wj = spins<avx512>(s.spins, g.j);
+    b.wj = gather_spins<avx512>(s.spins, g.j);
   }
   return b;
 }

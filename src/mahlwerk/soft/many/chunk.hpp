@@ -19,42 +19,43 @@ namespace mahlwerk::soft {
 struct alignas(64) ContactPacket {
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
   std::array<std::int32_t, lanes> species_pair{};
-  std::uint32_t touching = 0, fresh = 0;  ///< bits of lanes; of those that first do in this step
+  std::uint32_t touching = 0, begun = 0;  ///< bits of lanes; of those that first do in this step
   std::uint32_t pulling = 0;              ///< where the bodies pulled each other at the last step
-  bool alike = true;                      ///< all lanes are of one species pair
+  bool one_species_pair = true;           ///< all lanes are of one species pair
   Vec<Lanes> spring{};
-  Lanes impulse{}, lost_normal{}, lost_across{};  ///< since they began
+  Lanes impulse{}, lost_normal{}, lost_tangential{};  ///< since they began
 
   bool touches(int lane) const { return (touching & bit(lane)) != 0; }
 };
 /// What only some laws remember.
-struct alignas(64) Memory {
-  Lanes memory[contact::law_memories]{};
+struct alignas(64) OptionalHistory {
+  Lanes law_history[contact::law_history_size]{};
   Vec<Lanes> roll{};
   Lanes stiffness{};  ///< where the spring across gives way as contacts unload
 };
 
 /// The normals of walls at the last step: a contact that ends may have left its face.
-struct alignas(64) Facing {
+struct alignas(64) WallNormals {
   Vec<Lanes> normal{};
 };
 
 /// Contacts of one kind, with the lanes that are free.
 struct ContactPackets {
   std::vector<ContactPacket> packets;
-  std::vector<std::array<Beginning, lanes>> began;
-  std::vector<Memory> memories;  ///< of each packet, where the law or the rolling needs them
+  std::vector<std::array<ContactOnset, lanes>> onset;
+  std::vector<OptionalHistory>
+      optional_histories;  ///< of each packet, where the law or the rolling needs them
   std::vector<PairParameters> parameters;  ///< of each packet, where curved walls change them
-  std::vector<Facing> facings;             ///< of each packet with walls
+  std::vector<WallNormals> wall_normals;   ///< of each packet with walls
   std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
   std::int32_t leaving = 0;                ///< contacts that move to a new order of the balls
 
   /// Where contacts remember, or are bent, for that, too.
-  void make_room(std::size_t count, bool remember, bool bend) {
+  void reserve(std::size_t count, bool with_history, bool curved) {
     packets.reserve(count);
-    began.reserve(count);
-    if (remember) memories.reserve(count);
-    if (bend) parameters.reserve(count);
+    onset.reserve(count);
+    if (with_history) optional_histories.reserve(count);
+    if (curved) parameters.reserve(count);
   }
 };
 
@@ -84,11 +85,11 @@ struct VerletList {
   }
 };
 
-/// How far the balls of a chunk have moved since the neighbour list was built: all by `guess`, give
-/// or take `spread`.
-struct Drift {
-  Vec3 guess, mean;   ///< [m]
-  double spread = 0;  ///< [m]
+/// How far the balls of a chunk have moved since the neighbour list was built: all by
+/// `predicted_mean`, give or take `spread`.
+struct ChunkDisplacement {
+  Vec3 predicted_mean, mean;  ///< [m]
+  double spread = 0;          ///< [m]
 };
 
 /// Sums over the steps of a chunk.
@@ -99,7 +100,7 @@ struct ChunkSums {
 };
 
 /// A collision that ended, and when.
-struct Ended {
+struct FinishedCollision {
   std::int64_t step = 0;
   scene::Collision collision;
 };
@@ -109,13 +110,13 @@ struct Ended {
 struct Chunk {
   std::int32_t first = 0, last = 0;
   ContactPackets own, halo, wall;
-  VerletList near, near_wall;
-  double bound = 0, wall_bound = 0;      ///< [m] pairs may have come so much nearer
-  std::vector<std::int32_t> neighbours;  ///< chunks that have balls near to its own
-  std::int32_t in_touch = 0;             ///< balls that touch something
+  VerletList ball_pairs, wall_pairs;
+  double bound = 0, wall_bound = 0;            ///< [m] pairs may have come so much nearer
+  std::vector<std::int32_t> neighbour_chunks;  ///< chunks that have balls near to its own
+  std::int32_t balls_in_contact = 0;           ///< balls that touch something
   ChunkSums sums;
-  std::vector<Ended> ended;
-  std::vector<std::int32_t> met;  ///< pairs found to touch, while looking
+  std::vector<FinishedCollision> finished;
+  std::vector<std::int32_t> new_touches;  ///< pairs found to touch, while looking
 };
 
 }  // namespace mahlwerk::soft

@@ -18,7 +18,7 @@ bool is_wall(const NeighbourPair& pair) {
 }  // namespace
 
 void ManyBodySolver::test_walls(Chunk& chunk) {
-  VerletList& w = chunk.near_wall;
+  VerletList& w = chunk.wall_pairs;
   const auto touches = [&](const NeighbourPair& pair) {
     const BallRecord& ball = now_[static_cast<std::size_t>(pair.ball)];
     return jar_->gap(~pair.other, ball.position(), clock(step_), ball.radius).distance <
@@ -52,7 +52,7 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   g.i[l] = pair.ball;
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
   g.touching |= bit(at % lanes);
-  g.fresh |= bit(static_cast<int>(l));
+  g.begun |= bit(static_cast<int>(l));
 }
 
 /// A lane for a contact of `ball` and of that species pair, its history cleared.
@@ -63,15 +63,15 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
     // An eighth more, not twice as many: it is most of the memory.
     if (const std::size_t n = list.packets.size(); n == list.packets.capacity())
-      list.make_room(n + n / 8 + 4, remembers_, rules_.model.curved_walls && wall);
+      list.reserve(n + n / 8 + 4, has_history_, rules_.model.curved_walls && wall);
     list.packets.emplace_back();
     ContactPacket& fresh = list.packets.back();
     fresh.species_pair.fill(species_pair);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
-    list.began.emplace_back();
-    if (remembers_) list.memories.emplace_back();
-    if (wall) list.facings.emplace_back();
+    list.onset.emplace_back();
+    if (has_history_) list.optional_histories.emplace_back();
+    if (wall) list.wall_normals.emplace_back();
     if (rules_.model.curved_walls && wall)
       list.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
     for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
@@ -82,52 +82,54 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
   const int l = at % lanes;
   ContactPacket& g = list.packets[n];
   g.species_pair[static_cast<std::size_t>(l)] = species_pair;
-  g.alike = true;
+  g.one_species_pair = true;
   for (int k = 0; k < lanes; ++k)
-    g.alike =
-        g.alike && (!g.touches(k) || g.species_pair[static_cast<std::size_t>(k)] == species_pair);
-  if (g.alike) g.species_pair.fill(species_pair);
+    g.one_species_pair =
+        g.one_species_pair &&
+        (!g.touches(k) || g.species_pair[static_cast<std::size_t>(k)] == species_pair);
+  if (g.one_species_pair) g.species_pair.fill(species_pair);
   g.pulling &= ~bit(l);
-  put(g.spring, l, {});
-  g.impulse[l] = g.lost_normal[l] = g.lost_across[l] = 0;
-  if (remembers_) {
-    Memory& m = list.memories[n];
-    for (Lanes& memory : m.memory) memory[l] = 0;
-    put(m.roll, l, {});
+  set_lane(g.spring, l, {});
+  g.impulse[l] = g.lost_normal[l] = g.lost_tangential[l] = 0;
+  if (has_history_) {
+    OptionalHistory& m = list.optional_histories[n];
+    for (Lanes& law_history : m.law_history) law_history[l] = 0;
+    set_lane(m.roll, l, {});
     m.stiffness[l] = 0;
   }
   return at;
 }
 
-void ManyBodySolver::touches(Chunk& chunk, std::int32_t ball, int more) {
+void ManyBodySolver::change_contact_count(Chunk& chunk, std::int32_t ball, int more) {
   std::int32_t& count = contacts_of_[static_cast<std::size_t>(ball)];
   const bool was = count > 0;
   count += more;
-  if ((count > 0) != was) chunk.in_touch += count > 0 ? 1 : -1;
+  if ((count > 0) != was) chunk.balls_in_contact += count > 0 ? 1 : -1;
 }
 
 void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
-                           const ContactGeometry& m, const Bodies& b) {
+                           const ContactGeometry& m, const PairMotion& b) {
   ContactPacket& g = list.packets[n];
   for (int l = 0; l < lanes; ++l) {
-    if ((g.fresh & bit(l)) == 0) continue;
+    if ((g.begun & bit(l)) == 0) continue;
     const auto k = static_cast<std::size_t>(l);
-    touches(chunk, g.i[k], 1);
-    if (&list == &chunk.own) touches(chunk, g.j[k], 1);
+    change_contact_count(chunk, g.i[k], 1);
+    if (&list == &chunk.own) change_contact_count(chunk, g.j[k], 1);
     PairParameters* own = list.parameters.empty() ? nullptr : &list.parameters[n];
     const PairParameters& usual = parameters_[static_cast<std::size_t>(g.species_pair[k])];
     if (own != nullptr) {
       copy_lane(usual, l, *own, l);
-      bend(*own, l, *jar_, g.j[k], now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
-           pairs_[g.species_pair[k]], *rules_.model.law);
+      apply_wall_curvature(*own, l, *jar_, g.j[k],
+                           now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
+                           pairs_[g.species_pair[k]], *rules_.model.law);
     }
-    Beginning& began = list.began[n][k];
-    began = beginning(step_, m, b, l);
-    if (remembers_)
-      begin_memory(list.memories[n].memory, own != nullptr ? *own : usual, l, began.approach,
-                   *rules_.model.law);
+    ContactOnset& onset = list.onset[n][k];
+    onset = contact_onset(step_, m, b, l);
+    if (has_history_)
+      begin_law_history(list.optional_histories[n].law_history, own != nullptr ? *own : usual, l,
+                        onset.approach, *rules_.model.law);
   }
-  g.fresh = 0;
+  g.begun = 0;
 }
 
 void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n,
@@ -137,12 +139,13 @@ void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n,
   for (int l = 0; l < lanes; ++l) {
     if (!g.touches(l) || touching[l] != 0) continue;
     const auto k = static_cast<std::size_t>(l);
-    touches(chunk, g.i[k], -1);
-    if (&list == &chunk.own) touches(chunk, g.j[k], -1);
+    change_contact_count(chunk, g.i[k], -1);
+    if (&list == &chunk.own) change_contact_count(chunk, g.j[k], -1);
     if (&list != &chunk.halo || g.i[k] < g.j[k]) record(chunk, list, n, l);
-    (wall ? chunk.near_wall : chunk.near).separated.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
+    (wall ? chunk.wall_pairs : chunk.ball_pairs)
+        .separated.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
     g.touching &= ~bit(l);
-    put(g.spring, l, {});
+    set_lane(g.spring, l, {});
     list.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
   }
 }
@@ -152,30 +155,31 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const bool wall = &list == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const Beginning& began = list.began[n][k];
+  const ContactOnset& onset = list.onset[n][k];
   const SpeciesPair& pair = pairs_[g.species_pair[k]];
-  const double t = clock(step_), duration = time_of(step_ - began.step);
+  const double t = clock(step_), duration = time_of(step_ - onset.step);
   const int face = wall ? g.j[k] : -1;
-  const Vec3 apart =
-      wall ? one(list.facings[n].normal, l)
+  const Vec3 separation =
+      wall ? get_lane(list.wall_normals[n].normal, l)
            : nearest(now_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
-  const Vec3 normal = (1 / norm(apart)) * apart;
-  chunk.ended.push_back({step_,
-                         {.time = time_of(began.step),
-                          .duration = duration,
-                          .ball = id_[static_cast<std::size_t>(g.i[k])],
-                          .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
-                          .where = jar_->own(ball.position() + ball.radius * normal, t, face),
-                          .normal = jar_->own(normal, t, face),
-                          .mass = pair.touching.mass,
-                          .approach = began.approach,
-                          .slip = began.slip,
-                          .glide = began.glide,
-                          .impulse = g.impulse[l],
-                          .lost_normal = g.lost_normal[l],
-                          .lost_tangential = g.lost_across[l]}});
+  const Vec3 normal = (1 / norm(separation)) * separation;
+  chunk.finished.push_back(
+      {step_,
+       {.time = time_of(onset.step),
+        .duration = duration,
+        .ball = id_[static_cast<std::size_t>(g.i[k])],
+        .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
+        .where = jar_->to_face_axes(ball.position() + ball.radius * normal, t, face),
+        .normal = jar_->to_face_axes(normal, t, face),
+        .mass = pair.effective.mass,
+        .approach = onset.approach,
+        .slip = onset.slip,
+        .glide = onset.glide,
+        .impulse = g.impulse[l],
+        .lost_normal = g.lost_normal[l],
+        .lost_tangential = g.lost_tangential[l]}});
   ++chunk.sums.collisions;
-  if (outlasts(duration, began, pair, *rules_.model.law)) ++chunk.sums.lasting;
+  if (is_lasting(duration, onset, pair, *rules_.model.law)) ++chunk.sums.lasting;
 }
 
 }  // namespace mahlwerk::soft

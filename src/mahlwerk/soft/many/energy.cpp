@@ -11,37 +11,39 @@
 namespace mahlwerk::soft {
 
 /// Of contacts, each counted once, or two times half.
-ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
-  Stored energy;
+ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk) const {
+  ElasticEnergy energy;
   const double t = clock(step_);
   const auto add = [&](const ContactPackets& list, double weight) {
     for (std::size_t n = 0; n < list.packets.size(); ++n) {
       const ContactPacket& g = list.packets[n];
       for (int l = 0; l < lanes; ++l) {
         if (!g.touches(l)) continue;
-        energy.taken += weight * (g.lost_normal[l] + g.lost_across[l]);
+        energy.work_done += weight * (g.lost_normal[l] + g.lost_tangential[l]);
         const auto k = static_cast<std::size_t>(l);
         const auto i = static_cast<std::size_t>(g.i[k]);
         const PairParameters& parameters =
             list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
                                     : list.parameters[n];
-        const contact::LawNumbers numbers = numbers_of(parameters, l);
-        double memory[contact::law_memories] = {};
-        if (remembers_)
-          for (int a = 0; a < contact::law_memories; ++a) memory[a] = list.memories[n].memory[a][l];
+        const contact::LawCoefficients coefficients = coefficients_of(parameters, l);
+        double law_history[contact::law_history_size] = {};
+        if (has_history_)
+          for (int a = 0; a < contact::law_history_size; ++a)
+            law_history[a] = list.optional_histories[n].law_history[a][l];
         const Vec3 x = now_[i].position();
         const double distance =
             parameters.wall[l] != 0
-                ? jar_->gap(g.j[k], x, t, now_[i].radius + reach_).distance
+                ? jar_->gap(g.j[k], x, t, now_[i].radius + pull_off_distance_).distance
                 : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].position() - x));
         const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
         if (overlap < -now_[i].radius) continue;  // it has left this face over an edge
         std::visit(
             [&]<class L>(const L& law) {
-              energy.normal += weight * law.stored(numbers, memory, overlap);
+              energy.normal += weight * law.elastic_energy(coefficients, law_history, overlap);
               const double at = std::max(overlap, 0.0);
-              const double stiffness = L::push(numbers.data(), memory, at, 0.0).stiffness;
-              energy.tangential += weight * 0.5 * stiffness * squared(one(g.spring, l));
+              const double stiffness =
+                  L::evaluate(coefficients.data(), law_history, at, 0.0).stiffness;
+              energy.tangential += weight * 0.5 * stiffness * squared(get_lane(g.spring, l));
             },
             *rules_.model.law);
       }
@@ -53,17 +55,18 @@ ManyBodySolver::Stored ManyBodySolver::stored(const Chunk& chunk) const {
   return energy;
 }
 
-scene::Account ManyBodySolver::account() const {
-  scene::Account a = account_;
+scene::EnergyBalance ManyBodySolver::energy_balance() const {
+  scene::EnergyBalance a = energy_balance_;
   for (const Chunk& chunk : chunks_) add_sums(a, chunk);
   a.time = time_of(step_);
   a.time_steps = step_;
-  if (a.time < asked_ && asked_ - a.time < 1e-5 * rules_.time_step) a.time = asked_;  // rounding
-  const kinematics::Ride ride = jar_->ride(clock(step_));
-  const Vec3 change = pulls();
+  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
+    a.time = target_time_;  // rounding
+  const kinematics::FrameMotion frame = jar_->frame_motion(clock(step_));
+  const Vec3 change = body_kick_change();
   struct Sum {
     double kinetic = 0, potential = 0;
-    Stored stored;
+    ElasticEnergy elastic_energy;
   };
   std::vector<Sum> sums(chunks_.size());
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
@@ -72,46 +75,47 @@ scene::Account ManyBodySolver::account() const {
     for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
       const auto k = static_cast<std::size_t>(row);
       const Species& of = pairs_.species(species_[k]);
-      const Vec3 v = velocity(k, change) + ride.velocity;
+      const Vec3 v = velocity(k, change) + frame.velocity;
       sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
-      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].position() + ride.centre);
+      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].position() + frame.centre);
     }
-    sum.stored = stored(chunk);
+    sum.elastic_energy = elastic_energy(chunk);
   });
   a.kinetic = a.potential = a.elastic = 0;
   for (const Sum& sum : sums) {
     a.kinetic += sum.kinetic;
     a.potential += sum.potential;
-    a.elastic += sum.stored.normal + sum.stored.tangential;
-    a.lost_open += sum.stored.taken - sum.stored.normal - sum.stored.tangential;
-    a.lost_normal -= sum.stored.normal;  // of what contacts took so far, this can come back
-    a.lost_tangential -= sum.stored.tangential;
+    a.elastic += sum.elastic_energy.normal + sum.elastic_energy.tangential;
+    a.lost_open +=
+        sum.elastic_energy.work_done - sum.elastic_energy.normal - sum.elastic_energy.tangential;
+    a.lost_normal -= sum.elastic_energy.normal;  // of what contacts took so far, this can come back
+    a.lost_tangential -= sum.elastic_energy.tangential;
   }
   return a;
 }
 
 void ManyBodySolver::check_energy() {
-  const scene::Account a = account();
+  const scene::EnergyBalance a = energy_balance();
   const double t = clock(step_);
-  const double wall = jar_->fastest(t);
+  const double wall = jar_->max_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t k = 1; k < now_.size(); ++k)
     if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
-  stop(fastest, energy_jumped);
+  stop(fastest, energy_jump_message);
 }
 
 /// Sums of the chunks so far. At fixed steps, for every sum is rounded.
-void ManyBodySolver::settle() {
+void ManyBodySolver::flush_sums() {
   for (Chunk& chunk : chunks_) {
-    add_sums(account_, chunk);
+    add_sums(energy_balance_, chunk);
     chunk.sums = {};
   }
 }
 
-void ManyBodySolver::add_sums(scene::Account& a, const Chunk& chunk) const {
+void ManyBodySolver::add_sums(scene::EnergyBalance& a, const Chunk& chunk) const {
   const ChunkSums& d = chunk.sums;
   for (int l = 0; l < lanes; ++l) {
     add_work(a, d.work, l);

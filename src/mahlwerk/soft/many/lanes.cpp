@@ -23,8 +23,9 @@ ContactPackets& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
 }  // namespace
 
 /// Every contact once, by the rows its balls will have: `to` of each old row is the new one.
-ManyBodySolver::Carried ManyBodySolver::take_contacts(const std::vector<std::int32_t>& to) {
-  Carried all;
+ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
+    const std::vector<std::int32_t>& to) {
+  ContactsByBall all;
   const auto each = [&](const auto& f) {
     for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
       const ContactPackets& list = list_of(chunks_, number);
@@ -36,90 +37,96 @@ ManyBodySolver::Carried ManyBodySolver::take_contacts(const std::vector<std::int
           continue;  // the other chunk's is taken
         const std::int32_t j =
             number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
-        f(Kept{to[static_cast<std::size_t>(g.i[l])], j, number, at});
+        f(ContactAddress{to[static_cast<std::size_t>(g.i[l])], j, number, at});
       }
     }
   };
-  for (Chunk& chunk : chunks_) chunk.near = chunk.near_wall = {};
+  for (Chunk& chunk : chunks_) chunk.ball_pairs = chunk.wall_pairs = {};
   all.first.assign(to.size() + 2, 0);
-  each([&](const Kept& k) { ++all.first[static_cast<std::size_t>(k.i) + 2]; });
+  each([&](const ContactAddress& k) { ++all.first[static_cast<std::size_t>(k.i) + 2]; });
   std::partial_sum(all.first.begin(), all.first.end(), all.first.begin());
   all.contacts.resize(static_cast<std::size_t>(all.first.back()));
-  each([&](const Kept& k) {
+  each([&](const ContactAddress& k) {
     auto& next = all.first[static_cast<std::size_t>(k.i) + 1];  // in the end where i ends
     all.contacts[static_cast<std::size_t>(next++)] = k;
   });
-  const auto order = [](const Kept& k) {
+  const auto order = [](const ContactAddress& k) {
     return std::tuple(k.list % list_kinds == wall_list, k.j);
   };
   for (std::size_t i = 0; i < to.size(); ++i)
-    std::sort(all.contacts.begin() + all.first[i], all.contacts.begin() + all.first[i + 1],
-              [&](const Kept& a, const Kept& b) { return order(a) < order(b); });
+    std::sort(
+        all.contacts.begin() + all.first[i], all.contacts.begin() + all.first[i + 1],
+        [&](const ContactAddress& a, const ContactAddress& b) { return order(a) < order(b); });
   return all;
 }
 
 /// Into the chunks there are now, from those there were, each by its own thread.
-void ManyBodySolver::give_contacts(const Carried& all, std::vector<Chunk>& old) {
+void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old) {
   // Contacts that a chunk has besides those of its balls: of others' with its balls.
-  std::vector<std::vector<std::int32_t>> besides(chunks_.size());
+  std::vector<std::vector<std::int32_t>> incoming(chunks_.size());
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
-    const Kept& k = all.contacts[n];
+    const ContactAddress& k = all.contacts[n];
     ContactPackets& from = list_of(old, k.list);
     ++from.leaving;
     if (k.list % list_kinds == wall_list) continue;
     const std::int32_t other = chunk_of(k.j);
     if (other == chunk_of(k.i)) continue;
     ++from.leaving;
-    besides[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
+    incoming[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
   }
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-    const std::vector<std::int32_t>& beside = besides[static_cast<std::size_t>(c)];
+    const std::vector<std::int32_t>& arrivals = incoming[static_cast<std::size_t>(c)];
     const std::int32_t begin = all.first[static_cast<std::size_t>(chunk.first)];
     const std::int32_t end = all.first[static_cast<std::size_t>(chunk.last)];
-    make_room(chunk, {all.contacts.begin() + begin, all.contacts.begin() + end}, beside.size());
+    reserve_contacts(chunk, {all.contacts.begin() + begin, all.contacts.begin() + end},
+                     arrivals.size());
     const auto give = [&](std::int32_t n) {
-      const Kept& k = all.contacts[static_cast<std::size_t>(n)];
+      const ContactAddress& k = all.contacts[static_cast<std::size_t>(n)];
       ContactPackets& from = list_of(old, k.list);
-      give_contact(chunk, k, from);
+      place_contact(chunk, k, from);
       if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // room for the others
     };
-    auto at = beside.begin();
-    for (; at != beside.end() && *at < begin; ++at) give(*at);
+    auto at = arrivals.begin();
+    for (; at != arrivals.end() && *at < begin; ++at) give(*at);
     for (std::int32_t n = begin; n < end; ++n) give(n);
-    for (; at != beside.end(); ++at) give(*at);
+    for (; at != arrivals.end(); ++at) give(*at);
   });
 }
 
-/// For contacts that its balls have, `beside` besides, and some that will begin.
-void ManyBodySolver::make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const {
-  std::array<std::size_t, list_kinds> count{0, beside, 0};
-  for (const Kept& k : kept)
+/// For contacts that its balls have, `incoming_count` besides, and some that will begin.
+void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
+                                      std::size_t incoming_count) const {
+  std::array<std::size_t, list_kinds> count{0, incoming_count, 0};
+  for (const ContactAddress& k : kept)
     ++count[k.list % list_kinds == wall_list         ? wall_list
             : k.j >= chunk.first && k.j < chunk.last ? own_list
                                                      : halo_list];
   const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
-  chunk.own.make_room(room(own_list), remembers_, false);
-  chunk.halo.make_room(room(halo_list), remembers_, false);
-  chunk.wall.make_room(room(wall_list), remembers_, rules_.model.curved_walls);
+  chunk.own.reserve(room(own_list), has_history_, false);
+  chunk.halo.reserve(room(halo_list), has_history_, false);
+  chunk.wall.reserve(room(wall_list), has_history_, rules_.model.curved_walls);
 }
 
 /// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
 /// second.
-void ManyBodySolver::give_contact(Chunk& chunk, const Kept& k, const ContactPackets& from) {
+void ManyBodySolver::place_contact(Chunk& chunk, const ContactAddress& k,
+                                   const ContactPackets& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
   if (k.list % list_kinds == wall_list)
-    return give(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
+    return copy_contact(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
-  if (!has(k.i)) return give(chunk.halo, k, from, k.j, k.i, pairs_.balls(other, species), -1);
+  if (!has(k.i))
+    return copy_contact(chunk.halo, k, from, k.j, k.i, pairs_.balls(other, species), -1);
   ContactPackets& list = has(k.j) ? chunk.own : chunk.halo;
-  give(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
+  copy_contact(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
 }
 
 /// A lane for the contact as ball `i` sees it, with all that it remembers.
-void ManyBodySolver::give(ContactPackets& list, const Kept& k, const ContactPackets& from,
-                          std::int32_t i, std::int32_t j, std::int32_t species_pair, double sign) {
+void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
+                                  const ContactPackets& from, std::int32_t i, std::int32_t j,
+                                  std::int32_t species_pair, double sign) {
   const std::int32_t at = free_lane(list, species_pair, i);
   const auto n = static_cast<std::size_t>(at / lanes),
              old = static_cast<std::size_t>(k.lane / lanes);
@@ -129,18 +136,20 @@ void ManyBodySolver::give(ContactPackets& list, const Kept& k, const ContactPack
   g.touching |= bit(l);
   if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
-  list.began[n][static_cast<std::size_t>(l)] = from.began[old][static_cast<std::size_t>(m)];
-  put(g.spring, l, sign * one(was.spring, m));
+  list.onset[n][static_cast<std::size_t>(l)] = from.onset[old][static_cast<std::size_t>(m)];
+  set_lane(g.spring, l, sign * get_lane(was.spring, m));
   g.impulse[l] = was.impulse[m];
-  g.lost_normal[l] = was.lost_normal[m], g.lost_across[l] = was.lost_across[m];
-  if (remembers_) {
-    Memory& memory = list.memories[n];
-    const Memory& past = from.memories[old];
-    for (int a = 0; a < contact::law_memories; ++a) memory.memory[a][l] = past.memory[a][m];
-    put(memory.roll, l, sign * one(past.roll, m));
-    memory.stiffness[l] = past.stiffness[m];
+  g.lost_normal[l] = was.lost_normal[m], g.lost_tangential[l] = was.lost_tangential[m];
+  if (has_history_) {
+    OptionalHistory& extra = list.optional_histories[n];
+    const OptionalHistory& past = from.optional_histories[old];
+    for (int a = 0; a < contact::law_history_size; ++a)
+      extra.law_history[a][l] = past.law_history[a][m];
+    set_lane(extra.roll, l, sign * get_lane(past.roll, m));
+    extra.stiffness[l] = past.stiffness[m];
   }
-  if (!list.facings.empty()) put(list.facings[n].normal, l, one(from.facings[old].normal, m));
+  if (!list.wall_normals.empty())
+    set_lane(list.wall_normals[n].normal, l, get_lane(from.wall_normals[old].normal, m));
   if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);
 }
 

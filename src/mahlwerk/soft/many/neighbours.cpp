@@ -15,8 +15,8 @@ namespace mahlwerk::soft {
 namespace {
 
 /// Sorts pairs into bins of `width` by their gaps.
-void into_bins(VerletList& w, const std::vector<NeighbourPair>& found,
-               const std::vector<double>& gaps, double width) {
+void bin_by_gap(VerletList& w, const std::vector<NeighbourPair>& found,
+                const std::vector<double>& gaps, double width) {
   std::array<std::int32_t, VerletList::bins + 1> count{};
   constexpr double most = VerletList::bins - 1;
   std::vector<std::uint8_t> bins(found.size());
@@ -35,78 +35,79 @@ void into_bins(VerletList& w, const std::vector<NeighbourPair>& found,
 }  // namespace
 
 void ManyBodySolver::rebuild() {
-  settle();
-  gather();
+  flush_sums();
+  collect_records();
   tune_skin();
-  put_in_order();
-  std::vector<Wrong> wrong(chunks_.size());
+  sort_into_chunks();
+  std::vector<BallError> errors(chunks_.size());
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
-    find_near(chunk);
-    wrong[static_cast<std::size_t>(c)] = near_walls(chunk);
+    find_ball_pairs(chunk);
+    errors[static_cast<std::size_t>(c)] = find_wall_pairs(chunk);
   });
   grids_.clear();
-  spent_ = 0;
-  mark_places();
-  for (const Wrong& w : wrong)
+  used_skin_ = 0;
+  mark_positions();
+  for (const BallError& w : errors)
     if (w.why != nullptr) stop(w.row, w.why);
 }
 
 /// Motion is measured from here on.
-void ManyBodySolver::mark_places() {
-  widest_ = 0;
+void ManyBodySolver::mark_positions() {
+  largest_coordinate_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const BallRecord& row = now_[k];
-    widest_ = std::max({widest_, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
+    largest_coordinate_ =
+        std::max({largest_coordinate_, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
     list_positions_[k] = {static_cast<float>(row.x), static_cast<float>(row.y),
                           static_cast<float>(row.z)};
   }
   list_step_ = step_;
-  sorted_at_ = tests();
-  drifts_.assign(chunks_.size(), {});
-  guesses_.assign(chunks_.size(), {});
+  tests_at_sort_ = test_count();
+  displacements_.assign(chunks_.size(), {});
+  predicted_means_.assign(chunks_.size(), {});
   for (Chunk& chunk : chunks_) chunk.bound = chunk.wall_bound = 0;
 }
 
-std::int64_t ManyBodySolver::tests() const {
-  std::int64_t all = account_.search_steps;
+std::int64_t ManyBodySolver::test_count() const {
+  std::int64_t all = energy_balance_.search_steps;
   for (const Chunk& chunk : chunks_) all += chunk.sums.tests;
   return all;
 }
 
 /// The distance tests since the last sort have cost what a sort does, after which fewer are due. (7
 /// was found by trial; 4 to 12 make no difference.)
-bool ManyBodySolver::worth_sorting() const {
+bool ManyBodySolver::sort_is_due() const {
   std::int64_t pairs = 0;
   for (const Chunk& c : chunks_)
-    pairs +=
-        std::ssize(c.near.pairs) + std::ssize(c.near.separated) + std::ssize(c.near_wall.pairs);
-  return tests() - sorted_at_ > 7 * pairs;
+    pairs += std::ssize(c.ball_pairs.pairs) + std::ssize(c.ball_pairs.separated) +
+             std::ssize(c.wall_pairs.pairs);
+  return test_count() - tests_at_sort_ > 7 * pairs;
 }
 
 /// Sorts the Verlet lists by gap anew.
 void ManyBodySolver::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
-  spent_ += most;
+  used_skin_ += most;
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     std::vector<double> gaps;
-    for (VerletList* w : {&chunk.near, &chunk.near_wall}) {
+    for (VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs}) {
       std::vector<NeighbourPair> pairs = w->pairs;
       pairs.insert(pairs.end(), w->separated.begin(), w->separated.end());
       gaps.resize(pairs.size());
-      if (w == &chunk.near)
+      if (w == &chunk.ball_pairs)
         find_gaps(now_.data(), pairs, jar_->periods(), gaps);
       else
         std::ranges::transform(pairs, gaps.begin(),
                                [&](const NeighbourPair& p) { return wall_gap(p); });
-      into_bins(*w, pairs, gaps, skin_ * VerletList::width);
+      bin_by_gap(*w, pairs, gaps, skin_ * VerletList::width);
     }
   });
   for (const Chunk& c : chunks_)
-    pairs_sorted_ += std::ssize(c.near.pairs) + std::ssize(c.near_wall.pairs);
-  mark_places();
+    pairs_sorted_ += std::ssize(c.ball_pairs.pairs) + std::ssize(c.wall_pairs.pairs);
+  mark_positions();
 }
 
 double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
@@ -121,24 +122,25 @@ void ManyBodySolver::tune_skin() {
   tuning_.step = step_;
   if (steps < 2) return;
   // In ns: of a pair at a step, of sorting it, of looking for those of a ball.
-  constexpr double look = 2, sort = 6, find = 700;
-  const auto all = static_cast<double>(account_.search_steps);
-  const double cost = (look * (all - tuning_.looked) + sort * static_cast<double>(pairs_sorted_) +
-                       find * static_cast<double>(now_.size())) /
-                      steps;
+  constexpr double test_cost = 2, sort_cost = 6, find_cost = 700;
+  const auto all = static_cast<double>(energy_balance_.search_steps);
+  const double cost =
+      (test_cost * (all - tuning_.tests) + sort_cost * static_cast<double>(pairs_sorted_) +
+       find_cost * static_cast<double>(now_.size())) /
+      steps;
   pairs_sorted_ = 0;
-  if (tuning_.last_cost > 0 && cost > tuning_.last_cost) tuning_.growing = 1 / tuning_.growing;
+  if (tuning_.last_cost > 0 && cost > tuning_.last_cost) tuning_.growth = 1 / tuning_.growth;
   tuning_.last_cost = cost;
-  tuning_.looked = all;
+  tuning_.tests = all;
   double smallest = geometry::never;
   for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
-  skin_ = std::clamp(skin_ * tuning_.growing, 0.1 * smallest, 2 * smallest);
+  skin_ = std::clamp(skin_ * tuning_.growth, 0.1 * smallest, 2 * smallest);
 }
 
 /// Balls that may be near to those from `from` on that share a cell, less those of the chunk before
 /// them, whose pairs are found; returns where these end.
-std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
-                                         Candidates& candidates) const {
+std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t from,
+                                               Candidates& candidates) const {
   const BallRecord& first = now_[static_cast<std::size_t>(from)];
   const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
   const std::size_t cell = own.cell(first.position());
@@ -152,17 +154,17 @@ std::int32_t ManyBodySolver::gather_near(const Chunk& chunk, std::int32_t from,
   }
   candidates.clear();
   for (const Grid& grid : grids_) {
-    const double far = own.radius() + grid.radius() + skin_ + reach_;
-    grid.near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
-              [&](std::int32_t a, std::int32_t b) {
-                if (a < chunk.first || b > from) candidates.add(now_.data(), a, b);
-              });
+    const double far = own.radius() + grid.radius() + skin_ + pull_off_distance_;
+    grid.for_each_near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
+                       [&](std::int32_t a, std::int32_t b) {
+                         if (a < chunk.first || b > from) candidates.add(now_.data(), a, b);
+                       });
   }
   return to;
 }
 
 /// Neighbour pairs that have no contact yet. A pair with a ball of another chunk is found by both.
-void ManyBodySolver::find_near(Chunk& chunk) {
+void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})
     for (const ContactPacket& g : list->packets)
@@ -176,19 +178,19 @@ void ManyBodySolver::find_near(Chunk& chunk) {
   std::vector<NeighbourPair> found;
   std::vector<double> gaps;
   auto at = touching.begin();
-  std::vector<bool> beside(chunks_.size());
+  std::vector<bool> is_neighbour(chunks_.size());
   const auto outside = [&](std::int32_t j) { return j < chunk.first || j >= chunk.last; };
   Candidates candidates(jar_->periods());
   for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
-    to = gather_near(chunk, from, candidates);
+    to = gather_candidates(chunk, from, candidates);
     for (std::int32_t i = from; i < to; ++i) {
       const BallRecord& ball = now_[static_cast<std::size_t>(i)];
       const auto begin = at;
       while (at != touching.end() && at->first == i) ++at;
-      const Candidates::Sought sought{ball.position(), ball.radius + skin_ + reach_, i,
-                                      chunk.first};
-      for (const auto& [j, gap] : candidates.near(sought)) {
-        if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
+      const Candidates::Query query{ball.position(), ball.radius + skin_ + pull_off_distance_, i,
+                                    chunk.first};
+      for (const auto& [j, gap] : candidates.find_near(query)) {
+        if (outside(j)) is_neighbour[static_cast<std::size_t>(chunk_of(j))] = true;
         if (std::find(begin, at, std::pair(i, j)) != at) continue;
         found.push_back({i, j});
         gaps.push_back(gap - ball.radius);
@@ -196,15 +198,15 @@ void ManyBodySolver::find_near(Chunk& chunk) {
     }
   }
   for (const auto& [i, j] : touching)
-    if (outside(j)) beside[static_cast<std::size_t>(chunk_of(j))] = true;
-  chunk.neighbours.clear();
-  for (std::size_t c = 0; c < beside.size(); ++c)
-    if (beside[c]) chunk.neighbours.push_back(static_cast<std::int32_t>(c));
-  into_bins(chunk.near, found, gaps, skin_ * VerletList::width);
+    if (outside(j)) is_neighbour[static_cast<std::size_t>(chunk_of(j))] = true;
+  chunk.neighbour_chunks.clear();
+  for (std::size_t c = 0; c < is_neighbour.size(); ++c)
+    if (is_neighbour[c]) chunk.neighbour_chunks.push_back(static_cast<std::int32_t>(c));
+  bin_by_gap(chunk.ball_pairs, found, gaps, skin_ * VerletList::width);
 }
 
 /// Finds a ball that has gone wrong, too.
-ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
+ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPacket& g : chunk.wall.packets)
     for (std::size_t l = 0; l < lanes; ++l)
@@ -215,38 +217,38 @@ ManyBodySolver::Wrong ManyBodySolver::near_walls(Chunk& chunk) {
   const double t = clock(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const BallRecord& ball = now_[static_cast<std::size_t>(i)];
-    jar_->distances(ball.position(), t, ball.radius + skin_ + reach_, all);
+    jar_->distances(ball.position(), t, ball.radius + skin_ + pull_off_distance_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
-      if (gap > skin_ + reach_ || !jar_->meets(face, ball.radius)) continue;
+      if (gap > skin_ + pull_off_distance_ || !jar_->meets(face, ball.radius)) continue;
       if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), "it is outside the jar"};
       if (std::ranges::binary_search(touching, std::pair(i, face))) continue;
       found.push_back({i, ~face});
       gaps.push_back(gap);
     }
   }
-  into_bins(chunk.near_wall, found, gaps, skin_ * VerletList::width);
+  bin_by_gap(chunk.wall_pairs, found, gaps, skin_ * VerletList::width);
   return {};
 }
 
 /// Bodies that overlap much at the start would fly apart.
 void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
-    for (const VerletList* w : {&chunk.near, &chunk.near_wall})
+    for (const VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs})
       for (const NeighbourPair& pair : w->pairs) {
         const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
           const double gap = jar_->gap(~pair.other, a.position(), clock(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
-          if (overlap > rules_.most_overlap) throw overlapping(ball, "the jar", overlap);
+          if (overlap > rules_.most_overlap) throw overlap_error(ball, "the jar", overlap);
           continue;
         }
         const BallRecord& b = now_[static_cast<std::size_t>(pair.other)];
         const double distance = norm(nearest(b.position() - a.position()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
         if (overlap > rules_.most_overlap)
-          throw overlapping(
+          throw overlap_error(
               ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
       }
   }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int32_t chunk_size = 1024;
 
 /// Into how many chunks so many balls are cut.
-std::int32_t parts(std::int32_t balls) {
+std::int32_t chunk_count(std::int32_t balls) {
   return (balls + chunk_size - 1) / chunk_size;
 }
 
@@ -38,21 +38,21 @@ void permute(Rows& all, const std::vector<std::int32_t>& from) {
 }
 
 /// By their keys, those of one key in the order in which they are.
-struct Keyed {
+struct KeyedRow {
   std::uint64_t key = 0;
   std::int32_t row = 0;
 };
-void sort_by_key(std::vector<Keyed>& all) {
+void sort_by_key(std::vector<KeyedRow>& all) {
   constexpr int digit = 11;
   std::uint64_t bits = 0;
-  for (const Keyed& k : all) bits |= k.key;
-  std::vector<Keyed> other(all.size());
+  for (const KeyedRow& k : all) bits |= k.key;
+  std::vector<KeyedRow> other(all.size());
   for (int shift = 0; shift < 64 && bits >> shift != 0; shift += digit) {
     std::array<std::size_t, (1 << digit) + 1> at{};
-    const auto of = [&](const Keyed& k) { return k.key >> shift & ((1 << digit) - 1); };
-    for (const Keyed& k : all) ++at[of(k) + 1];
+    const auto of = [&](const KeyedRow& k) { return k.key >> shift & ((1 << digit) - 1); };
+    for (const KeyedRow& k : all) ++at[of(k) + 1];
     for (std::size_t d = 1; d < at.size(); ++d) at[d] += at[d - 1];
-    for (const Keyed& k : all) other[at[of(k)]++] = k;
+    for (const KeyedRow& k : all) other[at[of(k)]++] = k;
     all.swap(other);
   }
 }
@@ -60,16 +60,16 @@ void sort_by_key(std::vector<Keyed>& all) {
 }  // namespace
 
 /// Balls along the curve, cut into chunks anew, and their contacts with them.
-void ManyBodySolver::put_in_order() {
+void ManyBodySolver::sort_into_chunks() {
   const std::vector<std::int32_t> from = sort_balls();
   std::vector<std::int32_t> to(from.size());
   for (std::size_t k = 0; k < from.size(); ++k)
     to[static_cast<std::size_t>(from[k])] = static_cast<std::int32_t>(k);
-  const Carried carried = take_contacts(to);
+  const ContactsByBall contacts = collect_contacts(to);
   reorder(from);
-  std::vector<Chunk> old = divide();
+  std::vector<Chunk> old = make_chunks();
   share_work();
-  give_contacts(carried, old);
+  distribute_contacts(contacts, old);
   share_work();
 }
 
@@ -84,20 +84,21 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   grids_.clear();
   class_first_.assign(1, 0);
   for (std::size_t c = 0; c < positions.size(); ++c) {
-    grids_.emplace_back(positions[c], class_radius_[c], skin_ + reach_, jar_->periods());
+    grids_.emplace_back(positions[c], class_radius_[c], skin_ + pull_off_distance_,
+                        jar_->periods());
     class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(positions[c].size()));
   }
   positions = {};
   std::vector<std::int32_t> from;
   from.reserve(now_.size());
-  std::vector<Keyed> order;
+  std::vector<KeyedRow> order;
   for (std::size_t c = 0; c < grids_.size(); ++c) {
     order.clear();
     for (std::size_t k = 0; k < now_.size(); ++k)
       if (class_of(k) == c)
         order.push_back({grids_[c].key(now_[k].position()), static_cast<std::int32_t>(k)});
     sort_by_key(order);
-    for (const Keyed& k : order) from.push_back(k.row);
+    for (const KeyedRow& k : order) from.push_back(k.row);
   }
   return from;
 }
@@ -119,18 +120,18 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
 }
 
 /// Chunks of about equal size; returns those there were.
-std::vector<Chunk> ManyBodySolver::divide() {
+std::vector<Chunk> ManyBodySolver::make_chunks() {
   std::vector<Chunk> old = std::move(chunks_);
   chunks_.clear();
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
     const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
-    const std::int32_t all = parts(count);
+    const std::int32_t all = chunk_count(count);
     for (std::int32_t p = 0; p < all; ++p) {
       Chunk& chunk = chunks_.emplace_back();
       chunk.first = first + static_cast<std::int32_t>(std::int64_t{count} * p / all);
       chunk.last = first + static_cast<std::int32_t>(std::int64_t{count} * (p + 1) / all);
       for (std::int32_t row = chunk.first; row < chunk.last; ++row)
-        if (contacts_of_[static_cast<std::size_t>(row)] > 0) ++chunk.in_touch;
+        if (contacts_of_[static_cast<std::size_t>(row)] > 0) ++chunk.balls_in_contact;
     }
   }
   return old;
@@ -139,9 +140,10 @@ std::vector<Chunk> ManyBodySolver::divide() {
 std::int32_t ManyBodySolver::chunk_of(std::int32_t ball) const {
   std::int32_t chunk = 0;
   std::size_t c = 0;
-  for (; ball >= class_first_[c + 1]; ++c) chunk += parts(class_first_[c + 1] - class_first_[c]);
+  for (; ball >= class_first_[c + 1]; ++c)
+    chunk += chunk_count(class_first_[c + 1] - class_first_[c]);
   const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
-  chunk += static_cast<std::int32_t>(std::int64_t{ball - first} * parts(count) / count);
+  chunk += static_cast<std::int32_t>(std::int64_t{ball - first} * chunk_count(count) / count);
   return chunk + (ball >= chunks_[static_cast<std::size_t>(chunk)].last ? 1 : 0);  // rounding
 }
 
@@ -163,7 +165,7 @@ void ManyBodySolver::share_work() {
     share_.push_back(c);
   }
   share_.push_back(static_cast<std::int32_t>(chunks_.size()));
-  for (Loads& loads : loads_) loads.resize(chunk_size);
+  for (BallForces& ball_forces : ball_forces_) ball_forces.resize(chunk_size);
 }
 
 }  // namespace mahlwerk::soft

@@ -21,7 +21,7 @@ constexpr std::int64_t block = 64;          // steps between two checks of the e
 constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
 
 /// How many threads find something to do at every step.
-int most_helpful(std::size_t balls) {
+int useful_threads(std::size_t balls) {
   constexpr std::size_t each = 1000;
   return static_cast<int>(std::clamp<std::size_t>(balls / each, 1, 1024));
 }
@@ -37,11 +37,12 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       step_chunk_(
           std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *rules_.model.law)),
       start_(start),
-      folds_(repeats(jar_->periods())),
+      periodic_(is_periodic(jar_->periods())),
       large_(balls.size() > in_cache),
-      remembers_(std::visit([]<class L>(const L&) { return L::remembers; }, *rules_.model.law) ||
-                 contact::rule_of(rules.model.rolling).remembers || rules.model.rescaled_unloading),
-      team_(std::clamp(rules.threads, 1, most_helpful(balls.size()))) {
+      has_history_(
+          std::visit([]<class L>(const L&) { return L::has_history; }, *rules_.model.law) ||
+          contact::rule_of(rules.model.rolling).has_history || rules.model.rescaled_unloading),
+      team_(std::clamp(rules.threads, 1, useful_threads(balls.size()))) {
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
   parameters_.resize(pairs_.all().size());
   double smallest = geometry::never;
@@ -71,18 +72,19 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
     widest = std::max(widest, s.radius);
   }
-  for (const SpeciesPair& b : pairs_.all()) reach_ = std::max(reach_, b.reach);
+  for (const SpeciesPair& b : pairs_.all())
+    pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
   skin_ = 0.5 * smallest;
-  loads_.resize(static_cast<std::size_t>(team_.size()));
-  start_moving(balls);
-  account_.started_with = 0;
-  const scene::Account now = account();
-  account_.started_with = now.kinetic + now.potential + now.elastic;
+  ball_forces_.resize(static_cast<std::size_t>(team_.size()));
+  initialize_rows(balls);
+  energy_balance_.initial_energy = 0;
+  const scene::EnergyBalance now = energy_balance();
+  energy_balance_.initial_energy = now.kinetic + now.potential + now.elastic;
   watch_.begin(now);
 }
 
 /// Rows of step 0, and of step 1 before any contact is known (dem.26).
-void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
+void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), list_positions_.resize(n), spins_.resize(n),
       next_spins_.resize(n);
@@ -101,14 +103,16 @@ void ManyBodySolver::start_moving(const std::vector<scene::Ball>& balls) {
   refuse_overlaps();
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[static_cast<std::size_t>(id_[k])];
-    const Vec3 v = ball.velocity + 0.5 * dt * b[0].pull, seen = v + 0.5 * dt * b[1].pull;
+    const Vec3 v = ball.velocity + 0.5 * dt * b[0].body_acceleration,
+               predicted = v + 0.5 * dt * b[1].body_acceleration;
     const Vec3 x = ball.position + dt * v;
     const Vec3& w = ball.spin;
     half_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
-    next_[k] = {x.x, x.y, x.z, ball.radius, seen.x, seen.y, seen.z, 0};
+    next_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
     next_spins_[k] = {w.x, w.y, w.z, 0};
   }
-  for (Drift& d : drifts_) d.spread = geometry::never;  // this motion nobody watched
+  for (ChunkDisplacement& d : displacements_)
+    d.spread = geometry::never;  // this motion nobody watched
 }
 
 double ManyBodySolver::time_of(std::int64_t step) const {
@@ -124,13 +128,13 @@ std::vector<DriveSample> ManyBodySolver::drive_samples(std::int64_t first,
 
 void ManyBodySolver::advance(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
-  asked_ = time;
+  target_time_ = time;
   const auto hand_over = [&] {
-    gather();
+    collect_records();
     std::vector<scene::Collision> all;
-    all.reserve(ended_.size());
-    for (const Ended& e : ended_) all.push_back(e.collision);
-    ended_.clear();
+    all.reserve(finished_.size());
+    for (const FinishedCollision& e : finished_) all.push_back(e.collision);
+    finished_.clear();
     if (!all.empty()) observer.collisions(all);
   };
   try {
@@ -140,11 +144,11 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
         if (stopped()) return hand_over();
         step(all[k], all[k + 1]);
-        if (records() > most_records) hand_over();
+        if (record_count() > most_records) hand_over();
       }
       hand_over();
       if (step_ % block != 0) continue;
-      settle();
+      flush_sums();
       check_energy();
     }
   } catch (...) {
@@ -158,9 +162,9 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   ++step_;
   now_.swap(next_);
   spins_.swap(next_spins_);
-  if (!reach_bounds())
+  if (!update_bounds())
     rebuild_neighbour_lists();
-  else if (worth_sorting())
+  else if (sort_is_due())
     sort_pairs();
   const Lanes none{};
   ChunkStep s{.rows = now_.data(),
@@ -176,23 +180,24 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
               .events = this,
               .time = clock(step_),
               .bin = skin_ * VerletList::width,
-              .reach = reach_,
+              .pull_off_distance = pull_off_distance_,
               .before = before,
               .after = after,
               .large = large_,
               .turning = jar_->turning_from() < jar_->faces(),
-              .remembers = remembers_,
-              .frame = frame_of(rules_, jar_->periods())};
-  s.frame.jar_speed = {none + before.speed.x, none + before.speed.y, none + before.speed.z};
+              .has_history = has_history_,
+              .constants = step_constants(rules_, jar_->periods())};
+  s.constants.jar_velocity = {none + before.velocity.x, none + before.velocity.y,
+                              none + before.velocity.z};
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =
         large_ && next >= 0 ? &chunks_[static_cast<std::size_t>(next)] : nullptr;
-    Drift& d = drifts_[k];
+    ChunkDisplacement& d = displacements_[k];
     const Vec3 last = d.mean;
-    step_chunk_(s, chunks_[k], following, loads_[static_cast<std::size_t>(thread)], d);
+    step_chunk_(s, chunks_[k], following, ball_forces_[static_cast<std::size_t>(thread)], d);
     // The guess of the next step; the one just used belongs to the spread.
-    guesses_[k] = 2.0 * d.mean - last;
+    predicted_means_[k] = 2.0 * d.mean - last;
   });
 }
 
@@ -208,45 +213,46 @@ void ManyBodySolver::rebuild_neighbour_lists() {
 
 /// How much nearer pairs may have come since the neighbour list was built (dem.34); false if too
 /// near to go on.
-bool ManyBodySolver::reach_bounds() {
+bool ManyBodySolver::update_bounds() {
   const double swept = jar_->sweep() * time_of(step_ - list_step_);
-  const double rounding = 3e-7 * widest_;  // of positions as floats, twice
+  const double rounding = 3e-7 * largest_coordinate_;  // of positions as floats, twice
   bool good = true;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     Chunk& chunk = chunks_[c];
-    const Drift& mine = drifts_[c];
+    const ChunkDisplacement& mine = displacements_[c];
     double most = mine.spread;
-    for (const std::int32_t other : chunk.neighbours) {
-      const Drift& its = drifts_[static_cast<std::size_t>(other)];
-      most = std::max(most, its.spread + norm(its.guess - mine.guess));
+    for (const std::int32_t other : chunk.neighbour_chunks) {
+      const ChunkDisplacement& its = displacements_[static_cast<std::size_t>(other)];
+      most = std::max(most, its.spread + norm(its.predicted_mean - mine.predicted_mean));
     }
     chunk.bound = mine.spread + most + rounding;
-    chunk.wall_bound = norm(mine.guess) + mine.spread + swept + rounding;
-    good = good && spent_ + chunk.bound < skin_ && spent_ + chunk.wall_bound < skin_;
+    chunk.wall_bound = norm(mine.predicted_mean) + mine.spread + swept + rounding;
+    good = good && used_skin_ + chunk.bound < skin_ && used_skin_ + chunk.wall_bound < skin_;
   }
   if (good)
-    for (std::size_t c = 0; c < chunks_.size(); ++c) drifts_[c].guess = guesses_[c];
+    for (std::size_t c = 0; c < chunks_.size(); ++c)
+      displacements_[c].predicted_mean = predicted_means_[c];
   return good;
 }
 
-std::size_t ManyBodySolver::records() const {
-  std::size_t all = ended_.size();
-  for (const Chunk& chunk : chunks_) all += chunk.ended.size();
+std::size_t ManyBodySolver::record_count() const {
+  std::size_t all = finished_.size();
+  for (const Chunk& chunk : chunks_) all += chunk.finished.size();
   return all;
 }
 
 /// Records of the chunks so far, in the order of their steps.
-void ManyBodySolver::gather() {
+void ManyBodySolver::collect_records() {
   for (Chunk& chunk : chunks_) {
-    ended_.insert(ended_.end(), chunk.ended.begin(), chunk.ended.end());
-    chunk.ended.clear();
+    finished_.insert(finished_.end(), chunk.finished.begin(), chunk.finished.end());
+    chunk.finished.clear();
   }
-  std::ranges::stable_sort(ended_, {}, &Ended::step);
+  std::ranges::stable_sort(finished_, {}, &FinishedCollision::step);
 }
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
-  throw unstable_run(time_of(step_), static_cast<std::size_t>(id_[row]), why, now_[row].position(),
-                     velocity(row, pulls()));
+  throw unstable_run_error(time_of(step_), static_cast<std::size_t>(id_[row]), why,
+                           now_[row].position(), velocity(row, body_kick_change()));
 }
 
 }  // namespace mahlwerk::soft

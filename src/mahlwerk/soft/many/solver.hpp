@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "mahlwerk/base/roomy.hpp"
+#include "mahlwerk/base/huge_page_allocator.hpp"
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
@@ -28,44 +28,44 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
                  const Rules& rules, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
-  scene::Account account() const override;
+  scene::EnergyBalance energy_balance() const override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
-  void carry(Archive& archive) override;
+  void serialize(Archive& archive) override;
 
  private:
   // The main loop (solver.cpp).
-  void start_moving(const std::vector<scene::Ball>& balls);
+  void initialize_rows(const std::vector<scene::Ball>& balls);
   void step(const DriveSample& before, const DriveSample& after);
   double clock(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
-  bool reach_bounds();
+  bool update_bounds();
   void rebuild_neighbour_lists();
-  std::size_t records() const;
-  void gather();
+  std::size_t record_count() const;
+  void collect_records();
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
   // Energy (energy.cpp).
-  struct Stored {
+  struct ElasticEnergy {
     double normal = 0, tangential = 0;  // [J]
-    double taken = 0;                   // [J] by contacts that go on, since they began
+    double work_done = 0;               // [J] by contacts that go on, since they began
   };
-  Stored stored(const Chunk& chunk) const;
+  ElasticEnergy elastic_energy(const Chunk& chunk) const;
   void check_energy();
-  void settle();
-  void add_sums(scene::Account& a, const Chunk& chunk) const;
+  void flush_sums();
+  void add_sums(scene::EnergyBalance& a, const Chunk& chunk) const;
 
   // State (state.cpp).
-  Vec3 pulls() const;  // [m/s] half a step of what the body field changes by
-  Vec3 velocity(std::size_t row, const Vec3& pulls) const;
+  Vec3 body_kick_change() const;  // [m/s] half a step of what the body field changes by
+  Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
   Vec3 spin(std::size_t row) const;
 
   // Order of the balls, chunks (order.cpp).
-  void put_in_order();
+  void sort_into_chunks();
   std::vector<std::int32_t> sort_balls();
   void reorder(const std::vector<std::int32_t>& from);
-  std::vector<Chunk> divide();
+  std::vector<Chunk> make_chunks();
   void share_work();
   std::int32_t chunk_of(std::int32_t ball) const;
   std::size_t class_of(std::size_t row) const {
@@ -73,39 +73,41 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   }
 
   // Contacts that move with their balls (lanes.cpp).
-  struct Kept {
+  struct ContactAddress {
     std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
     std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
     std::int32_t lane = 0;      // lane l of packet g: 8 g + l
   };
-  struct Carried {
-    std::vector<Kept> contacts;
+  struct ContactsByBall {
+    std::vector<ContactAddress> contacts;
     std::vector<std::int32_t> first;  // of each ball
   };
-  Carried take_contacts(const std::vector<std::int32_t>& to);
-  void give_contacts(const Carried& all, std::vector<Chunk>& old);
-  void make_room(Chunk& chunk, std::span<const Kept> kept, std::size_t beside) const;
-  void give_contact(Chunk& chunk, const Kept& kept, const ContactPackets& from);
-  void give(ContactPackets& list, const Kept& kept, const ContactPackets& from, std::int32_t i,
-            std::int32_t j, std::int32_t species_pair, double sign);
+  ContactsByBall collect_contacts(const std::vector<std::int32_t>& to);
+  void distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old);
+  void reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
+                        std::size_t incoming_count) const;
+  void place_contact(Chunk& chunk, const ContactAddress& kept, const ContactPackets& from);
+  void copy_contact(ContactPackets& list, const ContactAddress& kept, const ContactPackets& from,
+                    std::int32_t i, std::int32_t j, std::int32_t species_pair, double sign);
 
   // Neighbour lists (neighbours.cpp).
   void rebuild();
   void tune_skin();
-  void mark_places();
-  std::int64_t tests() const;
-  bool worth_sorting() const;
+  void mark_positions();
+  std::int64_t test_count() const;
+  bool sort_is_due() const;
   void sort_pairs();
   double wall_gap(const NeighbourPair& pair) const;
-  std::int32_t gather_near(const Chunk& chunk, std::int32_t from, Candidates& candidates) const;
-  void find_near(Chunk& chunk);
-  struct Wrong {
+  std::int32_t gather_candidates(const Chunk& chunk, std::int32_t from,
+                                 Candidates& candidates) const;
+  void find_ball_pairs(Chunk& chunk);
+  struct BallError {
     std::size_t row = 0;
     const char* why = nullptr;
   };
-  Wrong near_walls(Chunk& chunk);
-  Vec3 nearest(const Vec3& apart) const {
-    return folds_ ? nearest_image(apart, jar_->periods()) : apart;
+  BallError find_wall_pairs(Chunk& chunk);
+  Vec3 nearest(const Vec3& separation) const {
+    return periodic_ ? nearest_image(separation, jar_->periods()) : separation;
   }
   void refuse_overlaps() const;
 
@@ -114,52 +116,52 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
   std::int32_t free_lane(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
   void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
-             const Bodies& b) override;
+             const PairMotion& b) override;
   void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) override;
   void record(Chunk& chunk, const ContactPackets& list, std::size_t g, int lane);
-  void touches(Chunk& chunk, std::int32_t ball, int more);
+  void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const MovingWall> jar_;
   Rules rules_;
   SpeciesPairs pairs_;
   ChunkStepper step_chunk_;
-  double start_, reach_ = 0, mass_ = 0;
-  bool folds_, large_, remembers_;
+  double start_, pull_off_distance_ = 0, mass_ = 0;
+  bool periodic_, large_, has_history_;
   std::vector<PairParameters> parameters_;  // of each species pair
-  std::vector<Eight> kicks_;                // of each species
+  std::vector<AlignedLanes> kicks_;         // of each species
   std::vector<int> class_of_;               // each species' class of sizes
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;
-  RoomyVector<BallRecord> now_, next_;         // at the step; one later
-  RoomyVector<FloatPosition> list_positions_;  // at which the neighbour lists were built
-  RoomyVector<SpinRecord> spins_, next_spins_;
-  RoomyVector<VectorPair> half_;
+  HugePageVector<BallRecord> now_, next_;         // at the step; one later
+  HugePageVector<FloatPosition> list_positions_;  // at which the neighbour lists were built
+  HugePageVector<SpinRecord> spins_, next_spins_;
+  HugePageVector<VectorPair> half_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;
-  std::vector<Drift> drifts_;
-  std::vector<Vec3> guesses_;              // [m] of how far each chunk will have moved a step on
+  std::vector<ChunkDisplacement> displacements_;
+  std::vector<Vec3> predicted_means_;      // [m] of how far each chunk will have moved a step on
   std::vector<std::int32_t> class_first_;  // row with which each class begins, and the end
-  std::vector<Loads> loads_;               // of each thread
+  std::vector<BallForces> ball_forces_;    // of each thread
   std::vector<std::int32_t> share_;        // first chunk of each thread, and the end
   std::vector<Grid> grids_;                // of each class, while the lists are built
 
-  double skin_ = 0;    // [m]
-  double widest_ = 0;  // [m] the largest coordinate when positions were marked
-  double spent_ = 0;   // [m] of the skin, when pairs were last sorted
-  std::int64_t list_step_ = 0, sorted_at_ = 0, pairs_sorted_ = 0;
+  double skin_ = 0;                // [m]
+  double largest_coordinate_ = 0;  // [m] the largest coordinate when positions were marked
+  double used_skin_ = 0;           // [m] of the skin, when pairs were last sorted
+  std::int64_t list_step_ = 0, tests_at_sort_ = 0, pairs_sorted_ = 0;
   struct Tuning {
     std::int64_t step = 0;
-    double last_cost = 0, looked = 0, growing = 1.15;
+    double last_cost = 0, tests = 0, growth = 1.15;
   } tuning_;
 
-  scene::Account account_;
+  scene::EnergyBalance energy_balance_;
   EnergyWatch watch_;
-  double asked_ = 0;
-  std::vector<Ended> ended_;
+  double target_time_ = 0;
+  std::vector<FinishedCollision> finished_;
 };
 
 }  // namespace mahlwerk::soft

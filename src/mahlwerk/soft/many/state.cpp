@@ -5,26 +5,27 @@
 // Balls, forces, checkpoints.
 namespace mahlwerk::soft {
 
-Vec3 ManyBodySolver::pulls() const {
+Vec3 ManyBodySolver::body_kick_change() const {
   const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
-  return 0.5 * rules_.time_step * (b[1].pull - b[0].pull);
+  return 0.5 * rules_.time_step * (b[1].body_acceleration - b[0].body_acceleration);
 }
 
 /// At the step reached; the rows know half a step more (dem.26).
-Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& pulls) const {
+Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
   const VectorPair& half = half_[row];
-  const BallRecord& seen = next_[row];
-  return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{seen.u, seen.v, seen.w} + pulls;
+  const BallRecord& predicted = next_[row];
+  return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{predicted.u, predicted.v, predicted.w} +
+         body_kick_change;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
   const VectorPair& half = half_[row];
-  const SpinRecord& seen = next_spins_[row];
-  return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{seen.x, seen.y, seen.z};
+  const SpinRecord& predicted = next_spins_[row];
+  return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{predicted.x, predicted.y, predicted.z};
 }
 
 std::vector<scene::Ball> ManyBodySolver::balls() const {
   std::vector<scene::Ball> all(id_.size());
-  const Vec3 change = pulls();
+  const Vec3 change = body_kick_change();
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = pairs_.species(species_[k]);
     all[static_cast<std::size_t>(id_[k])] = {
@@ -38,22 +39,24 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
   const double half_step = 0.5 * rules_.time_step;
-  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().pull;
+  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const VectorPair& half = half_[k];
-    const BallRecord& seen = next_[k];
-    const Vec3 gained = Vec3{seen.u, seen.v, seen.w} - Vec3{half.x, half.y, half.z} - pull;
+    const BallRecord& predicted = next_[k];
+    const Vec3 gained =
+        Vec3{predicted.u, predicted.v, predicted.w} - Vec3{half.x, half.y, half.z} - pull;
     all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_step * gained;
   }
   return all;
 }
 
-void ManyBodySolver::carry(Archive& archive) {
+void ManyBodySolver::serialize(Archive& archive) {
   const std::size_t balls = now_.size();
-  archive(step_)(list_step_)(skin_)(widest_)(spent_)(sorted_at_)(pairs_sorted_)(tuning_);
+  archive(step_)(list_step_)(
+      skin_)(largest_coordinate_)(used_skin_)(tests_at_sort_)(pairs_sorted_)(tuning_);
   archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_);
   if (now_.size() != balls) throw Archive::broken();
-  archive(id_)(species_)(contacts_of_)(drifts_)(guesses_)(class_first_);
+  archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);
   if (archive.reading()) {
@@ -61,13 +64,13 @@ void ManyBodySolver::carry(Archive& archive) {
     chunks_.assign(count, {});
   }
   for (Chunk& c : chunks_) {
-    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.in_touch)(c.sums)(c.neighbours);
+    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.balls_in_contact)(c.sums)(c.neighbour_chunks);
     for (ContactPackets* list : {&c.own, &c.halo, &c.wall})
-      archive(list->packets)(list->began)(list->memories)(list->parameters)(list->facings)(
-          list->free);
-    for (VerletList* w : {&c.near, &c.near_wall}) archive(w->pairs)(w->end)(w->separated);
+      archive(list->packets)(list->onset)(list->optional_histories)(list->parameters)(
+          list->wall_normals)(list->free);
+    for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
   }
-  archive(account_)(watch_)(asked_);
+  archive(energy_balance_)(watch_)(target_time_);
   if (archive.reading()) share_work();
 }
 

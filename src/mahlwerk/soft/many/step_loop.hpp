@@ -15,8 +15,8 @@
 namespace mahlwerk::soft {
 
 /// Lane by lane the parameters of their species pairs.
-[[gnu::always_inline]] inline void gather(const PairParameters* parameters, const ContactPacket& g,
-                                          PairParameters& out) {
+[[gnu::always_inline]] inline void gather_parameters(const PairParameters* parameters,
+                                                     const ContactPacket& g, PairParameters& out) {
   for (int l = 0; l < lanes; ++l)
     copy_lane(parameters[g.species_pair[static_cast<std::size_t>(l)]], l, out, l);
 }
@@ -24,73 +24,75 @@ namespace mahlwerk::soft {
 /// Contacts of one kind: what they do to the balls of the chunk.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline void apply_packets(ChunkStep& s, Chunk& chunk, ContactKind kind,
-                                                 VectorPair* loads, PrefetchQueue& ahead,
+                                                 VectorPair* ball_forces, PrefetchQueue& prefetches,
                                                  ContactWork& sums) {
   ContactPackets& list = kind == ContactKind::own    ? chunk.own
                          : kind == ContactKind::halo ? chunk.halo
                                                      : chunk.wall;
-  PairParameters made;
+  PairParameters gathered;
   for (std::size_t n = 0; n < list.packets.size(); ++n) {
     ContactPacket& g = list.packets[n];
-    ahead.fetch();
+    prefetches.fetch();
     if (g.touching == 0) continue;
     if (n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
     const LaneMask touched = mask(g.touching);
-    const Bodies b = bodies<avx512>(s, g, touched, kind);
+    const PairMotion b = gather_pair_motion<avx512>(s, g, touched, kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
     if (!list.parameters.empty())
       parameters = &list.parameters[n];
-    else if (!g.alike)
-      gather(s.parameters, g, made), parameters = &made;
-    const Lanes squared = dot(b.apart, b.apart), near = touch_distance(*parameters, touched);
+    else if (!g.one_species_pair)
+      gather_parameters(s.parameters, g, gathered), parameters = &gathered;
+    const Lanes squared = dot(b.separation, b.separation),
+                near = touch_distance(*parameters, touched);
     const LaneMask touching = less(squared, near * near) & touched;
     const ContactGeometry m = contact_geometry(*parameters, b, squared);
-    const Edges edges{mask(g.fresh), touching ^ touched};
-    const bool ends = any(edges.ended), changes = ends || g.fresh != 0;
-    if (g.fresh != 0) {
+    const ContactTransitions transitions{mask(g.begun), touching ^ touched};
+    const bool ends = any(transitions.ended), changes = ends || g.begun != 0;
+    if (g.begun != 0) {
       s.events->begin(chunk, list, n, m, b);
       if (!list.parameters.empty()) parameters = &list.parameters[n];
     }
     History past;
     past.spring = g.spring;
     past.pulls = mask(g.pulling);
-    if (s.remembers) {
-      const Memory& k = list.memories[n];
-      for (int i = 0; i < contact::law_memories; ++i) past.memory[i] = k.memory[i];
+    if (s.has_history) {
+      const OptionalHistory& k = list.optional_histories[n];
+      for (int i = 0; i < contact::law_history_size; ++i) past.law_history[i] = k.law_history[i];
       past.roll = k.roll, past.stiffness = k.stiffness;
     }
     ContactWork d;
     const ContactForce out =
-        contact_force<Law>(*parameters, past, d, s.frame, b, m, touching,
-                           changes ? &edges : nullptr, kind == ContactKind::wall);
+        contact_force<Law>(*parameters, past, d, s.constants, b, m, touching,
+                           changes ? &transitions : nullptr, kind == ContactKind::wall);
     g.spring = past.spring;
     g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
-    if (s.remembers) {
-      Memory& k = list.memories[n];
-      for (int i = 0; i < contact::law_memories; ++i) k.memory[i] = past.memory[i];
+    if (s.has_history) {
+      OptionalHistory& k = list.optional_histories[n];
+      for (int i = 0; i < contact::law_history_size; ++i) k.law_history[i] = past.law_history[i];
       k.roll = past.roll, k.stiffness = past.stiffness;
     }
     g.impulse += d.impulse;
     g.lost_normal += d.normal;
-    g.lost_across += d.tangential + d.rolling;
+    g.lost_tangential += d.tangential + d.rolling;
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
     sums.sliding += d.sliding;
     if (kind == ContactKind::wall) sums.wall += d.wall;
-    sums.deepest = larger(sums.deepest, d.deepest * parameters->per_radius);
-    add<avx512>(loads, chunk.first, g.i, out.force, out.torque_i);
-    if (kind == ContactKind::own) add<avx512>(loads, chunk.first, g.j, -out.force, out.torque_j);
+    sums.deepest = max(sums.deepest, d.deepest * parameters->per_radius);
+    add_forces<avx512>(ball_forces, chunk.first, g.i, out.force, out.torque_i);
+    if (kind == ContactKind::own)
+      add_forces<avx512>(ball_forces, chunk.first, g.j, -out.force, out.torque_j);
     if (ends) s.events->end(chunk, list, n, touching);
-    if (kind == ContactKind::wall) list.facings[n].normal = m.n;
+    if (kind == ContactKind::wall) list.wall_normals[n].normal = m.n;
   }
 }
 
 /// Which of the pairs from `at` on, up to eight, touch: a bit for each.
 template <bool avx512>
-[[gnu::always_inline]] inline std::uint32_t touching_of(const ChunkStep& s,
-                                                        const NeighbourPair* pairs,
-                                                        std::size_t count) {
-  Apart pair = apart<avx512>(s.rows, pairs, count);
-  if (s.frame.periodic) pair.centres = folded(pair.centres, s.frame.periods);
+[[gnu::always_inline]] inline std::uint32_t touching_bits(const ChunkStep& s,
+                                                          const NeighbourPair* pairs,
+                                                          std::size_t count) {
+  PairSeparation pair = pair_separations<avx512>(s.rows, pairs, count);
+  if (s.constants.periodic) pair.centres = folded(pair.centres, s.constants.periods);
   const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
   if (!any(mask)) return 0;
   return bits(mask, count);
@@ -99,29 +101,30 @@ template <bool avx512>
 /// Pairs that are near: those that touch now become contacts.
 template <bool avx512>
 [[gnu::always_inline]] inline void find_contacts(const ChunkStep& s, Chunk& chunk) {
-  VerletList& w = chunk.near;
+  VerletList& w = chunk.ball_pairs;
   const auto scan = [&](const std::vector<NeighbourPair>& pairs, std::size_t end) {
-    chunk.met.clear();
+    chunk.new_touches.clear();
     for (std::size_t k = 0; k < end; k += lanes) {
-      constexpr std::size_t ahead = 4 * lanes;  // so that rows are there when they are asked for
-      for (std::size_t n = k + ahead; n < std::min(end, k + ahead + lanes); ++n)
+      constexpr std::size_t lookahead =
+          4 * lanes;  // so that rows are there when they are asked for
+      for (std::size_t n = k + lookahead; n < std::min(end, k + lookahead + lanes); ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
       std::uint32_t bits =
-          touching_of<avx512>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+          touching_bits<avx512>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
       for (; bits != 0; bits &= bits - 1)
-        chunk.met.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
+        chunk.new_touches.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
     }
     chunk.sums.tests += static_cast<std::int64_t>(end);
   };
   scan(w.pairs, w.due(chunk.bound, s.bin));
-  for (std::size_t n = chunk.met.size(); n-- > 0;) {
-    const auto k = static_cast<std::size_t>(chunk.met[n]);
+  for (std::size_t n = chunk.new_touches.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.new_touches[n]);
     s.events->activate(chunk, w.pairs[k]);
     w.remove(k);
   }
   scan(w.separated, w.separated.size());
-  for (std::size_t n = chunk.met.size(); n-- > 0;) {
-    const auto k = static_cast<std::size_t>(chunk.met[n]);
+  for (std::size_t n = chunk.new_touches.size(); n-- > 0;) {
+    const auto k = static_cast<std::size_t>(chunk.new_touches[n]);
     s.events->activate(chunk, w.separated[k]);
     w.separated[k] = w.separated.back();
     w.separated.pop_back();
@@ -129,75 +132,79 @@ template <bool avx512>
 }
 
 /// The balls of a chunk, a step on (dem.26).
-template <bool avx512, bool past_cache>
-[[gnu::always_inline]] inline void move(const ChunkStep& s, const Chunk& chunk,
-                                        const VectorPair* loads, Drift& drift) {
-  const double dt = s.frame.step;
-  const Vec3 &b0 = s.before.pull, &b1 = s.after.pull;
+template <bool avx512, bool streaming>
+[[gnu::always_inline]] inline void integrate_balls(const ChunkStep& s, const Chunk& chunk,
+                                                   const VectorPair* ball_forces,
+                                                   ChunkDisplacement& displacement) {
+  const double dt = s.constants.step;
+  const Vec3 &b0 = s.before.body_acceleration, &b1 = s.after.body_acceleration;
   const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
-  const Four guess{drift.guess.x, drift.guess.y, drift.guess.z};
+  const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
+                            displacement.predicted_mean.z};
   Four sum{}, most{};
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const Lanes kick = s.kicks[s.species[i]].is * eight(loads[i - chunk.first]);
-    const Lanes half = eight(s.half[i]) + 2.0 * kick + pull0;
-    const Lanes seen = half + kick + pull1;
-    put_eight(s.half[i], half);
-    const Lanes row = eight(s.rows[i]);
+    const Lanes kick = s.kicks[s.species[i]].value * load_eight(ball_forces[i - chunk.first]);
+    const Lanes half = load_eight(s.half[i]) + 2.0 * kick + pull0;
+    const Lanes predicted = half + kick + pull1;
+    store_eight(s.half[i], half);
+    const Lanes row = load_eight(s.rows[i]);
     const Lanes position =
         row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
-    const Lanes next = __builtin_shufflevector(position, seen, 0, 1, 2, 3, 8, 9, 10, 15);
-    const Four turn = __builtin_shufflevector(seen, seen, 4, 5, 6, 15);
-    if constexpr (past_cache) {
-      put_past_cache(s.next[i], next);
-      put_past_cache(s.next_spins[i], turn);
+    const Lanes next = __builtin_shufflevector(position, predicted, 0, 1, 2, 3, 8, 9, 10, 15);
+    const Four turn = __builtin_shufflevector(predicted, predicted, 4, 5, 6, 15);
+    if constexpr (streaming) {
+      stream_store(s.next[i], next);
+      stream_store(s.next_spins[i], turn);
     } else {
-      put_eight(s.next[i], next);
-      put_four(s.next_spins[i], turn);
+      store_eight(s.next[i], next);
+      store_four(s.next_spins[i], turn);
     }
     const Four way =
-        __builtin_shufflevector(position, position, 0, 1, 2, 2) - four(s.list_positions[i]);
-    const Four off = way - guess;
+        __builtin_shufflevector(position, position, 0, 1, 2, 2) - load_four(s.list_positions[i]);
+    const Four off = way - predicted_mean;
     sum += way;
     most = most > off ? most : off;
     most = most > -off ? most : -off;
   }
-  if constexpr (past_cache) all_are_put();
+  if constexpr (streaming) store_fence();
   const double count = std::max(1, chunk.last - chunk.first);
-  drift.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
-  drift.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
+  displacement.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
+  displacement.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
 /// What the chunk after this one will ask for.
-[[gnu::always_inline]] inline PrefetchQueue fetching(const ChunkStep& s, const Chunk& chunk,
-                                                     const Chunk* following) {
-  PrefetchQueue ahead;
-  if (following == nullptr) return ahead;
+[[gnu::always_inline]] inline PrefetchQueue prefetch_next_chunk(const ChunkStep& s,
+                                                                const Chunk& chunk,
+                                                                const Chunk* following) {
+  PrefetchQueue prefetches;
+  if (following == nullptr) return prefetches;
   const Chunk& c = *following;
   const auto balls = static_cast<std::size_t>(c.last - c.first);
-  ahead.add(&s.rows[c.first], balls);
-  ahead.add(&s.spins[c.first], balls);
-  ahead.add(c.near.pairs.data(), c.near.due(c.bound, s.bin));
-  ahead.add(c.own.packets.data(), c.own.packets.size());
-  ahead.add(c.halo.packets.data(), c.halo.packets.size());
-  ahead.add(&s.half[c.first], balls);
-  ahead.add(&s.list_positions[c.first], balls);
-  ahead.divide(chunk.own.packets.size() + chunk.halo.packets.size());
-  return ahead;
+  prefetches.add(&s.rows[c.first], balls);
+  prefetches.add(&s.spins[c.first], balls);
+  prefetches.add(c.ball_pairs.pairs.data(), c.ball_pairs.due(c.bound, s.bin));
+  prefetches.add(c.own.packets.data(), c.own.packets.size());
+  prefetches.add(c.halo.packets.data(), c.halo.packets.size());
+  prefetches.add(&s.half[c.first], balls);
+  prefetches.add(&s.list_positions[c.first], balls);
+  prefetches.divide(chunk.own.packets.size() + chunk.halo.packets.size());
+  return prefetches;
 }
 
 /// One step of a chunk.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline void step_chunk(ChunkStep& s, Chunk& chunk, const Chunk* following,
-                                              Loads& loads, Drift& drift) {
-  PrefetchQueue ahead = fetching(s, chunk, following);
+                                              BallForces& ball_forces,
+                                              ChunkDisplacement& displacement) {
+  PrefetchQueue prefetches = prefetch_next_chunk(s, chunk, following);
   find_contacts<avx512>(s, chunk);
   s.events->test_walls(chunk);
-  std::fill_n(loads.begin(), chunk.last - chunk.first, VectorPair{});
+  std::fill_n(ball_forces.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
   for (const ContactKind kind :
        {ContactKind::own, ContactKind::halo, ContactKind::wall}) {  // the text once, not thrice
     ContactWork d;
-    apply_packets<Law, avx512>(s, chunk, kind, loads.data(), ahead, d);
+    apply_packets<Law, avx512>(s, chunk, kind, ball_forces.data(), prefetches, d);
     const double part = kind == ContactKind::halo ? 0.5 : 1;
     ContactWork& all = chunk.sums.work;
     all.normal += part * d.normal;
@@ -205,20 +212,20 @@ template <class Law, bool avx512>
     all.rolling += part * d.rolling;
     all.sliding += part * d.sliding;
     all.wall += d.wall;
-    all.deepest = larger(all.deepest, d.deepest);
+    all.deepest = max(all.deepest, d.deepest);
   }
-  chunk.sums.ball_steps += chunk.in_touch;
+  chunk.sums.ball_steps += chunk.balls_in_contact;
   if (avx512 && s.large)
-    move<avx512, avx512>(s, chunk, loads.data(), drift);
+    integrate_balls<avx512, avx512>(s, chunk, ball_forces.data(), displacement);
   else
-    move<avx512, false>(s, chunk, loads.data(), drift);
+    integrate_balls<avx512, false>(s, chunk, ball_forces.data(), displacement);
 }
 
 template <class Law>
 struct ChunkLoop {
   template <bool avx512>
-  [[gnu::always_inline]] static void run(ChunkStep& s, Chunk& c, const Chunk* next, Loads& l,
-                                         Drift& d) {
+  [[gnu::always_inline]] static void run(ChunkStep& s, Chunk& c, const Chunk* next, BallForces& l,
+                                         ChunkDisplacement& d) {
     step_chunk<Law, avx512>(s, c, next, l, d);
   }
 };

@@ -56,10 +56,10 @@ ThreadTeam::~ThreadTeam() {
 }
 
 void ThreadTeam::work_loop(int k) {
-  std::uint32_t seen = 0;
+  std::uint32_t last_generation = 0;
   for (;;) {
-    wait_while(generation_, seen);
-    ++seen;
+    wait_while(generation_, last_generation);
+    ++last_generation;
     if (stopping_) return;
     call_(work_, k);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();

@@ -22,22 +22,22 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
   }
 }
 
-[[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Sought& sought,
+[[gnu::always_inline]] inline LaneMask Candidates::test(const Block& b, const Query& query,
                                                         Lanes& squared) const {
-  Vec<Lanes> apart{b.x - sought.position.x, b.y - sought.position.y, b.z - sought.position.z};
-  if (folds_) apart = nearest_image(apart, periods_);
-  squared = dot(apart, apart);
-  const Lanes far = b.radius + sought.beyond, none{};
+  Vec<Lanes> separation{b.x - query.position.x, b.y - query.position.y, b.z - query.position.z};
+  if (periodic_) separation = nearest_image(separation, periods_);
+  squared = dot(separation, separation);
+  const Lanes far = b.radius + query.beyond, none{};
   return less(squared, far * far) &
-         (less(none + sought.after, b.row) | less(b.row, none + sought.before));
+         (less(none + query.after, b.row) | less(b.row, none + query.before));
 }
 
-[[gnu::always_inline]] inline void Candidates::find(const Sought& sought) {
+[[gnu::always_inline]] inline void Candidates::find(const Query& query) {
   found_.clear();
   for (std::size_t n = 0; n * lanes < count_; ++n) {
     const Block& b = blocks_[n];
     Lanes squared;
-    const LaneMask near = test(b, sought, squared);
+    const LaneMask near = test(b, query, squared);
     if (!any(near)) continue;
     std::uint32_t those = bits(near, std::min<std::size_t>(lanes, count_ - n * lanes));
     for (; those != 0; those &= those - 1) {
@@ -49,18 +49,18 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
 
 struct Candidates::Search {
   template <bool avx512>
-  [[gnu::always_inline]] static void run(Candidates& all, const Sought& sought) {
-    all.find(sought);
+  [[gnu::always_inline]] static void run(Candidates& all, const Query& query) {
+    all.find(query);
   }
 };
 
 Candidates::Candidates(const Vec3& periods)
     : periods_(periods),
-      folds_(repeats(periods)),
-      find_(Compiled<Search, void (*)(Candidates&, const Sought&)>::best()) {}
+      periodic_(is_periodic(periods)),
+      find_(Compiled<Search, void (*)(Candidates&, const Query&)>::best()) {}
 
-std::span<const Candidates::Found> Candidates::near(const Sought& sought) {
-  find_(*this, sought);
+std::span<const Candidates::Neighbour> Candidates::find_near(const Query& query) {
+  find_(*this, query);
   return found_;
 }
 

@@ -23,31 +23,31 @@ class Candidates {
   /// Balls first to last of the rows.
   void add(const BallRecord* rows, std::int32_t first, std::int32_t last);
 
-  struct Found {
+  struct Neighbour {
     std::int32_t row = 0;
     double gap = 0;  ///< [m] to the surface
   };
-  struct Sought {
+  struct Query {
     Vec3 position;
     double beyond = 0;                   ///< [m] from the surfaces of those that are found, or less
     std::int32_t after = 0, before = 0;  ///< rows after the one, or before the other
   };
   /// Those that are near, until the next are sought. Their gaps are to the point `position`.
-  std::span<const Found> near(const Sought& sought);
+  std::span<const Neighbour> find_near(const Query& query);
 
  private:
   struct alignas(64) Block {
     Lanes x{}, y{}, z{}, radius{}, row{};
   };
   struct Search;
-  void find(const Sought& sought);
-  LaneMask test(const Block& b, const Sought& sought, Lanes& squared) const;
+  void find(const Query& query);
+  LaneMask test(const Block& b, const Query& query, Lanes& squared) const;
 
   Vec3 periods_;
-  bool folds_;
-  void (*find_)(Candidates&, const Sought&);  // for this machine
+  bool periodic_;
+  void (*find_)(Candidates&, const Query&);  // for this machine
   std::vector<Block> blocks_;
-  std::vector<Found> found_;
+  std::vector<Neighbour> found_;
   std::size_t count_ = 0;
 };
 

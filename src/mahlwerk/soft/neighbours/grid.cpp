@@ -27,9 +27,9 @@ Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const 
   std::array<double, 3> extent{};
   for (std::size_t a = 0; a < 3; ++a) {
     period_[a] = at(periods, a);
-    repeats_[a] = std::isfinite(period_[a]);
+    periodic_[a] = std::isfinite(period_[a]);
     double least = -0.5 * period_[a], most = 0.5 * period_[a];
-    if (!repeats_[a]) {
+    if (!periodic_[a]) {
       least = INFINITY, most = -INFINITY;
       for (const Vec3& p : positions)
         least = std::min(least, at(p, a)), most = std::max(most, at(p, a));
@@ -47,15 +47,15 @@ Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const 
   };
   while (cells_of(wide) > enough) wide *= 1.2;
   for (std::size_t a = 0; a < 3; ++a) {
-    const double n = repeats_[a] ? std::max(1.0, std::floor(extent[a] / wide))
-                                 : std::floor(extent[a] / wide) + 1;
+    const double n = periodic_[a] ? std::max(1.0, std::floor(extent[a] / wide))
+                                  : std::floor(extent[a] / wide) + 1;
     count_[a] = static_cast<std::int32_t>(std::min(n, most_each));
-    size_[a] = repeats_[a] ? extent[a] / count_[a] : wide;
+    size_[a] = periodic_[a] ? extent[a] / count_[a] : wide;
   }
 }
 
 double Grid::folded(double x, std::size_t axis) const {
-  return repeats_[axis] ? std::remainder(x, period_[axis]) : x;
+  return periodic_[axis] ? std::remainder(x, period_[axis]) : x;
 }
 std::int32_t Grid::index(double x, std::size_t axis) const {
   const double c = std::floor((x - origin_[axis]) / size_[axis]);
@@ -86,7 +86,7 @@ void Grid::fill(std::span<const Vec3> sorted, std::int32_t first) {
 }
 
 std::array<std::int32_t, 2> Grid::cells(double x, double reach, std::size_t axis) const {
-  if (!repeats_[axis]) return {index(x - reach, axis), index(x + reach, axis)};
+  if (!periodic_[axis]) return {index(x - reach, axis), index(x + reach, axis)};
   const double from = (folded(x, axis) - origin_[axis]) / size_[axis], more = reach / size_[axis];
   const auto low = static_cast<std::int32_t>(std::floor(from - more));
   const auto high = static_cast<std::int32_t>(std::floor(from + more));

@@ -29,7 +29,7 @@ class Grid {
   /// Calls `f(first, last)` with ranges of balls, among which are all whose centres are within
   /// `reach` [m] of `position` along each axis.
   template <class F>
-  void near(const Vec3& position, const Vec3& reach, const F& f) const {
+  void for_each_near(const Vec3& position, const Vec3& reach, const F& f) const {
     std::array<std::array<std::int32_t, 2>, 3> range{};
     for (std::size_t a = 0; a < 3; ++a) range[a] = cells(at(position, a), at(reach, a), a);
     for (std::int32_t z = range[2][0]; z <= range[2][1]; ++z)
@@ -49,7 +49,7 @@ class Grid {
   std::array<std::int32_t, 2> cells(double x, double reach, std::size_t axis) const;
   std::int32_t wrapped(std::int32_t c, std::size_t axis) const {
     const std::int32_t n = count_[axis];
-    return !repeats_[axis] ? c : c < 0 ? c + n : c >= n ? c - n : c;
+    return !periodic_[axis] ? c : c < 0 ? c + n : c >= n ? c - n : c;
   }
   std::size_t cell(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(count_[1]) +
@@ -60,7 +60,7 @@ class Grid {
 
   double radius_;
   std::array<double, 3> origin_{}, size_{}, period_{};
-  std::array<bool, 3> repeats_{};
+  std::array<bool, 3> periodic_{};
   std::array<std::int32_t, 3> count_{};
   std::vector<std::int32_t> from_, to_;  // balls of each cell
 };

@@ -18,12 +18,12 @@ struct GapLoop {
   [[gnu::always_inline]] static void run(const BallRecord* rows,
                                          std::span<const NeighbourPair> pairs, const Vec3& periods,
                                          std::span<double> gaps) {
-    const bool folds = repeats(periods);
+    const bool periodic = is_periodic(periods);
     for (std::size_t k = 0; k < pairs.size(); k += lanes) {
       const std::size_t count = std::min<std::size_t>(lanes, pairs.size() - k);
-      Apart a = apart<avx512>(rows, pairs.data() + k, count);
-      if (folds) a.centres = nearest_image(a.centres, periods);
-      const Lanes gap = root(dot(a.centres, a.centres)) - a.touch;
+      PairSeparation a = pair_separations<avx512>(rows, pairs.data() + k, count);
+      if (periodic) a.centres = nearest_image(a.centres, periods);
+      const Lanes gap = sqrt(dot(a.centres, a.centres)) - a.touch;
       for (std::size_t l = 0; l < count; ++l) gaps[k + l] = gap[static_cast<int>(l)];
     }
   }

@@ -32,15 +32,16 @@ struct NeighbourPair {
 };
 
 /// Eight pairs of balls.
-struct Apart {
+struct PairSeparation {
   Vec<Lanes> centres;  ///< [m] from one to the other
   Lanes touch;         ///< [m] sum of the radii
 };
 
 /// Up to eight pairs; lanes from `count` on are those of the first.
 template <bool avx512>
-[[gnu::always_inline]] inline Apart apart(const BallRecord* rows, const NeighbourPair* pairs,
-                                          std::size_t count) {
+[[gnu::always_inline]] inline PairSeparation pair_separations(const BallRecord* rows,
+                                                              const NeighbourPair* pairs,
+                                                              std::size_t count) {
   Lanes c[4];
   const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
   const auto pair = [&](std::size_t k) -> const NeighbourPair& { return pairs[k < count ? k : 0]; };
@@ -50,7 +51,7 @@ template <bool avx512>
     if constexpr (!avx512)
       c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = b.radius + a.radius;
     else if (k < 4)
-      c[k] = fours(b, rows[pair(k + 4).other]) - sign * fours(a, rows[pair(k + 4).ball]);
+      c[k] = load_fours(b, rows[pair(k + 4).other]) - sign * load_fours(a, rows[pair(k + 4).ball]);
   }
   if constexpr (avx512) transpose(c);
   return {{c[0], c[1], c[2]}, c[3]};

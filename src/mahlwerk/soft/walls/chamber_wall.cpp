@@ -6,10 +6,10 @@
 #include <cmath>
 #include <variant>
 
-#include "mahlwerk/geometry/clear.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
-#include "mahlwerk/scene/jar.hpp"
+#include "mahlwerk/scene/typed_chamber.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -19,14 +19,14 @@ class ChamberWall final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
 
  public:
-  explicit ChamberWall(const scene::Jar<S>& jar) : jar_(jar) {
+  explicit ChamberWall(const scene::TypedChamber<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
     faces_ = turning_from_ = jar.shape().faces;
-    sweep_ = jar.sweep();
+    sweep_ = jar.max_wall_speed();
     if constexpr (has_rotor) {
-      turning_from_ = S::turning_from;
-      sweep_ += geometry::speed_of_parts_of(jar.shape());
+      turning_from_ = S::first_rotor_face;
+      sweep_ += geometry::rotor_tip_speed_of(jar.shape());
     }
     reach_ = jar.shape().reach();
   }
@@ -35,48 +35,52 @@ class ChamberWall final : public MovingWall {
                     std::span<DriveSample> out) const override {
     for (std::size_t k = 0; k < out.size(); ++k) {
       const double t = start + static_cast<double>(first + static_cast<std::int64_t>(k)) * step;
-      const kinematics::Ride ride = jar_.motion().ride(t);
+      const kinematics::FrameMotion frame = jar_.motion().frame_motion(t);
       const Vec3 spin = jar_.motion().spin(t);
-      out[k] = {jar_.gravity() - ride.acceleration, ride.velocity, spin, spin};
-      if constexpr (has_rotor) out[k].rotor += jar_.shape().rotor_speed * jar_.axes(t).ez;
+      out[k] = {jar_.gravity() - frame.acceleration, frame.velocity, spin, spin};
+      if constexpr (has_rotor) out[k].rotor_spin += jar_.shape().rotor_speed * jar_.axes(t).ez;
     }
   }
-  kinematics::Ride ride(double t) const override { return jar_.motion().ride(t); }
+  kinematics::FrameMotion frame_motion(double t) const override {
+    return jar_.motion().frame_motion(t);
+  }
   Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
   geometry::Gap gap(int face, const Vec3& position, double t, double within) const override {
     const Rotation q = axes(face, t);
-    geometry::Gap found = geometry::gap_near(jar_.shape(), face, q.back(position), within);
+    geometry::Gap found = geometry::gap_near(jar_.shape(), face, q.apply_inverse(position), within);
     found.inward = q * found.inward;
     return found;
   }
   void distances(const Vec3& position, double t, double within,
                  std::span<double> out) const override {
-    const Vec3 p = jar_.plain() ? position : jar_.axes(t).back(position);
+    const Vec3 p = jar_.axis_aligned() ? position : jar_.axes(t).apply_inverse(position);
     geometry::distances(jar_.shape(), p, within, out);
     if constexpr (has_rotor)
-      for (int face = S::turning_from; face < faces_; ++face)
+      for (int face = S::first_rotor_face; face < faces_; ++face)
         out[static_cast<std::size_t>(face)] = gap(face, position, t, within).distance;
   }
   double distance(int face, const Vec3& position, double t, double within) const override {
     const Rotation q = axes(face, t);
-    return geometry::distance(jar_.shape(), face, q.back(position), within);
+    return geometry::distance(jar_.shape(), face, q.apply_inverse(position), within);
   }
   void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
                    const WallPointColumns& p) const override {
-    const bool plain = jar_.plain() && !has_rotor;
+    const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball);
       const double slack = near[k].slack;
-      if (p.moved != nullptr && slack > 0 && p.moved[b] < slack * slack) continue;
+      if (p.displacement_squared != nullptr && slack > 0 &&
+          p.displacement_squared[b] < slack * slack)
+        continue;
       const Vec3 position{p.x[b], p.y[b], p.z[b]};
       const bool turns = near[k].face >= turning_from_;
       const Rotation& q = turns ? rotor : own;
-      const Vec3& spin = turns ? drive.rotor : drive.spin;
-      geometry::Gap gap = geometry::gap_near(jar_.shape(), near[k].face,
-                                             plain ? position : q.back(position), near[k].within);
+      const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
+      geometry::Gap gap = geometry::gap_near(
+          jar_.shape(), near[k].face, plain ? position : q.apply_inverse(position), near[k].within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward, velocity = cross(spin, point);
       p.px[k] = point.x, p.py[k] = point.y, p.pz[k] = point.z;
@@ -86,8 +90,8 @@ class ChamberWall final : public MovingWall {
   }
   void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                    const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
-                   double beyond, Eight (&points)[3]) const override {
-    const bool plain = jar_.plain() && !has_rotor;
+                   double beyond, AlignedLanes (&points)[3]) const override {
+    const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
     for (int l = 0; l < lanes; ++l) {
@@ -96,34 +100,35 @@ class ChamberWall final : public MovingWall {
       const Vec3 position = ball.position();
       const Rotation& q = faces[k] >= turning_from_ ? rotor : own;
       const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
-      geometry::Gap gap =
-          geometry::gap_near(jar_.shape(), faces[k], plain ? position : q.back(position), within);
+      geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
+                                             plain ? position : q.apply_inverse(position), within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward;
-      points[0].is[l] = point.x, points[1].is[l] = point.y, points[2].is[l] = point.z;
+      points[0].value[l] = point.x, points[1].value[l] = point.y, points[2].value[l] = point.z;
     }
   }
-  double clear(const Vec3& position, const Vec3& velocity, double t, double radius) const override {
+  double safe_time(const Vec3& position, const Vec3& velocity, double t,
+                   double radius) const override {
     double least = geometry::never;
     const int asked = requires {
-      S::one_outlook;
+      S::whole_wall_safe_time;
     }
     ? 1 : jar_.shape().faces;
     for (int face = 0; face < std::min(asked, turning_from_); ++face)
-      if (jar_.shape().meets(face, radius))
-        least = std::min(least, jar_.outlook(face, {position, velocity}, t, radius).time);
+      if (jar_.shape().can_touch(face, radius))
+        least = std::min(least, jar_.safe_time(face, {position, velocity}, t, radius).time);
     for (int face = turning_from_; face < faces_; ++face) {
       const double room = gap(face, position, t, geometry::never).distance - radius;
       const double closing = norm(velocity) + sweep_;
-      const double pull = norm(jar_.gravity()) + norm(jar_.limits().acceleration);
-      least = std::min(least, geometry::clear_of_plane(room, closing, pull));
+      const double pull = norm(jar_.gravity()) + norm(jar_.motion_bounds().acceleration);
+      least = std::min(least, geometry::plane_safe_time(room, closing, pull));
     }
     return least;
   }
   /// From how the normal turns along the parallel surface through the ball's centre.
   std::pair<double, double> curvatures(int face, const Vec3& position, double t) const override {
     const Rotation q = axes(face, t);
-    const Vec3 p = q.back(position);
+    const Vec3 p = q.apply_inverse(position);
     const geometry::Gap gap = jar_.shape().gap(face, p);
     const Vec3 n = gap.inward;
     const Vec3 side = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -135,23 +140,26 @@ class ChamberWall final : public MovingWall {
     const auto at_wall = [&](double k) { return k / (1 + k * gap.distance); };
     return {at_wall(middle + half), at_wall(middle - half)};
   }
-  Vec3 own(const Vec3& a, double t, int face) const override {
-    return face >= turning_from_ ? axes(face, t).back(a) : jar_.own(a, t);
+  Vec3 to_face_axes(const Vec3& a, double t, int face) const override {
+    return face >= turning_from_ ? axes(face, t).apply_inverse(a) : jar_.to_jar_axes(a, t);
   }
-  bool meets(int face, double radius) const override { return jar_.shape().meets(face, radius); }
+  bool meets(int face, double radius) const override {
+    return jar_.shape().can_touch(face, radius);
+  }
 
  private:
   /// Axes in which a face can be asked, from them to the jar frame's.
   Rotation axes(int face, double t) const {
     if constexpr (has_rotor) {
       const Rotation jar = jar_.axes(t);
-      return face < turning_from_ ? jar : jar * turning({0, 0, 1}, jar_.shape().rotor_speed * t);
+      return face < turning_from_ ? jar
+                                  : jar * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t);
     } else {
       return jar_.axes(t);
     }
   }
 
-  scene::Jar<S> jar_;
+  scene::TypedChamber<S> jar_;
 };
 
 }  // namespace
@@ -160,7 +168,7 @@ std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber) {
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<const MovingWall> {
         const kinematics::ChosenMotion motion(chamber.motion);
-        return std::make_unique<ChamberWall<S>>(scene::Jar<S>(shape, motion, chamber));
+        return std::make_unique<ChamberWall<S>>(scene::TypedChamber<S>(shape, motion, chamber));
       },
       *chamber.shape);
 }

@@ -15,10 +15,10 @@ namespace mahlwerk::soft {
 
 /// The jar's motion sampled at one step, in the jar frame.
 struct DriveSample {
-  Vec3 pull;   ///< [m/s2] gravity less the acceleration of the jar's centre
-  Vec3 speed;  ///< [m/s] of the jar's centre
-  Vec3 spin;   ///< [rad/s] of the jar
-  Vec3 rotor;  ///< [rad/s] of faces that turn by themselves
+  Vec3 body_acceleration;  ///< [m/s2] gravity less the acceleration of the jar's centre
+  Vec3 velocity;           ///< [m/s] of the jar's centre
+  Vec3 spin;               ///< [rad/s] of the jar
+  Vec3 rotor_spin;         ///< [rad/s] of faces that turn by themselves
 };
 
 /// Of a radius: how far beyond touch a wall point is still found for balls that have just left it
@@ -37,10 +37,11 @@ struct WallNeighbour {
 /// nearest to a ball's centre; it moves as the wall there does.
 struct WallPointColumns {
   const double *x, *y, *z;  // [m] of the balls
-  const double* moved;      // [m2] squared, since the list was built; null: every point is due
-  double *px, *py, *pz;     // [m] of the wall points
-  double *pu, *pv, *pw;     // [m/s]
-  double *sx, *sy, *sz;     // [rad/s] spin of the wall
+  const double*
+      displacement_squared;  // [m2] squared, since the list was built; null: every point is due
+  double *px, *py, *pz;      // [m] of the wall points
+  double *pu, *pv, *pw;      // [m/s]
+  double *sx, *sy, *sz;      // [rad/s] spin of the wall
 };
 
 /// A jar on its mill with its types hidden. Times are the mill's own; positions and velocities
@@ -51,7 +52,7 @@ class MovingWall {
 
   virtual void sample_drive(double start, double step, std::int64_t first,
                             std::span<DriveSample> out) const = 0;
-  virtual kinematics::Ride ride(double t) const = 0;
+  virtual kinematics::FrameMotion frame_motion(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
   /// Where a ball at `position` meets a face; any larger distance where it is not `within` [m].
   virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
@@ -67,14 +68,14 @@ class MovingWall {
   /// ball's surface.
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
-                           double t, double beyond, Eight (&points)[3]) const = 0;
+                           double t, double beyond, AlignedLanes (&points)[3]) const = 0;
   /// A time in which a ball in free flight certainly touches no wall [s].
-  virtual double clear(const Vec3& position, const Vec3& velocity, double t,
-                       double radius) const = 0;
+  virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
+                           double radius) const = 0;
   /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
   virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
   /// A vector in the axes that a face turns with; of balls (face < 0) those of the jar.
-  virtual Vec3 own(const Vec3& a, double t, int face) const = 0;
+  virtual Vec3 to_face_axes(const Vec3& a, double t, int face) const = 0;
   virtual bool meets(int face, double radius) const = 0;
 
   const Vec3& gravity() const { return gravity_; }
@@ -83,9 +84,9 @@ class MovingWall {
   double sweep() const { return sweep_; }  ///< [m/s] how fast its wall may come to a ball at rest
   double reach() const { return reach_; }  ///< [m]
   /// As fast as any point of the walls moves, or faster [m/s].
-  double fastest(double t) const {
+  double max_wall_speed(double t) const {
     const double turning = turning_from_ < faces_ ? sweep_ : 0;
-    return norm(ride(t).velocity) + norm(spin(t)) * reach_ + turning;
+    return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
   const Vec3& periods() const { return periods_; }  ///< [m] infinite where it does not repeat
 

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "mahlwerk/campaign/fit/least_squares.hpp"
+
+namespace mahlwerk::campaign {
+
+/// The value of a parameter from its position, 0 to 1 across its range (fit.2), and back.
+double value_at(const FreeParameter& p, double position);
+double position_of(const FreeParameter& p, double value);
+
+/// A set of parameters, by their positions, and how it fits.
+struct Evaluation {
+  std::vector<double> position, residuals;
+  double sum = std::numeric_limits<double>::infinity();  ///< of squares (fit.1)
+};
+
+/// Goes down in the sum of squares, and remembers every position it saw. Keeps references to what
+/// it is made of.
+class Minimiser {
+ public:
+  Minimiser(const Residuals& residuals, const std::vector<FreeParameter>& parameters)
+      : residuals_(residuals), parameters_(parameters) {}
+
+  std::size_t count() const { return parameters_.size(); }
+  const std::vector<Evaluation>& evaluations() const {
+    return evaluations_;
+  }  ///< without residuals
+
+  Evaluation evaluate(const std::vector<double>& position);
+
+  /// Of the residuals by each position but that of `fixed`, from both sides if they are to be
+  /// `fine`; zero where no neighbour has any.
+  std::vector<std::vector<double>> slopes(const Evaluation& at, bool fine,
+                                          std::optional<std::size_t> fixed = std::nullopt);
+
+  /// By Levenberg and Marquardt, the parameter `fixed` staying where it is.
+  Evaluation levenberg_marquardt(Evaluation at, std::optional<std::size_t> fixed = std::nullopt);
+
+  /// Anywhere near, for sums that are not smooth: by simplexes (Rowan 1990).
+  Evaluation subplex_search(const Evaluation& from);
+
+  /// The best of some positions spread over the ranges, far from each other. Throws RunError if
+  /// none of them has residuals.
+  std::vector<Evaluation> start_points();
+
+ private:
+  std::optional<Evaluation> damped_step(const Evaluation& at,
+                                        const std::vector<std::vector<double>>& slopes,
+                                        double& damping);
+
+  const Residuals& residuals_;
+  const std::vector<FreeParameter>& parameters_;
+  std::vector<Evaluation> evaluations_;
+};
+
+}  // namespace mahlwerk::campaign

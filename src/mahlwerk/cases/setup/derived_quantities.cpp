@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using kinematics::Planetary;
+using kinematics::Still;
+using kinematics::Tumbling;
+
+/// Largest value of `of(t)` over a period, or at once where nothing changes. A quarter of the
+/// period is among the samples, so a sine's peak is hit.
+template <class M, class Of>
+double largest(const M& motion, Of of) {
+  constexpr int samples = 4096;
+  const double period = motion.period();
+  if (!std::isfinite(period)) return of(0.0);
+  double most = 0;
+  for (int i = 0; i < samples; ++i) most = std::max(most, of(period * i / samples));
+  return most;
+}
+
+/// Of the largest circle about the jar's axis that fits in; of a mesh the one it fits in.
+double radius_of(const auto& round) {
+  return 0.5 * round.diameter;
+}
+double radius_of(const geometry::Box& box) {
+  return 0.5 * std::min(box.width, box.depth);
+}
+double radius_of(const geometry::PeriodicBox& box) {
+  return box.inradius();
+}
+double radius_of(const geometry::Mesh& mesh) {
+  return mesh.radius_about_axis();  // of the drum's shell, whatever stands out from it
+}
+double jar_radius(const Jar& jar) {
+  return std::visit([](const auto& s) { return radius_of(s); }, *jar.shape);
+}
+bool axisymmetric(const Jar& jar) {
+  return geometry::axisymmetric(*jar.shape);
+}
+double jar_reach(const Jar& jar) {
+  return geometry::reach(*jar.shape);
+}
+
+class Derivation {
+ public:
+  explicit Derivation(const Case& c) : c_(c) {
+    largest_ = *std::ranges::max_element(
+        c.balls, {}, [](const BallSet& set) { return set.grains ? 0 : largest_ball({set}); });
+    largest_.diameter = largest_ball({largest_});
+    largest_.classes.clear();
+    arm_ = jar_radius(c.jar) - 0.5 * largest_.diameter;
+  }
+
+  std::vector<DerivedQuantity> all() {
+    std::visit([&](const auto& motion) { speeds(motion); }, *c_.mill.motion);
+    std::visit([&](const auto& motion) { special(motion); }, *c_.mill.motion);
+    charge();
+    return std::move(found_);
+  }
+
+ private:
+  void add(std::string name, double value, std::string unit, std::string about) {
+    found_.push_back({std::move(name), value, std::move(unit), std::move(about)});
+  }
+
+  template <class M>
+  void speeds(const M& motion) {
+    const auto wall_speed = [&](double t) {  // (kin.9)
+      const Vec3 axis = motion.rotation(t) * c_.mill.jar_axis;
+      const Vec3 spin = motion.spin(t);
+      const bool about_axis = axisymmetric(c_.jar) && norm(cross(spin, axis)) <= 1e-12 * norm(spin);
+      const double reach = about_axis ? jar_radius(c_.jar) : jar_reach(c_.jar);
+      return norm(motion.frame_motion(t).velocity) + norm(spin) * reach;
+    };
+    peak_ = largest(motion, wall_speed) + geometry::rotor_tip_speed(*c_.jar.shape);
+    add("peak_wall_speed", peak_, "m/s",
+        "largest speed of the jar's wall, at most: centre and turning added (kin.9)");
+    const double pull =
+        largest(motion, [&](double t) { return norm(motion.frame_motion(t).acceleration); });
+    if (c_.gravity > 0)
+      add("acceleration_number", pull / c_.gravity, "",
+          "largest acceleration of the jar's centre over gravity (kin.10)");
+  }
+
+  /// Shaken mills: what a ball brings that is as fast as the wall.
+  template <class M>
+  void special(const M&) {
+    if constexpr (!std::is_same_v<M, Still>)
+      add("expected_impact_energy", 0.5 * largest_.mass() * peak_ * peak_, "J",
+          "kinetic energy of the largest ball at the peak wall speed (kin.15)");
+  }
+
+  void special(const Tumbling& drum) {
+    const double critical = critical_speed(c_.jar, c_.balls, c_.gravity);
+    add("critical_speed", critical, "rad/s",
+        "speed that pins the largest ball to the wall of the drum (kin.11)");
+    if (critical > 0)
+      add("percent_of_critical", 100 * std::abs(drum.speed) / critical, "%",
+          "speed of the drum over the critical speed (kin.11)");
+    add("expected_impact_energy", largest_.mass() * c_.gravity * 2 * arm_, "J",
+        "energy of the largest ball falling through the drum's diameter less its own (kin.17)");
+  }
+
+  void special(const Planetary& mill) {
+    const double jar_spin = mill.jar_spin(), disc = mill.speed;
+    add("speed_ratio_relative", mill.ratio, "",
+        "jar speed relative to the disc over disc speed (kin.12)");
+    add("speed_ratio_absolute", 1 + mill.ratio, "",
+        "jar speed in the laboratory over disc speed (kin.12)");
+    add("critical_speed_ratio", 1 + std::sqrt(mill.orbit_radius / arm_), "",
+        "size of the relative ratio, jar against disc, that pins the largest ball (kin.13)");
+    if (c_.gravity > 0)
+      add("relative_centrifugal_acceleration", disc * disc * mill.orbit_radius / c_.gravity, "",
+          "centrifugal acceleration of the disc over gravity: the makers' g figure (kin.14)");
+    const bool pinned = jar_spin * jar_spin * arm_ >= disc * disc * mill.orbit_radius;
+    const double energy =  // (kin.16)
+        std::abs(jar_spin * jar_spin * jar_spin * arm_ / disc +
+                 disc * jar_spin * mill.orbit_radius) *
+        arm_ * largest_.mass();
+    add("expected_impact_energy", pinned ? 0 : energy, "J",
+        pinned ? "none: the largest ball is pinned to the wall all round (kin.13)"
+               : "Burgio's energy per hit of the largest ball, with the jar's absolute speed "
+                 "(kin.16)");
+  }
+
+  void mesh() {
+    const auto* mesh = std::get_if<geometry::Mesh>(&*c_.jar.shape);
+    if (mesh == nullptr) return;
+    const auto triangles = static_cast<double>(mesh->surface().triangles.size());
+    const Vec3 size = mesh->extent().size();
+    add("jar_triangles", triangles, "", "triangles of the jar's mesh");
+    add("jar_faces", mesh->faces, "", "faces its creases divide it into (geo.9)");
+    add("jar_width", size.x, "m", "extent of the mesh along the jar's own x axis");
+    add("jar_depth", size.y, "m", "extent of the mesh along the jar's own y axis");
+    add("jar_height", size.z, "m", "extent of the mesh along the jar's own z axis");
+  }
+
+  void charge() {
+    mesh();
+    const double jar = jar_volume(c_.jar), mass = balls_mass(c_.balls);
+    double balls = 0, count = 0;
+    for (const BallSet& set : c_.balls) {
+      if (set.grains) continue;
+      balls += static_cast<double>(set.count) * ball_volume(set);
+      count += static_cast<double>(set.count);
+    }
+    add("jar_volume", jar, "m3", "inner volume of the empty jar");
+    add("ball_count", count, "", "balls of all sets");
+    add("ball_mass", largest_.mass(), "kg", "mass of the largest ball");
+    add("total_ball_mass", mass, "kg", "mass of all balls");
+    add("filling", 100 * balls / jar, "%", "solid volume of the balls over the jar's volume");
+    if (!c_.powder) return;
+    add("powder_mass", c_.powder->mass, "kg", "mass of the powder");
+    add("ball_to_powder", mass / c_.powder->mass, "", "mass of the balls over mass of the powder");
+    if (c_.balls.back().grains) grains(c_.balls.back(), *c_.powder, jar);
+  }
+
+  void grains(const BallSet& set, const Powder& powder, double jar) {
+    add("grain_count", static_cast<double>(set.count), "", "spheres that stand for the powder");
+    add("grain_filling", 100 * static_cast<double>(set.count) * ball_volume(set) / jar, "%",
+        "solid volume of the grains over the jar's volume");
+    if (!powder.size) return;
+    const double ratio = *powder.grain_size / *powder.size;  // (chg.9)
+    add("coarse_graining_ratio", ratio, "", "size of a grain over the powder's size (chg.9)");
+    add("particles_per_grain", ratio * ratio * ratio, "",
+        "particles of the powder that each grain stands for (chg.10)");
+  }
+
+  const Case& c_;
+  BallSet largest_;
+  double arm_ = 0;   // [m] of a ball's centre on the wall, from the jar's axis
+  double peak_ = 0;  // [m/s]
+  std::vector<DerivedQuantity> found_;
+};
+
+}  // namespace
+
+double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity) {
+  return std::sqrt(gravity / (jar_radius(jar) - 0.5 * largest_ball(balls)));  // (kin.11)
+}
+
+std::vector<DerivedQuantity> derived_quantities(const Case& c) {
+  if (c.balls.empty()) return {};
+  return Derivation(c).all();
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/setup/position_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+
+namespace mahlwerk::cases {
+
+double wall_clearance(const geometry::AnyShape& shape, double radius, double share) {
+  const double room = geometry::inradius(shape) - radius;
+  return std::min(share * radius, 0.5 * room);
+}
+
+template <class S>
+bool PositionSampler::free(const S& shape, const Vec3& p) const {
+  bool free = true;
+  geometry::for_each_near_face(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
+    free = free && gap.distance >= needed_;
+  });
+  return free;
+}
+
+template <class S>
+bool PositionSampler::square(const S& shape, const Vec3& p, const Vec3& axis) const {
+  bool found = false;
+  geometry::for_each_near_face(shape, p, radius_, needed_, [&](int, const geometry::Gap& gap) {
+    found = found || (gap.distance <= needed_ && dot(gap.inward, axis) < -1 + 1e-12);
+  });
+  return found;
+}
+
+/// How far the free region reaches along an axis: jars are convex, and where the wall it ends at
+/// lies square to the axis no point of it is farther.
+template <class S>
+double PositionSampler::extent(const S& shape, const Vec3& axis) const {
+  double in = 0, out = shape.reach();
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (in + out);
+    (free(shape, middle * axis) ? in : out) = middle;
+  }
+  return S::axisymmetric || square(shape, out * axis, axis) ? out : shape.reach();
+}
+
+template <class S>
+void PositionSampler::measure(const S& shape) {
+  if constexpr (requires { shape.middle(); }) {  // neither convex nor about the origin
+    const geometry::Extent e = shape.extent();
+    const Vec3 low = componentwise_abs(e.low), high = componentwise_abs(e.high);
+    box_ = {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
+    half_ = 0.5 * e.size();
+    centre_ = e.middle();
+    middle_ = shape.middle();
+    return;
+  }
+  const Vec3 half = 0.5 * geometry::periods_of(shape);
+  box_ = {std::min(extent(shape, {1, 0, 0}), half.x), std::min(extent(shape, {0, 1, 0}), half.y),
+          std::min(extent(shape, {0, 0, 1}), half.z)};
+  half_ = box_;
+}
+
+PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius)
+    : shape_(&shape), radius_(radius), needed_(radius + wall_clearance(shape, radius, 1e-3)) {
+  std::visit([&](const auto& s) { measure(s); }, shape);
+}
+
+Vec3 PositionSampler::draw(Random& random) const {
+  constexpr int tries = 1000;  // between halvings; the first box is half full at least
+  for (double scale = 1; scale > 1e-9; scale *= 0.5)
+    for (int i = 0; i < tries; ++i) {
+      const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+      const double z = random.uniform(-1, 1);
+      const Vec3 place = centre_ + Vec3{x * half_.x, y * half_.y, z * half_.z};
+      const Vec3 p = middle_ + scale * (place - middle_);
+      if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
+    }
+  throw InputError(Fault{"jar", "no place was found for a ball in it",
+                         "give a smaller ball; a mesh must not cut through itself",
+                         "does-not-fit"});
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Which of the values a case was given without a word its results rest on.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+/// Whether an engine looks at a value: what it does not is no assumption of its results. "auto"
+/// may look at all.
+bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
+  static const std::vector<std::string_view> of_soft{"law",
+                                                     "rolling",
+                                                     "rolling_damping",
+                                                     "softening",
+                                                     "curved_walls",
+                                                     "rescaled_unloading",
+                                                     "time_step",
+                                                     "time_step_fraction",
+                                                     "hop",
+                                                     "youngs_modulus",
+                                                     "poisson_ratio"};
+  static const std::vector<std::string_view> of_event{
+      "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
+  if (engine == EngineName::automatic) return true;
+  const auto& of_other = engine == EngineName::event ? of_soft : of_event;
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
+  const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
+  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
+  const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
+  return std::ranges::find(of_other, key) == of_other.end() &&
+         !(of_law && engine == EngineName::event);
+}
+
+/// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
+bool is_relevant(std::string_view dotted, const Case& c) {
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
+  if (key == "hardness") return c.wear.has_value();
+  if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
+  return dotted != "jar.density" || c.wear || c.heat;
+}
+
+}  // namespace
+
+void drop_irrelevant_assumptions(Case& c) {
+  for (Origin& origin : c.origins) {
+    const bool asked = is_relevant(origin.key, c);
+    origin.assumed = origin.assumed && asked && engine_reads(origin.key, c, c.run.engine);
+    origin.unverified = origin.unverified && asked;
+  }
+}
+
+Notices ignored_keys(const Case& c, EngineName engine) {
+  std::string keys;
+  for (const Origin& origin : c.origins) {
+    const bool given =
+        !origin.source.starts_with("default: ") && !origin.source.starts_with("catalogue");
+    if (given && !engine_reads(origin.key, c, engine))
+      keys += (keys.empty() ? "" : ", ") + origin.key;
+  }
+  if (keys.empty()) return {};
+  return {note("ignored-keys",
+               fmt::format("The {} engine, which ran, does not look at what the case says of {}.",
+                           name_of(engine), keys))};
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mahlwerk/event/cells.hpp"
+
+namespace mahlwerk::event {
+
+/// Who may be met: a grid of cells for each class of sizes, so that a large ball among many small
+/// ones does not make everybody's neighbourhood large. A class holds diameters down to half its
+/// largest.
+class HierarchicalGrid {
+ public:
+  /// For `balls` balls of these diameters [m] (by species) in the box from `low` on, `size` [m]
+  /// wide. Balls belong to a cell until they are `slack` diameters beyond its border.
+  HierarchicalGrid(const Vec3& low, const Vec3& size, bool periodic,
+                   std::span<const double> diameters, double slack, std::size_t balls);
+
+  int level_of(std::uint32_t species) const { return level_of_[species]; }
+  Cell cell_at(int level, const Vec3& position) const { return cells(level).cell_at(position); }
+  Cells::Borders borders(int level, Cell cell) const { return cells(level).borders(cell); }
+  void insert(int level, std::int32_t ball, Cell cell) { cells(level).insert(ball, cell); }
+  void remove(int level, std::int32_t ball, Cell cell) { cells(level).remove(ball, cell); }
+  void clear();
+  void prefetch(int level, Cell cell) const { cells(level).prefetch(cell); }
+  void serialize(Archive& archive);
+  bool contains(int level, std::int32_t ball, Cell cell) const {
+    return cells(level).contains(ball, cell);
+  }
+  std::int64_t ball_count() const;  ///< how many balls there are in all cells
+  /// Whether a box repeats itself after so few cells that any image may be met
+  /// (Cells::needs_all_images).
+  bool needs_all_images() const { return needs_all_images_; }
+
+  /// All balls that one of this level in this cell can touch before it leaves the cell, and more;
+  /// valid until the next call.
+  std::span<const std::int32_t> near(int level, Cell cell);
+  /// Of those, the ones that were not near in its cell `before`, and more.
+  std::span<const std::int32_t> newly_near(int level, Cell cell, Cell before);
+
+ private:
+  struct Level {
+    double widest;  // [m] diameter
+    double slack;   // [m]
+    Cells cells;
+  };
+  Cells& cells(int level) { return levels_[static_cast<std::size_t>(level)].cells; }
+  const Cells& cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells; }
+  std::span<const std::int32_t> with_other_levels(int level, Cell cell, int count);
+
+  std::vector<Level> levels_;
+  std::vector<int> level_of_;  // by species
+  std::vector<std::int32_t> found_;
+  bool needs_all_images_ = false;
+};
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/index.hpp"
+#include "mahlwerk/event/many_balls.hpp"
+#include "mahlwerk/geometry/safe_time.hpp"
+#include "mahlwerk/kinematics/strongest_field.hpp"
+
+namespace mahlwerk::event {
+namespace {
+
+TouchTolerance tolerance(const MovingWall& jar, double radius) {
+  const auto& bounds = jar.motion_bounds();
+  const double scale =
+      jar.reach() + jar.offset() +
+      (bounds.jerk > 0 ? bounds.speed * bounds.speed / (norm(bounds.acceleration) + 1e-300) : 0.0);
+  return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
+}
+
+/// Grids over the box in which centres of balls can be.
+std::unique_ptr<HierarchicalGrid> make_grid(const MovingWall& jar, double max_acceleration,
+                                            const std::vector<double>& radii, std::size_t balls) {
+  const bool periodic = jar.periods().x < never;
+  const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
+  // A ball pulled by unknown forces is looked at too early rather than too late, again and again as
+  // it nears the border: with some slack it has already crossed it at one of those looks.
+  const double slack = max_acceleration > 0 ? 0.02 : 1e-7;
+  std::vector<double> diameters;
+  for (const double r : radii) diameters.push_back(2 * r);
+  const double widest = *std::ranges::max_element(diameters);
+  if (periodic && std::min({size.x, size.y, size.z}) <= 2 * widest)
+    throw InputError(Fault{"jar",
+                           "a ball of half a periodic box meets another and its image at once",
+                           "give smaller balls or a larger box", "periodic-box"});
+  return std::make_unique<HierarchicalGrid>(-0.5 * size, size, periodic, diameters, slack, balls);
+}
+
+}  // namespace
+
+ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
+                     const Rules& rules, const contact::BounceTable& bounces, double start)
+    : jar_(std::move(jar)),
+      rules_(rules),
+      tc_rule_{rules.contact_time, rules.lasting_friction},
+      bounces_(bounces),
+      gravity_(jar_->gravity()),
+      periods_(jar_->periods()),
+      walls_(jar_->faces() > 0),
+      periodic_(periods_.x < never),
+      max_acceleration_(jar_->motion_bounds().acceleration + componentwise_abs(gravity_)),
+      field_(kinematics::strongest_field(gravity_, jar_->motion_bounds().acceleration,
+                                         jar_->period(),
+                                         [&](double t) { return jar_->frame_motion(t); })),
+      start_(start) {
+  const double period = jar_->static_geometry() ? jar_->period() : never;
+  clock_origin_ = std::isfinite(period) ? std::floor(start / period) * period : start;
+  now_ = start - clock_origin_;
+  epoch_ = jar_->frame_motion(motion_time(0));
+  std::map<std::tuple<double, double, std::int32_t>, std::uint32_t> known;
+  for (const scene::Ball& ball : balls) {
+    const auto [place, is_new] =
+        known.try_emplace({ball.radius, ball.density, ball.kind}, species_.size());
+    if (is_new) {
+      species_.push_back({ball.radius, ball.mass(), ball.inertia(), ball.density, ball.kind});
+      radii_.push_back(ball.radius);
+      tolerances_.push_back(tolerance(*jar_, ball.radius));
+    }
+    Trajectory trajectory{.position = ball.position,
+                          .since = now_,
+                          .velocity = ball.velocity,
+                          .revision = 0,
+                          .species = place->second};
+    const Drift d = drift_at(now_);
+    trajectory.position = nearest_image(trajectory.position + d.position, periods_);
+    trajectory.velocity += d.velocity;
+    collision_data_.push_back(
+        {ball.spin, -never, 0, static_cast<std::int32_t>(trajectories_.size())});
+    trajectories_.push_back(trajectory);
+  }
+  predictions_.resize(trajectories_.size());
+  grid_ = make_grid(*jar_, max_acceleration_.total, radii_, trajectories_.size());
+  fill_cells();
+  predict_all();
+  finished_.reserve(2048);
+  energy_balance_ = energy_balance();
+  energy_balance_.initial_energy = energy_balance_.kinetic + energy_balance_.potential;
+}
+
+void ManyBalls::predict_all() {
+  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) predict(ball);
+  rebuild_queue();
+}
+
+void ManyBalls::predict_and_schedule(std::int32_t ball) {
+  predict(ball);
+  queue_.schedule(ball, prediction_of(ball).next());
+}
+
+/// All of a ball's future, after its way has changed.
+void ManyBalls::predict(std::int32_t ball) {
+  Prediction& p = prediction_of(ball);
+  predict_collisions(ball);
+  const BallState where = ball_state(ball);
+  p.face = -1;
+  p.safe_until = now_ + cell_safe_time(ball, where);
+  if (walls_) {
+    const double t = motion_time(now_);
+    const WallPrediction predicted =
+        jar_->predict_touch(where, t, t, tolerances_[trajectory(ball).species]);
+    p.safe_until = std::min(p.safe_until, predicted.time - motion_time(0));
+    if (predicted.face >= 0) p.face = predicted.face;
+  }
+}
+
+void ManyBalls::predict_collisions(std::int32_t ball) {
+  prediction_of(ball).collision_time = never;
+  predict_collisions_with(ball, grid_->near(level(ball), prediction_of(ball).cell));
+}
+
+/// Keeps the ball's earliest meeting, if one of `others` is it.
+void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::int32_t> others) {
+  const Trajectory& me = trajectory(ball);
+  Prediction& p = prediction_of(ball);
+  const CollisionQuery query{me.at(now_), me.velocity, now_, species(me).radius, ball};
+  const PredictedCollision known{p.collision_time, p.partner};
+  const PredictedCollision found =
+      grid_->needs_all_images()
+          ? first_of_images(query, others, known)
+          : earliest_collision(query, trajectories_, others, radii_, periods_, known);
+  if (found.time < p.collision_time)
+    p = {found.time,   found.partner, trajectory(found.partner).revision,
+         p.safe_until, p.face,        p.cell};
+}
+
+/// In a box of few cells the nearest image need not be the one that is met first: all are asked
+/// that can be met while both balls are in the box.
+PredictedCollision ManyBalls::first_of_images(const CollisionQuery& query,
+                                              std::span<const std::int32_t> others,
+                                              PredictedCollision found) const {
+  const Vec3 none{never, never, never};
+  for (const double x : {0.0, -periods_.x, periods_.x})
+    for (const double y : {0.0, -periods_.y, periods_.y})
+      for (const double z : {0.0, -periods_.z, periods_.z}) {
+        CollisionQuery image = query;
+        image.position += Vec3{x, y, z};
+        found = earliest_collision(image, trajectories_, others, radii_, none, found);
+      }
+  return found;
+}
+
+/// How long a ball certainly stays in its cell [s].
+double ManyBalls::cell_safe_time(std::int32_t ball, const BallState& where) const {
+  const Cells::Borders b =
+      grid_->borders(level(ball), predictions_[static_cast<std::size_t>(ball)].cell);
+  const Vec3 &v = where.velocity, &a = max_acceleration_.components;
+  Vec3 x = where.position;
+  if (periodic_) {  // seen from the cell: just beyond the border of the box it was folded far away
+    const Vec3 middle = 0.5 * (b.low + b.high);
+    x = middle + nearest_image(x - middle, periods_);
+  }
+  const auto along = [](double low, double high, double place, double speed,
+                        double max_acceleration) {
+    double ahead = high - place, behind = place - low;
+    if (speed < 0) std::swap(ahead, behind);
+    speed = std::abs(speed);
+    if (max_acceleration == 0) return speed > 0 ? std::max(ahead, 0.0) / speed : never;
+    const double to =
+        ahead < never ? geometry::plane_safe_time(ahead, speed, max_acceleration) : never;
+    if (behind >= ahead) return to;  // not reached before the border ahead
+    return std::min(to, geometry::plane_safe_time(behind, -speed, max_acceleration));
+  };
+  return std::min({along(b.low.x, b.high.x, x.x, v.x, a.x), along(b.low.y, b.high.y, x.y, v.y, a.y),
+                   along(b.low.z, b.high.z, x.z, v.z, a.z)});
+}
+
+bool ManyBalls::has_left(std::int32_t ball, const BallState& where) const {
+  const Cell cell = predictions_[static_cast<std::size_t>(ball)].cell;
+  return grid_->cell_at(level(ball), where.position) != cell;
+}
+
+void ManyBalls::change_cell(std::int32_t ball, const BallState& where) {
+  Prediction& p = prediction_of(ball);
+  const Cell before = p.cell, cell = grid_->cell_at(level(ball), where.position);
+  grid_->remove(level(ball), ball, before);
+  grid_->insert(level(ball), ball, cell);
+  p.cell = cell;
+  // In a box of few cells those who stay near may be met in another image from now on.
+  predict_collisions_with(ball, grid_->needs_all_images()
+                                    ? grid_->near(level(ball), cell)
+                                    : grid_->newly_near(level(ball), cell, before));
+}
+
+/// Starts the ball's line anew at this moment, in the box.
+void ManyBalls::advance_to_now(std::int32_t ball) {
+  Trajectory& l = trajectory(ball);
+  l.position = nearest_image(l.at(now_), periods_);
+  l.since = now_;
+}
+
+/// Turns the clock back by `shift` [s] and lets the falling frame start from the jar frame of that
+/// time (man.3).
+void ManyBalls::move_frame(double shift) {
+  const Drift d = drift_at(shift);
+  for (Trajectory& l : trajectories_) {
+    l.since -= shift;
+    l.position -= d.position + l.since * d.velocity;
+    l.velocity -= d.velocity;
+  }
+  for (Prediction& p : predictions_) {
+    p.collision_time -= shift;
+    p.safe_until -= shift;
+  }
+  for (CollisionData& t : collision_data_) t.last_collision -= shift;
+  clock_origin_ += shift;
+  now_ -= shift;
+  epoch_ = jar_->frame_motion(motion_time(0));
+  drift_ = {};
+}
+
+/// Stores the balls in the order of their cells.
+void ManyBalls::sort() {
+  const auto count = trajectories_.size();
+  if (count < 512) return;
+  std::vector<std::int32_t> order(count), place(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::int32_t i) {
+    return std::pair{level(i), prediction_of(i).cell};
+  });
+  for (std::size_t i = 0; i < count; ++i) place[as_index(order[i])] = static_cast<std::int32_t>(i);
+  const auto permute = [&](auto& list) {
+    std::remove_reference_t<decltype(list)> sorted;
+    sorted.reserve(count);
+    for (const std::int32_t i : order) sorted.push_back(list[as_index(i)]);
+    list = std::move(sorted);
+  };
+  permute(trajectories_);
+  permute(predictions_);
+  permute(collision_data_);
+  grid_->clear();
+  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
+    Prediction& p = prediction_of(ball);
+    if (p.partner >= 0) p.partner = place[as_index(p.partner)];
+    grid_->insert(level(ball), ball, p.cell);
+  }
+}
+
+void ManyBalls::fill_cells() {
+  grid_->clear();
+  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
+    prediction_of(ball).cell = grid_->cell_at(level(ball), ball_state(ball).position);
+    grid_->insert(level(ball), ball, prediction_of(ball).cell);
+  }
+}
+
+ManyBalls::Drift ManyBalls::drift_at(double t) const {
+  if (!walls_) return {t, {}, {}};
+  const kinematics::FrameMotion frame = jar_->frame_motion(motion_time(t));
+  return {t, frame.centre - epoch_.centre - t * (epoch_.velocity + 0.5 * t * gravity_),
+          frame.velocity - epoch_.velocity - t * gravity_};
+}
+
+const ManyBalls::Drift& ManyBalls::drift() {
+  if (drift_.time != now_) drift_ = drift_at(now_);
+  return drift_;
+}
+
+/// Where a ball is now, in the jar frame.
+BallState ManyBalls::ball_state(std::int32_t ball) {
+  const Trajectory& l = trajectory(ball);
+  return {nearest_image(l.at(now_) - drift().position, periods_), l.velocity - drift().velocity};
+}
+
+}  // namespace mahlwerk::event

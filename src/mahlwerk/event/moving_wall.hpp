@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "mahlwerk/event/search.hpp"
+
+namespace mahlwerk::event {
+
+/// What a ball may count on.
+struct WallPrediction {
+  double time = 0;  ///< [s] of the touch, or until when there is certainly none
+  int face = -1;    ///< < 0: no touch
+};
+
+/// A jar on its mill with its types hidden: one call per question, for an engine of many balls.
+/// Times are the mill's own; places and velocities those of the jar frame.
+class MovingWall {
+ public:
+  virtual ~MovingWall() = default;
+
+  virtual kinematics::FrameMotion frame_motion(double t) const = 0;
+  /// Follows a ball that is `ball` at `t` and flies freely, until it touches, `until` is passed, or
+  /// after most_search_steps; looks at least once.
+  virtual WallPrediction predict_touch(const BallState& ball, double t, double until,
+                                       const TouchTolerance& tolerance) const = 0;
+  virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;
+  virtual Vec3 to_jar_axes(const Vec3& a, double t) const = 0;
+
+  const kinematics::Bounds& motion_bounds() const { return motion_bounds_; }
+  const Vec3& gravity() const { return gravity_; }
+  bool static_geometry() const { return static_geometry_; }
+  int faces() const { return faces_; }
+  double period() const { return period_; }         // [s] of the frame motion
+  double reach() const { return reach_; }           // [m]
+  double offset() const { return offset_; }         // [m] of the jar's centre at the start
+  const Vec3& periods() const { return periods_; }  // [m] infinite where the shape does not repeat
+
+ protected:
+  kinematics::Bounds motion_bounds_;
+  Vec3 gravity_, periods_;
+  bool static_geometry_ = true;
+  int faces_ = 0;
+  double period_ = 0, reach_ = 0, offset_ = 0;
+};
+
+template <class S, class M>
+class ChamberWall final : public MovingWall {
+ public:
+  explicit ChamberWall(const TypedChamber<S, M>& jar) : jar_(jar) {
+    motion_bounds_ = jar.motion_bounds();
+    gravity_ = jar.gravity();
+    periods_ = geometry::periods_of(jar.shape());
+    static_geometry_ = jar.static_geometry();
+    faces_ = S::faces;
+    period_ = jar.motion().period();
+    reach_ = jar.shape().reach();
+    offset_ = norm(jar.motion().frame_motion(0).centre);
+  }
+
+  kinematics::FrameMotion frame_motion(double t) const override {
+    return jar_.motion().frame_motion(t);
+  }
+  WallPrediction predict_touch(const BallState& ball, double t, double until,
+                               const TouchTolerance& tolerance) const override {
+    const FaceScan first = scan_faces(jar_, {t, {}, ball}, tolerance);
+    if (first.face >= 0) return {t, first.face};
+    const double step = std::max(first.safe_time,
+                                 tolerance.least_step(norm(ball.velocity) + jar_.max_wall_speed()));
+    if (!(t + step < until)) return {std::max(t + step, std::nextafter(t, geometry::never)), -1};
+    const kinematics::FrameMotion frame = jar_.motion().frame_motion(t);
+    const Flight flight{t, ball.position + frame.centre, ball.velocity + frame.velocity};
+    const Touch touch = next_touch(jar_, flight, {t, frame, ball}, until, tolerance);
+    return {touch.when.time, touch.face};
+  }
+  Wall wall(int face, const Vec3& position, double t, double radius) const override {
+    return jar_.wall(face, position, t, radius);
+  }
+  Vec3 to_jar_axes(const Vec3& a, double t) const override { return jar_.to_jar_axes(a, t); }
+
+ private:
+  TypedChamber<S, M> jar_;
+};
+
+}  // namespace mahlwerk::event

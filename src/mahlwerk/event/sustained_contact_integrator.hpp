@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "mahlwerk/event/search.hpp"
+#include "mahlwerk/event/sustained_contact.hpp"
+
+// One step of a lasting contact: Dormand and Prince's embedded pair of orders 5 and 4, with its
+// step chosen from the error (evt.18).
+namespace mahlwerk::event {
+
+struct IntegrationStep {
+  ContactState end, rate;  ///< the state at its end, and its derivative there
+  ContactForces forces;    ///< there
+  double error = 0;        ///< relative to what is allowed; the step is good up to 1
+};
+
+/// `rate(t, y, forces)` is the derivative; `first` its value at the start.
+template <class Rate>
+IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactState& y,
+                                    const ContactState& first, double h, double radius) {
+  const ContactState& a = first;
+  ContactForces forces;
+  const ContactState b = rate(t + h / 5, y + h / 5 * a, forces);
+  const ContactState c = rate(t + 3 * h / 10, y + h * (3.0 / 40 * a + 9.0 / 40 * b), forces);
+  const ContactState d =
+      rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c), forces);
+  const ContactState e = rate(
+      t + 8 * h / 9,
+      y + h * (19372.0 / 6561 * a + -25360.0 / 2187 * b + 64448.0 / 6561 * c + -212.0 / 729 * d),
+      forces);
+  const ContactState f = rate(t + h,
+                              y + h * (9017.0 / 3168 * a + -355.0 / 33 * b + 46732.0 / 5247 * c +
+                                       49.0 / 176 * d + -5103.0 / 18656 * e),
+                              forces);
+  const ContactState end = y + h * (35.0 / 384 * a + 500.0 / 1113 * c + 125.0 / 192 * d +
+                                    -2187.0 / 6784 * e + 11.0 / 84 * f);
+  const ContactState last = rate(t + h, end, forces);
+  const ContactState wrong = h * (71.0 / 57600 * a + -71.0 / 16695 * c + 71.0 / 1920 * d +
+                                  -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
+  constexpr double relative = 1e-8;
+  const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
+  const double error = std::max({norm(wrong.position) / (relative * radius),
+                                 norm(wrong.velocity) / (relative * speed),
+                                 radius * norm(wrong.spin) / (relative * speed)});
+  return {end, last, forces, error};
+}
+
+/// Drives a ball that stays on the wall until it leaves or time is up.
+template <class J>
+class SustainedContactIntegrator {
+ public:
+  enum class Status { in_contact, released, touched };
+
+  SustainedContactIntegrator(const J& jar, const BallBody& ball, const Rules& rules,
+                             const TouchTolerance& tolerance)
+      : jar_(&jar), contact_(jar, ball, rules), ball_(ball), rules_(rules), tolerance_(tolerance) {}
+
+  /// Begins at `t` with the ball on the faces of `support`; grip is found out.
+  void begin(SupportFaces support, double t, const ContactState& y) {
+    support_ = support;
+    now_ = y;
+    step_ = 1e-5;
+    rate_known_ = false;
+    if (support_.count == 1) choose_friction_state(t);
+  }
+
+  /// One step from `t`, which it moves on. `now()` is the state after it.
+  Status advance(double& t) {
+    const auto rate = [this](double at, const ContactState& y, ContactForces& forces) {
+      return contact_.rate(support_, at, y, forces);
+    };
+    if (support_.count == 1 && support_.friction_state == FrictionState::creeping &&
+        clear_of_others(t))
+      begin(support_, t, now_);
+    if (!rate_known_) rate_ = rate(t, now_, forces_);
+    if (support_.friction_state != FrictionState::creeping && update_friction_state(t))
+      rate_ = rate(t, now_, forces_);
+    if (release_pulling_faces(t)) return Status::released;
+
+    const double crease = time_to_curvature_jump(t);
+    const double wanted = std::min({step_, slide_limit(), safe_time_of_others(t), crease});
+    double h = wanted;
+    IntegrationStep s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+    while (!(s.error <= 1)) {
+      h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
+      s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+    }
+    if (h < wanted ||
+        wanted == step_)  // a step cut short for other reasons says nothing about the error
+      step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
+    if (leaves_wall(t + h, s)) {
+      h = bisect_release_time(rate, t, h);
+      s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+    }
+    t += h;
+    now_ = s.end;
+    rate_ = s.rate;
+    forces_ = s.forces;
+    rate_known_ = h < crease;  // beyond it the derivative is another
+    contact_.project_onto_wall(support_, t, now_);
+    return bounces_off_other(t) ? Status::touched : Status::in_contact;
+  }
+
+  void serialize(Archive& archive) {
+    archive(support_)(now_)(rate_)(forces_)(rate_known_)(step_);
+    if (support_.count > SupportFaces::most) throw Archive::broken();
+  }
+
+  const ContactState& now() const { return now_; }
+  ContactState& now() { return now_; }
+  const SupportFaces& support() const { return support_; }
+  const SustainedContact<J>& contact() const { return contact_; }
+
+ private:
+  static constexpr double sticking_speed = 1e-4;      // [m/s] slip below it may come to rest
+  static constexpr double insignificant_time = 3e-5;  // [s] in which no mill changes its push much
+
+  void choose_friction_state(double t) {
+    const double mu = rules_.lasting_friction;
+    const bool slips = norm(contact_.slip(support_.face[0], t, now_)) > sticking_speed;
+    support_.friction_state =
+        mu == 0 || (slips && std::isfinite(mu)) ? FrictionState::sliding : FrictionState::rolling;
+    if (support_.friction_state == FrictionState::rolling)
+      contact_.stick(support_.face[0], t, now_);
+    contact_.project_onto_wall(support_, t, now_);
+  }
+
+  /// Rolling that needs more friction than there is begins to slide; sliding that has come to rest
+  /// rolls.
+  bool update_friction_state(double t) {
+    const double mu = rules_.lasting_friction;
+    if (mu == 0 || std::isinf(mu)) return false;
+    const double most = mu * std::max(forces_.normal_force[0], 0.0),
+                 needed = norm(forces_.sticking_friction);
+    if (support_.friction_state == FrictionState::rolling && needed > most) {
+      support_.friction_state = FrictionState::sliding;
+      return true;
+    }
+    if (support_.friction_state == FrictionState::sliding && needed <= most &&
+        norm(forces_.slip) <= sticking_speed) {
+      support_.friction_state = FrictionState::rolling;
+      contact_.stick(support_.face[0], t, now_);
+      contact_.project_onto_wall(support_, t, now_);
+      return true;
+    }
+    return false;
+  }
+
+  /// A ball whose slip is coming to rest nears that moment from this side (evt.14).
+  double slide_limit() const {
+    if (support_.friction_state != FrictionState::sliding) return geometry::never;
+    const double speed = norm(forces_.slip);
+    if (speed <= sticking_speed) return geometry::never;
+    const double slowing =
+        3.5 * dot(forces_.sticking_friction - forces_.friction, forces_.slip) / speed;  // [m/s2]
+    return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
+  }
+
+  /// Steps end where the curvature jumps, for across it the derivative is not smooth: just before,
+  /// and after one of at most `short_way` just beyond. The way there is nearly straight only when
+  /// it is short, so a long one is not gone at once.
+  double time_to_curvature_jump(double t) const {
+    constexpr double short_way = 1e-8;  // [s]
+    double soonest = geometry::never;
+    for (std::size_t i = 0; i < support_.count; ++i) {
+      const int face = support_.face[i];
+      double time = jar_->time_to_curvature_jump(face, {now_.position, now_.velocity}, t);
+      if (time < step_)  // halfway the velocity is the mean one
+        time = jar_->time_to_curvature_jump(
+            face, {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
+      soonest = std::min(soonest, time > short_way ? 0.9 * time : time + least_step());
+    }
+    return std::max(soonest, least_step());
+  }
+
+  double least_step() const {
+    return tolerance_.least_step(norm(now_.velocity) + jar_->max_wall_speed());
+  }
+
+  /// Calls `visit(face)` for every face that the ball could touch besides those it rests on.
+  template <class Visit>
+  void for_each_other(const Visit& visit) const {
+    for (int face = 0; face < jar_->shape().faces; ++face)
+      if (!support_.has(face) && jar_->shape().can_touch(face, ball_.radius)) visit(face);
+  }
+
+  /// A step in which no other face is touched, or so slowly that it would be no bounce: a ball that
+  /// has just left a face, or lies beside it, must not crawl.
+  double safe_time_of_others(double t) const {
+    double clear = geometry::never;
+    for_each_other([&](int face) {
+      double time = std::max(safe_time(face, t, now_).time, least_step());
+      if (time < insignificant_time) time = std::max(time, slow_approach_time(face, t));
+      clear = std::min(clear, time);
+    });
+    return clear;
+  }
+
+  /// A time in which the ball gains less than `lasting_speed` towards a face at twice its present
+  /// acceleration against it [s].
+  double slow_approach_time(int face, double t) const {
+    const auto constraint = jar_->wall_constraint(face, {now_.position, now_.velocity}, t);
+    const double against =
+        std::abs(dot(rate_.velocity, constraint.inward) - constraint.inward_acceleration);
+    return rules_.lasting_speed / (2 * against + rules_.lasting_speed / insignificant_time);
+  }
+
+  /// Whether the ball is so far from all faces but its own that it no longer has to creep.
+  bool clear_of_others(double t) const {
+    bool apart = true;
+    for_each_other(
+        [&](int face) { apart = apart && safe_time(face, t, now_).gap > 1e-3 * ball_.radius; });
+    return apart;
+  }
+
+  /// Whether another face is touched fast enough to bounce. One touched slower holds the ball from
+  /// now on too, or lets it go as soon as its reaction is known.
+  bool bounces_off_other(double t) {
+    bool bounces = false;
+    for_each_other([&](int face) {
+      const geometry::SafeTime safe = safe_time(face, t, now_);
+      if (safe.gap <= 2 * tolerance_.margin && safe.closing > 0 && !joins_support(face, t))
+        bounces = true;
+    });
+    return bounces;
+  }
+
+  /// The face is touched; if slowly, what is left of the normal speed is lost and the face joins.
+  bool joins_support(int face, double t) {
+    const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
+    const double closing = dot(wall.velocity - now_.velocity, wall.inward);
+    if (closing >= rules_.lasting_speed || support_.count == SupportFaces::most) return false;
+    const Vec3 change = closing * wall.inward;
+    const double before = contact_.energy(t, now_);
+    const double work =
+        ball_.mass * dot(change, jar_->motion().frame_motion(t).velocity + wall.velocity);
+    now_.velocity += change;
+    now_.work += work;
+    now_.lost += before + work - contact_.energy(t, now_);
+    support_.add(face);
+    rate_known_ = false;
+    return true;
+  }
+  geometry::SafeTime safe_time(int face, double t, const ContactState& y) const {
+    return jar_->safe_time(face, {y.position, y.velocity}, t, ball_.radius - tolerance_.margin);
+  }
+
+  /// The wall would have to pull. Where several hold the ball it leaves the one that would have to
+  /// pull most, and may stay on the others.
+  bool release_pulling_faces(double t) {
+    while (forces_.pulls(support_)) {
+      if (support_.count == 1) return true;
+      support_.remove(forces_.least(support_));
+      rate_ = contact_.rate(support_, t, now_, forces_);
+    }
+    return false;
+  }
+
+  /// Whether a step ends with a wall that pulls or with the ball through another face.
+  bool leaves_wall(double t, const IntegrationStep& s) const {
+    bool through = false;
+    for_each_other([&](int face) {
+      const geometry::SafeTime safe = safe_time(face, t, s.end);
+      through = through || (safe.gap < 0 && safe.closing > 0);
+    });
+    return through || s.forces.pulls(support_);
+  }
+
+  /// The length of the step at whose end the ball has just left, by bisection: `leaves_wall` is no
+  /// smooth function.
+  template <class Rate>
+  double bisect_release_time(const Rate& rate, double t, double h) const {
+    double stays = 0, gone = h;
+    for (int i = 0; i < 60 && gone - stays > least_step(); ++i) {
+      const double middle = 0.5 * (stays + gone);
+      const IntegrationStep s = dormand_prince_step(rate, t, now_, rate_, middle, ball_.radius);
+      (leaves_wall(t + middle, s) ? gone : stays) = middle;
+    }
+    return gone;
+  }
+
+  const J* jar_;
+  SustainedContact<J> contact_;
+  BallBody ball_;
+  Rules rules_;
+  TouchTolerance tolerance_;
+  SupportFaces support_;
+  ContactState now_;
+  ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
+  ContactForces forces_;
+  bool rate_known_ = false;
+  double step_ = 1e-5;  // [s] what the error asks for
+};
+
+}  // namespace mahlwerk::event

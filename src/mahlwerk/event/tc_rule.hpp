@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/contact/bounce.hpp"
+
+namespace mahlwerk::event {
+
+/// The collision rule of the TC model with a limit on the speed (man.4). Hard spheres in sustained
+/// contact make small bounces instead, which must not die out: they would become countless.
+/// No collision gains energy beyond what the two bodies have stored of earlier losses (man.6).
+struct TcRule {
+  double contact_time = 0;  ///< [s] t_c
+  double friction = 0;      ///< Coulomb's mu where the pair's rule has no limit
+
+  /// Two bodies that collide.
+  struct Approach {
+    double mass, normal, slip;  ///< [kg] effective, [m/s] u_n > 0 and |u_t|
+    double since;               ///< [s] since the last collision of either body
+    double field;               ///< [m/s2] a, the strongest that presses the two together
+    double stored = 0;          ///< [J] by both bodies
+  };
+  struct Result {
+    contact::Impulse impulse;
+    contact::Loss loss;
+    double drawn = 0;     ///< [J] of what was stored; the loss is less by it
+    double kept = 0;      ///< [J] that the bodies store more after it (StoredEnergy::update)
+    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated besides
+    bool raised = false;  ///< made more elastic than the pair's restitution says
+  };
+
+  /// Slowest rebound as far as energy allows it [m/s] (man.4).
+  double slowest_rebound(double since, double field) const {
+    constexpr double alone = 0.5, crowded = 10;
+    const double crowding = std::max(0.0, 1 - since / contact_time);
+    return (alone + (crowded - alone) * crowding) * field * contact_time;
+  }
+  /// [J] that a body of `mass` [kg] stores at most.
+  double storage_capacity(double mass, double field) const {
+    const double speed = slowest_rebound(0, field);
+    return 0.5 * mass * speed * speed;
+  }
+
+  Result collide(const contact::BounceRule& rule, const Approach& in) const {
+    const double slowest = slowest_rebound(in.since, in.field), u = in.normal;
+    const double e = rule.restitution.at(u);
+    const double withheld = 0.5 * in.mass * u * u * (1 - e * e);
+    if (u >= slowest) {
+      const double raised = std::max(e, slowest / u);
+      Result result = bounce(rule, in, raised);
+      result.withheld = withheld - result.loss.normal;
+      result.raised = raised > e;
+      return result;
+    }
+    const double mu = rule.tangential_restitution == 1 ? 0  // smooth (evt.15)
+                      : std::isfinite(rule.friction)   ? rule.friction
+                                                       : friction;
+    const double wanted = slowest / u;
+    const double paid = std::max(1.0, std::min(wanted, neutral_restitution(mu, u, in.slip)));
+    Result result = bounce({1, -1, mu}, in, paid);
+    const double enough = 0.5 * slowest;  // to go on; a whole one would keep beds too lively
+    if (paid * u < enough && in.stored > 0) draw(result, in, paid * u, enough);
+    result.withheld = withheld;
+    result.raised = true;
+    return result;
+  }
+
+ private:
+  /// The restitution with which sliding at the Coulomb limit dissipates just what the rebound gains
+  /// (man.5); below 1 where the contact sticks.
+  static double neutral_restitution(double mu, double u, double slip) {
+    const double inertia = 1.75 * mu * mu * u;
+    return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);
+  }
+
+  /// Raises the rebound from `speed` towards `enough` [m/s] by what is stored. The tangential
+  /// impulse stays.
+  static void draw(Result& result, const Approach& in, double speed, double enough) {
+    const double half = 0.5 * in.mass;
+    const double drawn = std::min(in.stored, half * (enough * enough - speed * speed));
+    const double rebound = std::sqrt(speed * speed + drawn / half);
+    result.impulse.normal = in.mass * (in.normal + rebound);
+    result.loss.normal -= drawn;
+    result.drawn = drawn;
+  }
+
+  static Result bounce(const contact::BounceRule& rule, const Approach& in, double restitution) {
+    const contact::Impulse j = contact::bounce(rule, in.mass, in.normal, in.slip, restitution);
+    return {j, contact::loss(j, in.mass, in.normal, in.slip)};
+  }
+};
+
+/// Energy that two bodies have stored [J], of which one may be the wall: that of earlier losses, as
+/// far as there is room, which sustained contacts draw on (man.6).
+class StoredEnergy {
+ public:
+  StoredEnergy(double& one, double room) : one_(&one), one_room_(room) {}
+  StoredEnergy(double& one, double room, double& other, double other_room)
+      : one_(&one), other_(&other), one_room_(room), other_room_(other_room) {}
+
+  double sum() const { return *one_ + (other_ != nullptr ? *other_ : 0.0); }
+  /// Takes what was drawn, or puts by what was lost; then the collision's loss is what has really
+  /// been dissipated.
+  void update(TcRule::Result& collision) {
+    const double before = sum();
+    contact::Loss& loss = collision.loss;
+    const double lost = loss.normal + loss.tangential;
+    if (collision.drawn > 0) {
+      take(collision.drawn);
+      loss.normal += collision.drawn;
+    } else if (lost > 0) {
+      put(lost);
+      const double left = std::max(0.0, 1 - (sum() - before) / lost);
+      loss.normal *= left;
+      loss.tangential *= left;
+    }
+    collision.kept = sum() - before;
+  }
+
+ private:
+  void take(double energy) {
+    const double of_one = std::min(*one_, energy);
+    *one_ -= of_one;
+    if (other_ != nullptr) *other_ = std::max(0.0, *other_ - (energy - of_one));
+  }
+  void put(double energy) {
+    if (other_ == nullptr) {
+      *one_ = std::min(one_room_, *one_ + energy);
+      return;
+    }
+    *one_ = std::min(one_room_, *one_ + 0.5 * energy);
+    *other_ = std::min(other_room_, *other_ + 0.5 * energy);
+  }
+
+  double *one_, *other_ = nullptr;
+  double one_room_, other_room_ = 0;
+};
+
+}  // namespace mahlwerk::event

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "mahlwerk/observe/pair_statistics.hpp"
+#include "mahlwerk/observe/wall_map.hpp"
+#include "mahlwerk/scene/observer.hpp"
+
+namespace mahlwerk::observe {
+
+/// Sums over collisions; divide by `count` for means.
+struct CollisionSums {
+  std::int64_t count = 0;
+  std::int64_t between_balls = 0;  ///< the others are with the jar
+  double energy_normal = 0, energy_contact_point = 0, energy_centre = 0, lost = 0;  // [J]
+  double approach = 0, slip = 0;                                                    // [m/s]
+  double angle = 0;                                                                 // [rad]
+
+  void merge(const CollisionSums& o);
+};
+
+/// What one replicate's collisions add up to, in fixed memory.
+class CollisionStatistics : public scene::Observer {
+ public:
+  explicit CollisionStatistics(double threshold, BallKinds kinds = {}, const WallGrid& wall = {})
+      : by_pair(std::move(kinds)), wall_map(wall), threshold_(threshold) {}
+  void collisions(std::span<const scene::Collision> finished) override;
+
+  void merge(const CollisionStatistics& other);  ///< of the same kinds, grid and threshold
+  void serialize(Archive& archive);
+
+  double threshold() const { return threshold_; }  // [m/s] on u_n
+  Spectra total_spectra() const;                   ///< of all kinds of pairs together
+
+  CollisionSums all, above;  // above: u_n >= threshold
+  StatisticsByPair by_pair;
+  WallMap wall_map;
+
+ private:
+  void add(const scene::Collision& c, const CollisionBatch& batch, std::size_t i);
+  double threshold_;
+};
+
+}  // namespace mahlwerk::observe

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/observe/collision_batch.hpp"
+#include "mahlwerk/observe/spectra.hpp"
+#include "mahlwerk/scene/collision.hpp"
+
+namespace mahlwerk::observe {
+
+/// Which kind each ball is of, and how many faces of the jar are told apart; shared by all who
+/// count.
+class BallKinds {
+ public:
+  BallKinds() : BallKinds({}, 1, 1) {}  ///< all of one kind, in a jar of one face
+  /// `of_ball`: empty if all are of kind 0. Faces from `faces` - 1 on count as one.
+  BallKinds(std::vector<std::int32_t> of_ball, int kinds, int faces)
+      : of_ball_(std::make_shared<const std::vector<std::int32_t>>(std::move(of_ball))),
+        kinds_(kinds),
+        faces_(std::max(faces, 1)) {}
+  int kinds() const { return kinds_; }
+  int faces() const { return faces_; }
+  std::int32_t of(std::int32_t ball) const {
+    return of_ball_->empty() ? 0 : (*of_ball_)[static_cast<std::size_t>(ball)];
+  }
+
+ private:
+  std::shared_ptr<const std::vector<std::int32_t>> of_ball_;
+  int kinds_ = 1, faces_ = 1;
+};
+
+/// Sums over the collisions of one kind of pair.
+struct PairSums {
+  std::int64_t count = 0;
+  double energy_normal = 0, energy_contact_point = 0;  // [J]
+  double lost_normal = 0, lost_tangential = 0;         // [J]
+
+  void add(const PairSums& o) {
+    count += o.count;
+    energy_normal += o.energy_normal;
+    energy_contact_point += o.energy_contact_point;
+    lost_normal += o.lost_normal;
+    lost_tangential += o.lost_tangential;
+  }
+};
+
+/// What turns a pair's losses into wear and heat.
+struct PairFactors {
+  double load_distance_per_loss = 0;  ///< [1] force times way slid over tangential loss (wea.3)
+  /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.7); empty:
+  /// flashes are not counted.
+  std::vector<double> flash_per_loss;
+  std::vector<double> hertz_time;  ///< [s] of such a collision, by the same bins
+};
+
+/// What one kind of pair's collisions add up to.
+struct PairStatistics {
+  PairSums above;  ///< u_n >= threshold
+  Spectra spectra;
+  double load_distance = 0;  ///< [N m] integral of normal force times way slid
+  double erosion = 0;        ///< [J] sum of m u^2 f(alpha) (wea.4)
+  double flash = 0;          ///< [K J] sum of the temperature's rise times the energy lost
+
+  PairSums all() const;
+  void add(const CollisionBatch& c, std::size_t i, bool above, const PairFactors& factors);
+  void merge(const PairStatistics& other);
+  void serialize(Archive& archive);
+};
+
+/// A tally for each two kinds of balls, and for each kind with each face of the jar, in fixed
+/// memory: made when the first such collision comes.
+class StatisticsByPair {
+ public:
+  explicit StatisticsByPair(BallKinds kinds = {});
+
+  int pair_of(const scene::Collision& c) const {
+    const std::int32_t row = kinds_.kinds() + kinds_.faces();
+    const std::int32_t other =
+        c.other < 0 ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1) : kinds_.of(c.other);
+    return number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
+  }
+  /// Where a collision of that kind of pair is counted.
+  PairStatistics& at(int pair);
+  const PairFactors& factors(int pair) const { return factors_[static_cast<std::size_t>(pair)]; }
+  void set_factors(int pair, PairFactors factors) {
+    factors_[static_cast<std::size_t>(pair)] = std::move(factors);
+  }
+  void merge(const StatisticsByPair& other);  ///< of the same kinds
+  void serialize(Archive& archive);
+
+  int kinds() const { return kinds_.kinds(); }
+  int faces() const { return kinds_.faces(); }
+  int pairs() const { return static_cast<int>(statistics_.size()); }
+  /// Kinds of a pair: the first, and the other, which is not below it, or ~face of the jar.
+  struct Kinds {
+    int one = 0, other = 0;
+    bool with_jar() const { return other < 0; }
+    int face() const { return ~other; }
+  };
+  Kinds kinds_of(int pair) const;
+  /// One without collisions is that of a fresh tally.
+  const PairStatistics& operator[](int pair) const;
+
+ private:
+  BallKinds kinds_;
+  std::vector<std::vector<PairStatistics>> statistics_;  // each pair once: one, or none yet
+  std::vector<PairFactors> factors_;
+  std::vector<std::int32_t> number_;  // of a pair: a row for each kind, faces at its end
+};
+
+}  // namespace mahlwerk::observe
