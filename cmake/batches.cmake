@@ -1,11 +1,11 @@
-# Files of a folder are compiled together, up to sixteen at a time, or eight where these are tests:
-# headers are read and templates are made once for all of them. A name in an anonymous namespace
-# therefore stands once in its folder; tests have a namespace for each file. -DMAHLWERK_BATCHES=OFF
-# compiles each file by itself, which suits who changes one again and again. Files that make the
-# event engine for one shape are large enough by themselves; so are those that CMake makes for each
-# law (src/mahlwerk/CMakeLists.txt). Files that include a register form batches of their own, so that
-# a changed model recompiles these and leaves the rest of the folder; which files do is read when
-# CMake configures.
+# Unity build: up to sixteen files of a folder are compiled together, or eight in tests, so that
+# headers are parsed and templates instantiated once for all of them. A name in an anonymous namespace
+# must therefore be unique in its folder; tests have a namespace for each file.
+# -DMAHLWERK_BATCHES=OFF compiles each file separately, which is faster while one file is edited
+# repeatedly. Files that instantiate the event engine for one shape are compiled separately, and so
+# are those that CMake generates for each law (src/mahlwerk/CMakeLists.txt). Files that include a
+# register form separate batches, so that a changed model recompiles only these. CMake finds these
+# files at configuration.
 set(mahlwerk_registers "mahlwerk/(geometry/shapes|kinematics/motions|contact/laws|powder/models)[.]hpp")
 function(mahlwerk_batches target size)
   if(NOT MAHLWERK_BATCHES)

@@ -1,8 +1,8 @@
-# The innermost loops of the soft engine are compiled for each law, which is the type in
-# contact/laws/<law>.hpp named as its file: hertz_mindlin.hpp has HertzMindlin. They are explicit
-# vectors, to which -O3 adds time of the compiler only (docs/performance.md), as does the allocation of
-# registers loop by loop: without it they have fewer instructions. contact/laws.cpp checks that the
-# list of laws has as many as there are files.
+# Compiles the innermost loops of the soft engine for each law. The type of a law is named after its
+# file in contact/laws/: hertz_mindlin.hpp defines HertzMindlin. The loops use explicit vector types,
+# for which -O3 costs only compile time (docs/performance.md). -fira-region=one disables register
+# allocation by loop, which also costs compile time and produces more instructions. contact/laws.cpp
+# checks that the list of laws has as many entries as there are files.
 function(mahlwerk_law_loops)
   file(GLOB laws CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/contact/laws/*.hpp)
   foreach(law ${laws})

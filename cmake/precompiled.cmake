@@ -1,16 +1,16 @@
-# Headers that most files include are compiled once. Every file includes what it needs all the same;
-# -DMAHLWERK_PCH=OFF builds without.
+# Precompiled headers: headers that most files include are compiled once. Every file still includes
+# all headers that it needs; -DMAHLWERK_PCH=OFF builds without precompiled headers.
 #
-#   standard   the standard library and {fmt}: the rooms below cases
-#   case       these, a case and an outcome: cases and what uses it
-#   test       these and GoogleTest: tests
+#   standard   the standard library and {fmt}; for the folders on which cases depends
+#   case       standard, a case and an outcome; for cases and the folders that use it
+#   test       case and GoogleTest; for tests
 set(standard_headers <algorithm> <array> <charconv> <chrono> <cmath> <cstdint> <filesystem> <fstream>
   <functional> <map> <memory> <mutex> <numbers> <numeric> <optional> <random> <set> <span> <sstream>
   <string> <string_view> <thread> <utility> <variant> <vector> <fmt/format.h>)
 set(case_headers ${standard_headers} <mahlwerk/cases/case.hpp> <mahlwerk/results/outcome.hpp>)
 set(test_headers ${case_headers} <gtest/gtest.h>)
 
-# Makes the precompiled headers of a kind; the targets that use them must have the same flags.
+# Creates the precompiled headers of a kind. Targets that use them must have the same flags.
 function(mahlwerk_make_precompiled kind)
   if(NOT MAHLWERK_PCH)
     return()
@@ -24,7 +24,7 @@ endfunction()
 
 function(mahlwerk_precompiled target kind)
   if(MAHLWERK_PCH)
-    target_link_libraries(${target} PRIVATE fmt::fmt)  # its flags are those of the headers
+    target_link_libraries(${target} PRIVATE fmt::fmt)  # same flags as the headers
     target_precompile_headers(${target} REUSE_FROM mahlwerk_precompiled_${kind})
   endif()
 endfunction()

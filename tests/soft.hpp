@@ -62,7 +62,7 @@ inline contact::EffectivePair touching(const contact::Pair& pair,
           a.mass() * b.mass() / (a.mass() + b.mass())};
 }
 
-/// How long a collision lasts, by the law's own reckoning; of the swiftest part of it [s].
+/// Duration of a collision by the law's own formula; the fastest part of it [s].
 inline double contact_time(const contact::ContactModel& model, const contact::EffectivePair& t,
                            double speed) {
   return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, *model.law);

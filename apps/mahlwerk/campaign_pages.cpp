@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A campaign's store as pages, pictures and tables.
+// Writes a campaign's store as page, pictures and tables.
 #include "campaign_pages.hpp"
 
 #include <algorithm>
@@ -21,10 +21,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of more points a page shows the usual quantities alone, and its table has not all points.
+/// Above this number of points, only the usual quantities are read from the store.
 constexpr std::size_t many = 5000;
 
-/// Whether the points are those of this plan, by the first and the last: the case may have changed.
+/// Whether the points are those of this plan: compares the first and the last point. The case may
+/// have changed since the run.
 bool made_by(const report::Campaign& campaign, const campaign::Plan& plan,
              const cases::Case& what) {
   if (campaign.points.empty() || plan.size() != campaign.points.size()) return false;
@@ -48,7 +49,7 @@ void add_sensitivities_of_design(report::Campaign& campaign, const campaign::Sto
     const campaign::Plan plan(what.sweep, what.seed);
     if (made_by(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.design());
   } catch (const InputError&) {
-    // the case has gone or changed since: its numbers are told without
+    // the case was removed or changed since: the report omits the sensitivities
   }
 }
 
@@ -61,7 +62,7 @@ report::Campaign campaign_of(const campaign::Store& store) {
   const bool all = store.counts().points <= many;
   const std::vector<std::string>& usual = report::usual_quantities();
   for (const results::Quantity& q : store.quantities()) {
-    // Errors hang on the number of replicates.
+    // Standard errors need the number of replicates.
     const bool wanted = q.name == "replicates" || std::ranges::find(usual, q.name) != usual.end();
     if (!all && !wanted) continue;
     names.push_back(q.name);
@@ -92,7 +93,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   std::vector<std::string> names{"campaign.csv", "campaign.html"};
   for (const auto& [name, picture] : figures) names.push_back(name);
   results::list_files(place, names);
-  // Written aside, so that a reader never sees half a file.
+  // Writes to a temporary file and renames it, so that a reader never sees a partial file.
   const auto put = [&](const std::string& name, const auto& write) {
     const fs::path file = place / name, aside = file.string() + ".part";
     results::make_folder(file.parent_path());
@@ -101,7 +102,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
     fs::rename(aside, file, failed);
     if (failed)
       throw InputError(Fault{file.string(), "cannot be written: " + failed.message(),
-                             "check that you may write there", "cannot-write"});
+                             "check that you have write permission there", "cannot-write"});
   };
   put("campaign.csv", [&](const fs::path& aside) {
     std::ofstream out(aside, std::ios::binary);
@@ -109,7 +110,7 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
     out.close();
     if (!out)
       throw InputError(Fault{aside.string(), "cannot be written",
-                             "make room on the disk, then start again: what is finished is kept",
+                             "free disk space, then start again: finished runs are kept",
                              "cannot-write"});
   });
   put("campaign.html", [&](const fs::path& aside) {

@@ -10,15 +10,16 @@
 
 namespace mahlwerk::app {
 
-/// What there is to tell of a campaign, from its store; where its design tells how much keys
-/// matter, that too, if its case can still be read.
+/// The report of a campaign from its store. Includes sensitivities if its design provides them and
+/// its case can still be read.
 report::Campaign campaign_of(const campaign::Store& store);
-/// Which quantities answer to which keys; `design` holds the places of the points. Nothing for a
-/// design that does not tell.
+/// Adds the sensitivities of the quantities to the keys. `design` is the design matrix: a row per
+/// point, a column per key. Adds nothing for other designs.
 void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
                        const std::vector<std::vector<double>>& design);
 
-/// campaign.csv, campaign.html and its pictures, into the folder.
+/// Writes campaign.csv, campaign.html and its pictures into the folder. Throws InputError on write
+/// errors.
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,
                  const std::filesystem::path& place);
 

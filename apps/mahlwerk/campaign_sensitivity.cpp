@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How much each key matters, where a campaign's design was made to tell.
+// Sensitivity analysis of campaigns with a sensitivity design.
 #include <cmath>
 
 #include "campaign_pages.hpp"
@@ -14,12 +14,12 @@ namespace {
 using report::Effect;
 using report::Sensitivity;
 
-/// Half the width of an interval, which need not lie evenly about its value.
+/// Half the width of an interval, which may be asymmetric about its value.
 double half(const campaign::IntervalEstimate& sure) {
   return 0.5 * (sure.high - sure.low);
 }
 
-/// Values or half-widths of a column at all points; NaN where there is none.
+/// Values or half-widths of a column at all points; NaN for missing ones.
 std::vector<double> of_points(const report::Campaign& campaign, std::size_t column,
                               std::vector<double> report::Point::*list) {
   std::vector<double> numbers;
@@ -33,7 +33,7 @@ std::size_t column_of(const report::Campaign& campaign, std::string_view name) {
   return static_cast<std::size_t>(column - campaign.columns.begin());
 }
 
-/// What the keys do to one column of the campaign.
+/// Effects of the keys on one column of the campaign.
 class SensitivityAnalysis {
  public:
   SensitivityAnalysis(const report::Campaign& campaign, const cases::Sweep& sweep,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// list and describe: what the catalogue holds.
+// list and describe: contents of the catalogue.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ std::vector<std::string> requested_categories(const std::string& target) {
   const auto& all = cases::Catalogue::categories;
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
-  throw InputError(Fault{"list", "there is no room '" + target + "' in the catalogue",
-                         "one of mills, jars, materials, media", "unknown-name"});
+  throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
+                         "use one of mills, jars, materials, media", "unknown-name"});
 }
 
 cases::CatalogueEntry entry_named(const std::string& name) {
@@ -68,7 +68,7 @@ int list(const Request& request) {
             {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
       else
         to_stdout(fmt::format("  {:<26} {}{}\n", name, entry.title,
-                              weak ? "  (holds unverified values)" : ""));
+                              weak ? "  (contains unverified values)" : ""));
     }
   }
   if (request.json)
@@ -102,8 +102,8 @@ int describe(const Request& request) {
 
 Command list_command() {
   return {"list",
-          "list what the catalogue holds: mills, jars, materials or media",
-          {{.name = "ROOM",
+          "list the contents of the catalogue: mills, jars, materials or media",
+          {{.name = "CATEGORY",
             .target = &Request::target,
             .about = "mills, jars, materials or media (default: all)",
             .completions = "mills jars materials media"},

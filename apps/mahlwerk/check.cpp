@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// check: what is wrong with a case, or what follows from it before it is run.
+// check: reports the faults of a case, or the quantities that follow from it, without running it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 namespace mahlwerk::app {
 namespace {
 
-/// CPU seconds one simulated second takes, from a short pilot run.
+/// CPU seconds per simulated second, from a short pilot run.
 double cost(const cases::Case& what) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds patience{500};
@@ -45,10 +45,10 @@ double cost(const cases::Case& what) {
 struct CheckResult {
   cases::Case what;
   std::vector<cases::DerivedQuantity> follows;
-  std::vector<Fault> engine;  ///< why this version cannot run it, or some points of a campaign
-  std::size_t points = 1;     ///< of a campaign
+  std::vector<Fault> engine;  ///< why this version cannot run it, or some of its points
+  std::size_t points = 1;     ///< number of points of a campaign
   std::size_t bad_points = 0;
-  std::vector<std::string> notes;  ///< on the engine that will run it
+  std::vector<std::string> notes;  ///< on the chosen engine and on values of the case
 };
 
 void add(const Notices& notices, std::vector<std::string>& lines) {
@@ -69,7 +69,7 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   const cases::Case& first = sweeps ? points.good().front() : c.what;
   c.follows = cases::derived_quantities(first);
   if (points.good().empty()) return c;
-  // Before a pilot run, which would need it.
+  // Before the pilot run, which needs the memory.
   const std::vector<Fault> memory = campaign::memory_faults(
       points.good(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
       campaign::memory_available());
@@ -100,11 +100,10 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   const double seconds = static_cast<double>(first.run.replicates) *
                          static_cast<double>(points.size()) * (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  c.follows.push_back({"run_time", cost(decided) * seconds / cores, "s",
-                       sweeps ? "estimate of all points on this machine, all cores, from a pilot "
-                                "of the first"
-                              : "estimate on this machine, all cores, from a pilot of a second at "
-                                "most"});
+  c.follows.push_back(
+      {"run_time", cost(decided) * seconds / cores, "s",
+       sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"
+              : "estimate on this machine, all cores, from a pilot run of at most a second"});
   return c;
 }
 
@@ -125,7 +124,7 @@ std::string in_words(const contact::BounceRule& rule) {
                       : ", no friction limit");
 }
 
-/// Who bounces by which rule, where a case makes differences.
+/// Prints the bounce rule of each pair if the case has rules by pair.
 void print_pairs(const cases::Case& what) {
   if (what.contact.pairs.empty()) return;
   const contact::BounceTable table = cases::bounce_table(what);
@@ -154,8 +153,9 @@ std::string verdict(const CheckResult& c) {
 void print(const CheckResult& c, const std::filesystem::path& file) {
   to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
   if (!c.what.sweep.empty())
-    to_stdout(fmt::format("a campaign of {} points, {} replicates each; of the first follows\n\n",
-                          c.points, c.what.run.replicates));
+    to_stdout(fmt::format(
+        "a campaign of {} points, {} replicates each; quantities of the first point:\n\n", c.points,
+        c.what.run.replicates));
   for (const cases::DerivedQuantity& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
   print_pairs(c.what);
@@ -164,7 +164,7 @@ void print(const CheckResult& c, const std::filesystem::path& file) {
     if (origin.assumed)
       assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
   if (!assumed.empty())
-    to_stdout(fmt::format("\nassumed, because the case does not say it:\n{}", assumed));
+    to_stdout(fmt::format("\nassumed, because the case does not give it:\n{}", assumed));
   for (const std::string& note : c.notes) to_stdout(fmt::format("\n{}\n", note));
   if (!c.engine.empty()) to_stdout(fmt::format("\n{}\n", mahlwerk::describe(c.engine)));
 }
@@ -207,7 +207,7 @@ int check(const Request& request) {
 }  // namespace
 
 Command check_command() {
-  return {"check", "read a case without running it: its faults, or what follows from it",
+  return {"check", "check a case without running it: report its faults, or derived quantities",
           joined({{several_cases()}, changes(), {json()}}), check};
 }
 

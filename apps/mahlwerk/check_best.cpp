@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The best setting of a search, run by the engine that is advised there.
+// Checks the best setting of a search with the soft engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@
 namespace mahlwerk::app {
 namespace {
 
-/// Replicates that the soft engine is asked for: as many as the search ran, fewer where they take
-/// too long; none where one does.
+/// Number of replicates to run with the soft engine: `wanted`, or fewer within the limit of work; 0
+/// if a single one exceeds it.
 int affordable(const cases::Case& one, int wanted) {
   const double each = campaign::soft_work(one);
   return static_cast<int>(std::min<double>(wanted, campaign::most_check_work / each));
 }
 
-/// What keeps the setting from being checked; empty: `check.replicates` are run.
+/// The reason why the setting cannot be checked; empty: run `check.replicates` replicates.
 std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best,
                     report::OptimumCheck& check) {
   try {
@@ -36,15 +36,14 @@ std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best
     check.replicates = affordable(one, static_cast<int>(best.replicates.size()));
     if (check.replicates > 0) return "";
     return fmt::format(
-        "that would take some {} hours of a core; mahlwerk run best.toml --set "
-        "run.engine=soft does it",
+        "that would take about {} core hours; mahlwerk run best.toml --set run.engine=soft runs it",
         two_digits(campaign::soft_work(one) / campaign::most_soft_work));
   } catch (const InputError& error) {
     return error.faults().front().what;
   }
 }
 
-/// The mean of what is to be best, of replicates that have it.
+/// Sets the mean of the optimised quantity over the replicates that have a value.
 void take(const campaign::TrialResult& result, report::OptimumCheck& check) {
   std::vector<double> values;
   for (const auto& replicate : result.replicates)
@@ -69,7 +68,7 @@ std::optional<report::OptimumCheck> check_best(const Request& request,
   made.failure = refusal(runs, best, made);
   if (!made.failure.empty()) return made;
   ProgressLine line(request.quiet);
-  line.show("the best setting is checked by the soft engine");
+  line.show("checking the best setting with the soft engine");
   campaign::RunOptions options;
   options.threads = request.threads;
   options.stop = &stop_wanted();

@@ -11,28 +11,29 @@
 
 #include "commands.hpp"
 
-// What a command says of itself: main.cpp reads the command line by it, completion.cpp offers it to
-// a shell.
+// Description of a command. main.cpp builds the command-line parser from it, completion.cpp the
+// shell completion.
 namespace mahlwerk::app {
 
-/// Where the value of an option goes; `bool` takes none.
+/// The member of Request that receives the value of an option; `bool` is a flag without a value.
 using Target =
     std::variant<bool Request::*, int Request::*, std::string Request::*,
                  std::vector<std::string> Request::*, std::vector<cases::Override> Request::*,
                  std::optional<std::filesystem::path> Request::*,
                  std::optional<std::uint64_t> Request::*, std::optional<double> Request::*>;
 
-/// An option, or a word without one.
+/// An option, or a positional argument.
 struct Option {
-  std::string name;  ///< "--out", "--jobs,--threads", or "CASE" of a word
+  std::string name;  ///< "--out", "--jobs,--threads"; of a positional argument "CASE"
   Target target;
   std::string about;
-  std::string type = {};  ///< what the help calls its value; empty: by its kind
+  std::string type = {};  ///< name of its value in the help; empty: by its C++ type
   bool required = false;
-  std::array<int, 2> range = {};          ///< of a whole number; {0, 0}: any
-  std::vector<std::string> values = {};   ///< that are allowed; empty: all
-  std::string excludes = {}, needs = {};  ///< another option, given before
-  /// Of a word: what a shell may offer, words or a command that prints them; empty: files.
+  std::array<int, 2> range = {};          ///< allowed integers; {0, 0}: any
+  std::vector<std::string> values = {};   ///< allowed values; empty: all
+  std::string excludes = {}, needs = {};  ///< another option, listed before
+  /// Shell completions of a positional argument: words, or a command that prints them; empty:
+  /// files.
   std::string completions = {};
 };
 using Options = std::vector<Option>;
@@ -44,23 +45,23 @@ struct Command {
   std::vector<Command> subcommands = {};  ///< "status" of "sweep status"
 };
 
-/// All there are, in the order of the help. A command is a function here and a file.
+/// All commands, in the order of the help. Each command has a function and a file of its own.
 std::vector<Command> commands();
 
-// Options that several commands take.
+// Options that several commands share.
 
 Option one_case();       ///< CASE
 Option several_cases();  ///< CASE, or a folder of cases
 Options changes();       ///< --set, --seed
-/// --out, --force, --jobs, --quiet; the help says that results go to the usual place and `suffix`.
+/// --out, --force, --jobs, --quiet. The help names the default result folder, with `suffix`.
 Options running(std::string_view suffix = {});
 Option threads();                           ///< --jobs
 Option quiet();                             ///< --quiet
 Option json();                              ///< --json
 Option checkpoint(std::string_view about);  ///< --checkpoint
-Option kept_checkpoint();                   ///< the same where a command goes on unasked
+Option kept_checkpoint();                   ///< the same for commands that resume by themselves
 
-/// One list after the other.
+/// The lists, concatenated.
 Options joined(std::initializer_list<Options> lists);
 
 }  // namespace mahlwerk::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The commands, and options that several of them take.
+// The list of commands, and options that several commands share.
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -28,14 +28,15 @@ Option one_case() {
 Option several_cases() {
   return {.name = "CASE",
           .target = &Request::target,
-          .about = "a case file, or a folder with a case.toml or several cases",
+          .about = "a case file, or a folder with a case.toml or with several cases",
           .required = true};
 }
 
 Options changes() {
-  return {{"--set", &Request::set,
-           "change one value: --set mill.frequency=\"12 Hz\"; may be repeated", "KEY=VALUE"},
-          {"--seed", &Request::seed, "seed of the random numbers, instead of the case's"}};
+  return {
+      {"--set", &Request::set,
+       "set one value of the case: --set mill.frequency=\"12 Hz\"; may be repeated", "KEY=VALUE"},
+      {"--seed", &Request::seed, "seed of the random numbers; replaces that of the case"}};
 }
 
 Options running(std::string_view suffix) {
@@ -43,7 +44,7 @@ Options running(std::string_view suffix) {
            .target = &Request::out,
            .about = fmt::format(
                "folder for the results (default: results/ and the name of the case{})", suffix)},
-          {"--force", &Request::force, "replace results that are there"},
+          {"--force", &Request::force, "replace existing results"},
           threads(),
           quiet()};
 }
@@ -51,12 +52,12 @@ Options running(std::string_view suffix) {
 Option threads() {
   return {.name = "--jobs,--threads",
           .target = &Request::threads,
-          .about = "how many replicates run at a time (default: all cores)",
+          .about = "number of replicates that run at a time (default: all cores)",
           .range = {1, 4096}};
 }
 
 Option quiet() {
-  return {"--quiet", &Request::quiet, "no progress, no table: only errors"};
+  return {"--quiet", &Request::quiet, "print errors only: no progress, no table"};
 }
 
 Option json() {
@@ -72,8 +73,8 @@ Option checkpoint(std::string_view about) {
 
 Option kept_checkpoint() {
   return checkpoint(
-      "keep the states of runs every so many seconds, for the same command to go on from (default "
-      "1)");
+      "seconds between two checkpoints of the runs, from which run the same command again to "
+      "resume (default 1)");
 }
 
 Options joined(std::initializer_list<Options> lists) {

@@ -12,23 +12,23 @@
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// What a command line asks for, and what the commands share.
+// The request that a command line makes, and functions that the commands share.
 namespace mahlwerk::app {
 
-/// What the command line said.
+/// The parsed command line.
 struct Request {
-  std::string target;  ///< case, room, name, or folder of a campaign
-  std::string data;    ///< the table of measurements, of fit; the other mill, of match
+  std::string target;  ///< case, catalogue category or name, or folder of a campaign
+  std::string data;    ///< of `fit`: the table of measurements; of `match`: the other mill
   std::vector<cases::Override> set;
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
   int threads = 0;    ///< 0: all cores
-  std::string shard;  ///< "2/8" of a campaign; empty: all of it
-  int slurm = 0;      ///< shards to be submitted to Slurm; 0: run here
+  std::string shard;  ///< "2/8": the second of eight parts of a campaign; empty: all
+  int slurm = 0;      ///< number of shards to submit to Slurm; 0: run here
   std::vector<std::string> slurm_options;
-  std::string results;  ///< of a campaign's runs: "all" or "summary"; empty: by their number
-  std::optional<double> checkpoint;  ///< [s] between two states of the run that are kept
-  bool resume = false;               ///< go on from the last of them
+  std::string results;  ///< results kept of a campaign: "all", "summary"; empty: by their number
+  std::optional<double> checkpoint;  ///< [s] interval between two checkpoints of the run
+  bool resume = false;               ///< resume from the last checkpoint
   bool quiet = false, json = false, force = false;
 };
 
@@ -42,26 +42,28 @@ enum Exit : int {
   interrupted = 130
 };
 
-/// The version of this build, and its catalogue: MAHLWERK_CATALOGUE, or the one it was built with.
+/// The version of this build, and its catalogue: the folder MAHLWERK_CATALOGUE names, else the
+/// folder of the build.
 std::string_view version();
 cases::Catalogue catalogue();
 
-/// The case files a user means: the file itself, the folder's case.toml, or else every .toml in the
-/// folder.
+/// The case files that `target` names: the file itself, the folder's case.toml, or else every .toml
+/// in the folder. Throws InputError if there is none.
 std::vector<std::filesystem::path> case_files(const std::string& target);
 
-/// The one case file that is meant, for a command ("fit") that takes no more.
+/// The single case file that `target` names, for a command ("fit") that takes one. Throws
+/// InputError if there are several.
 std::filesystem::path one_case_file(const std::string& target, std::string_view command);
 
-/// results/ and the name of the folder or file the user gave, with each case's name if there are
-/// several.
+/// The default result folder: results/ and the name of the folder or file that the user gave,
+/// followed by the case's name if there are several cases.
 std::filesystem::path default_folder(const std::string& target, const std::filesystem::path& file,
                                      bool several);
 
-/// Says on stderr if a run did not end as asked; the exit code.
+/// Reports on stderr if a run did not complete. Returns the exit code.
 int report_exit_status(const std::vector<results::Outcome>& outcomes);
 
-/// --set and --seed together.
+/// The overrides of --set and --seed.
 std::vector<cases::Override> overrides(const Request& request);
 
 }  // namespace mahlwerk::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// compare: one case by both engines, side by side.
+// compare: runs one case with both engines and shows the results side by side.
 #include "mahlwerk/report/compare.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::string below(std::size_t engine) {
   return std::string(engines[engine]) + "/";
 }
 
-/// The case for both engines, in their order.
+/// The case for each engine, in the order of `engines`. Throws InputError if one cannot run it.
 std::vector<cases::Case> both(const Request& request, const fs::path& file) {
   const cases::Catalogue known = catalogue();
   std::vector<cases::Override> set = overrides(request);
@@ -41,7 +41,7 @@ std::vector<cases::Case> both(const Request& request, const fs::path& file) {
     made.push_back(cases::read(file, known, set));
     if (const cases::Case& what = made.back(); !what.sweep.empty())
       throw InputError(Fault{what.file, "the case has a [sweep], compare takes a single case",
-                             "take the section [sweep] away; --set gives one of its values",
+                             "remove the section [sweep]; --set sets one of its values",
                              "one-case"});
     for (Fault& fault : campaign::run_faults(made.back())) {
       fault.what = fmt::format("the {} engine cannot run this case: {}", engine, fault.what);
@@ -109,7 +109,7 @@ int compare(const Request& request) {
 }  // namespace
 
 Command compare_command() {
-  return {"compare", "run a case by both engines and show the results side by side",
+  return {"compare", "run a case with both engines and show the results side by side",
           joined({{one_case()}, changes(), running(", with -compare"), {json()}}), compare};
 }
 

@@ -12,8 +12,8 @@
 namespace mahlwerk::app {
 namespace {
 
-/// A branch of the script for what may stand after each command: its parts, its options, and what
-/// stands there without one.
+/// A `case` branch of the script for each command: its subcommands, options and positional
+/// arguments.
 std::string branches(const std::string& path, const Command& command) {
   std::vector<std::string> words;
   std::string offers;
@@ -70,7 +70,7 @@ int completion(const Request& request) {
     below += branches(command.name, command);
   }
   for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
-  // Two commands are the launcher's own.
+  // The commands test and bench belong to the launcher script.
   std::string script(head);
   script += fmt::format("    '') words=\"test bench {}--help --version\" ;;\n", names) + below;
   script += tail;

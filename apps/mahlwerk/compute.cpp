@@ -39,10 +39,10 @@ std::vector<results::Outcome> compute(const Request& request,
   const auto on_resume = [&](std::size_t begun) {
     const bool alone = points.size() == 1;
     if (!request.quiet && !request.json)
-      to_stderr(fmt::format(
-          "{} where {} ended\n",
-          alone ? "a run goes on" : fmt::format("{} of {} settings go on", begun, points.size()),
-          alone ? "it was" : "they were"));
+      to_stderr(fmt::format("{} where {} ended\n",
+                            alone ? "resuming a run"
+                                  : fmt::format("resuming {} of {} settings", begun, points.size()),
+                            alone ? "it was" : "they were"));
   };
   std::vector<results::Outcome> outcomes = kept.compute(points, streams, options_of(request, line),
                                                         {.version = version(),

@@ -11,15 +11,15 @@ namespace mahlwerk::app {
 
 class ProgressLine;
 
-/// What `request` says of threads, with `line` showing how far it is, until Ctrl-C.
+/// Run options: threads of `request`, progress on `line`, stop on Ctrl-C.
 campaign::RunOptions options_of(const Request& request, ProgressLine& line);
 
-/// All points computed together.
+/// Computes all points together. `checkpoint` may be null.
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
                                       campaign::Checkpoint* checkpoint);
-/// The same, gone on with where a process was ended.
+/// The same, resuming from the checkpoints in `kept`.
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How runs ended, in words and as an exit code.
+// How runs ended, as message and exit code.
 #include <fmt/format.h>
 
 #include "commands.hpp"
@@ -11,7 +11,7 @@
 namespace mahlwerk::app {
 namespace {
 
-/// Why the first run that did not end as asked was stopped; empty if all did.
+/// The reason why the first stopped run was stopped; empty if none was.
 std::string first_failure(const std::vector<results::Outcome>& outcomes) {
   for (const results::Outcome& outcome : outcomes)
     for (const results::Replicate& r : outcome.replicates)
@@ -22,10 +22,10 @@ std::string first_failure(const std::vector<results::Outcome>& outcomes) {
 }  // namespace
 
 int report_exit_status(const std::vector<results::Outcome>& outcomes) {
-  constexpr const char* kept = "what was computed until then is kept, and marked incomplete";
+  constexpr const char* kept = "results computed until then are kept, and marked incomplete";
   if (const std::string why = first_failure(outcomes); !why.empty())
     return report_end(stopped_by_physics,
-                      fmt::format("stopped: {}\nWhat was computed until then is kept.", why),
+                      fmt::format("stopped: {}\nResults computed until then are kept.", why),
                       {Fault{"", why, kept, "stopped"}});
   if (stop_wanted())
     return report_end(interrupted, fmt::format("interrupted: {}.", kept),

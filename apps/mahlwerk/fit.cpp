@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// fit: numbers of a case, found from what was measured of the powder.
+// fit: fits parameters of a case to measurements of the powder.
 #include "mahlwerk/campaign/fit/fit.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each mill, once; what it writes besides is not wanted.
+/// Runs each mill once. Its result files are not kept.
 std::vector<results::Outcome> run_mills(const Request& request, const campaign::FitJob& job,
                                         const results::Folder& folder) {
   campaign::Streams streams(version());
@@ -36,7 +36,7 @@ campaign::Fit find(const Request& request, const campaign::FitJob& job,
   ProgressLine line(request.quiet);
   return campaign::fit(mills, job.data, job.parameters,
                        {.threads = request.threads, .stop = &stop_wanted(), .progress = [&](int n) {
-                          line.show(fmt::format("fitting: the powder was milled {} times", n));
+                          line.show(fmt::format("fitting: {} evaluations of the powder model", n));
                         }});
 }
 
@@ -61,7 +61,8 @@ int report_interrupted() {
                     {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
 }
 
-/// A fit needs all of its mills, to their ends.
+/// A fit needs complete runs of all mills: reports a run that stopped or was interrupted, and
+/// returns its exit code.
 int cut_short(const std::vector<results::Outcome>& mills) {
   if (std::ranges::all_of(mills, results::complete)) return success;
   for (const results::Outcome& mill : mills)
@@ -98,11 +99,12 @@ int fit(const Request& request) {
 }  // namespace
 
 Command fit_command() {
-  return {"fit", "find numbers of a case from what was measured of the powder, with intervals",
+  return {"fit",
+          "fit parameters of a case to measurements of the powder, with confidence intervals",
           joined({{one_case(),
                    {.name = "DATA",
                     .target = &Request::data,
-                    .about = "a table of measurements: CSV, see docs/formats.md",
+                    .about = "table of measurements: CSV, see docs/formats.md",
                     .required = true}},
                   changes(),
                   running(", with -fit"),

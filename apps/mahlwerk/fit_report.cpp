@@ -41,13 +41,13 @@ FitParameter number(const cases::FitParameter& of, const campaign::FreeParameter
           .remarks = found.remarks};
 }
 
-/// Curves that hold places for what the models will say, and what to ask them.
+/// Curves without y values, and the measurements whose model predictions fill them.
 struct CurveRequests {
   std::vector<FitCurve> curves;
-  std::vector<Measurement> measurements;  ///< of one curve after the other
+  std::vector<Measurement> measurements;  ///< of all curves, in their order
 };
 
-/// Over time, from none to the longest that this was measured after.
+/// A curve over time, from 0 to the longest time of this measurement.
 void request_over_time(const std::vector<Measurement>& data, const Measurement& m,
                        CurveRequests& requests) {
   constexpr int steps = 100;
@@ -65,7 +65,7 @@ void request_over_time(const std::vector<Measurement>& data, const Measurement& 
   requests.curves.push_back(std::move(curve));
 }
 
-/// Over sizes, somewhat beyond those where this distribution was measured.
+/// A curve over sizes, extended by a factor of 1.5 beyond the measured ones.
 void request_over_size(const std::vector<Measurement>& data, const Measurement& m,
                        CurveRequests& requests) {
   constexpr int steps = 100;
@@ -160,7 +160,8 @@ FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Out
   results::sort(made.notices);
   if (std::ranges::any_of(fit.simulation_ci95, [](double width) { return std::isnan(width); }))
     made.remarks.push_back(
-        "the mill ran one replicate: what its scatter adds to the intervals is not known");
+        "the mill ran one replicate: the contribution of its scatter to the intervals is not "
+        "known");
   return made;
 }
 

@@ -11,14 +11,14 @@
 
 namespace mahlwerk::app {
 
-/// What was found, with curves through what was measured.
+/// The result of the fit, with model curves through the measured values.
 report::FitReport fit_report(const campaign::FitJob& job,
                              const std::vector<results::Outcome>& mills, const campaign::Fit& fit);
 
 /// fit.json (docs/formats.md).
 results::Json fit_json(const report::FitReport& fit, std::string_view version);
 
-/// The case with what was found in place, and nothing left to be fitted.
+/// The case with the fitted values set and the list of parameters to fit cleared.
 cases::Case fitted_case(const campaign::FitJob& job, const report::FitReport& fit);
 
 }  // namespace mahlwerk::app

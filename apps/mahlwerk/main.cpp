@@ -18,23 +18,23 @@
 namespace mahlwerk::app {
 namespace {
 
-/// "mill.speed=500 rpm" becomes a key and a value.
+/// Splits "mill.speed=500 rpm" into key and value. Throws InputError without "=".
 cases::Override override_of(const std::string& text) {
   const auto at = text.find('=');
   if (at == 0 || at == std::string::npos)
-    throw InputError(Fault{"--set " + text, "this is no key=value",
-                           "write for instance --set mill.frequency=\"12 Hz\"", "bad-override"});
+    throw InputError(Fault{"--set " + text, "this is not of the form key=value",
+                           "write, for instance, --set mill.frequency=\"12 Hz\"", "bad-override"});
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-/// What there is to be said of a number of seconds; empty if it is one.
+/// CLI11 validator: an error message if `text` is not a number of seconds; empty if it is.
 std::string no_seconds(const std::string& text) {
   double seconds = 0;
   if (CLI::detail::lexical_cast(text, seconds) && seconds > 0 && seconds < 1e9) return {};
-  return "'" + text + "' is no number of seconds above 0; write for instance --checkpoint 60";
+  return "'" + text + "' is not a number of seconds above 0; write, for instance, --checkpoint 60";
 }
 
-/// Command lines read by what each command says of its options.
+/// Parser of the command line, built from the commands' descriptions of their options.
 class CommandLine {
  public:
   explicit CommandLine(const std::vector<Command>& all) {
@@ -42,17 +42,18 @@ class CommandLine {
     app_.set_version_flag("--version", "mahlwerk " + std::string(version()));
     app_.require_subcommand(1);
     app_.footer(
-        "Exit codes: 0 fine, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 output "
-        "lost, 130 interrupted.");
+        "Exit codes: 0 success, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 "
+        "output lost, 130 interrupted.");
     for (const Command& command : all) add(app_, command);
   }
 
-  /// Fills the request; nothing where the program is to end with `ended`.
+  /// Fills the request and returns the chosen command; nullptr if the program must exit with
+  /// `ended`.
   const Command* parse(int argc, char** argv) try {
     app_.parse(argc, argv);
     if (!chosen_->subcommands.empty() && request_.target.empty())
       throw InputError(Fault{
-          "mahlwerk " + chosen_->name, "no case is named",
+          "mahlwerk " + chosen_->name, "no case is given",
           fmt::format("write mahlwerk {0} case.toml, or see mahlwerk {0} --help", chosen_->name),
           "no-such-case"});
     for (const std::string& one : set_) request_.set.push_back(override_of(one));
@@ -74,7 +75,7 @@ class CommandLine {
     CLI::App* sub = above.add_subcommand(command.name, command.about);
     for (const Option& option : command.options) add(*sub, option);
     for (const Command& part : command.subcommands) add(*sub, part);
-    sub->callback([this, &command] {  // after those of its parts
+    sub->callback([this, &command] {  // CLI11 calls it after the callbacks of the subcommands
       const auto chosen = [this](const Command& part) { return &part == chosen_; };
       if (std::ranges::none_of(command.subcommands, chosen)) chosen_ = &command;
     });
@@ -109,14 +110,14 @@ class CommandLine {
   }
 
   CLI::App app_{
-      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and answers with what\n"
-      "their collisions do. Start with:  mahlwerk run examples/01-one-ball"};
+      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and computes what their\n"
+      "collisions do. Start with:  mahlwerk run examples/01-one-ball"};
   Request request_;
   std::vector<std::string> set_;
   const Command* chosen_ = nullptr;
 };
 
-/// Words that users of other programs type.
+/// Command names of other programs, and our command for each.
 constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", "run"},
                                                                    {"start", "run"},
                                                                    {"solve", "run"},
@@ -126,7 +127,7 @@ constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", 
                                                                    {"calibrate", "fit"},
                                                                    {"campaign", "sweep"}}};
 
-/// Refuses a first word that is no command, with the one that was most likely meant.
+/// Throws InputError if the first word is not a command. The remedy suggests the nearest command.
 void check_command(std::string_view word, const std::vector<Command>& all) {
   std::vector<std::string> known;
   for (const Command& command : all) known.push_back(command.name);
@@ -148,7 +149,7 @@ int perform(int argc, char** argv) {
   return command == nullptr ? line.ended : command->perform(line.request());
 }
 
-/// The command, and how it ended: whatever goes wrong is said.
+/// Runs the command, reports every exception, and returns the exit code.
 int perform_and_report(int argc, char** argv) try {
   return perform(argc, argv);
 } catch (const InputError& e) {
@@ -158,18 +159,19 @@ int perform_and_report(int argc, char** argv) try {
 } catch (const std::bad_alloc&) {
   return report_end(
       bad_input,
-      "there is not enough memory for this case: give fewer balls, or fewer "
-      "replicates at a time (--threads)",
+      "there is not enough memory for this case: use fewer balls, or fewer replicates at a time "
+      "(--threads)",
       {Fault{"", "there is not enough memory for this case",
-             "give fewer balls, or fewer replicates at a time (--threads)", "not-enough-memory"}});
+             "use fewer balls, or fewer replicates at a time (--threads)", "not-enough-memory"}});
 } catch (const std::exception& e) {
   const auto* system = dynamic_cast<const std::system_error*>(&e);
   if (output_failed(system != nullptr ? system->code().value() : 0))
-    return success;  // told at the end
+    return success;  // finish_output reports it
   return report_end(
       internal_error,
-      fmt::format("internal error: {}\nPlease report this, with the case file.", e.what()),
-      {Fault{"", e.what(), "report this, with the case file", "internal-error"}});
+      fmt::format("internal error: {}\nPlease report this error together with the case file.",
+                  e.what()),
+      {Fault{"", e.what(), "report this error together with the case file", "internal-error"}});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// match: settings of one mill that do to the powder what another mill does.
+// match: finds settings of one mill that reproduce the dose and spectrum of another mill.
 #include "mahlwerk/campaign/search/match.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mill whose settings are found, and the one it is to be like.
+/// Mill B, whose settings are searched, and its target, mill A.
 struct MatchJob {
   cases::Case like;                           ///< A
   const campaign::TrialRuns* runs = nullptr;  ///< of B
@@ -41,15 +41,14 @@ bool has_powder(const cases::Case& what) {
   return what.powder && what.powder->mass > 0;
 }
 
-/// Every collision, and frames, are not kept of mills that are matched: without, their runs go on
-/// where they were ended.
+/// The case without collision and frame output: only such runs can resume from a checkpoint.
 cases::Case without_streams(cases::Case what) {
   what.observe.collisions = false;
   what.observe.frames = {};
   return what;
 }
 
-/// One case, to its end. Throws Interrupted, or RunError where it does not get there.
+/// Runs one case to its end. Throws Interrupted, or RunError if a replicate stops early.
 results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
                        const results::Folder& folder, campaign::ResumableRuns& kept) {
   campaign::Streams none(version());
@@ -65,7 +64,7 @@ cases::Case read_like(const fs::path& file, const cases::Catalogue& known) {
   cases::Case like = cases::read(file, known);
   if (!like.sweep.empty())
     throw InputError(Fault{like.file, "the case has a [sweep], match takes a single case",
-                           "take the section [sweep] away", "one-case"});
+                           "remove the section [sweep]", "one-case"});
   if (auto wrong = campaign::run_faults(like); !wrong.empty()) throw InputError(std::move(wrong));
   return like;
 }
@@ -150,15 +149,15 @@ void print_summary(const report::MatchReport& found, const fs::path& place) {
   if (found.search.best) fmt::print("case:     {}\n", (place / "best.toml").string());
 }
 
-/// Looks for the settings of B, runs it there anew, and writes what came of it.
+/// Searches the settings of B, runs B at the best setting with new seeds, and writes the results.
 report::MatchReport find(const Request& request, MatchJob& job, const results::Folder& folder,
                          ResumableSearch& kept) {
-  constexpr int anew = 1'000'000;  // replicates that the search has not seen
+  constexpr int anew = 1'000'000;  // first replicate, beyond those that the search uses
   const cases::Case& base = job.runs->base();
   const results::Outcome a = whole(request, job.like, "A", folder, kept.runs());
   job.spectra = campaign::mill_spectra(a, job.by_powder);
   if (job.spectra.replicates.empty())
-    throw RunError("mill A has no collisions: there is nothing that B could be like");
+    throw RunError("mill A has no collisions: there is nothing to match");
   campaign::SearchJob search = search_job(job);
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
@@ -194,7 +193,7 @@ int match(const Request& request) {
   const cases::Case what = cases::read(file_b, known, set);
   if (!what.match)
     throw InputError(Fault{what.file, "the case has no [match]",
-                           "say what may be changed in it: [match] with over = { \"mill.speed\" = "
+                           "name the keys to vary: [match] with over = { \"mill.speed\" = "
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
   campaign::check_keys(what, what.match->over, "[match]");
@@ -227,14 +226,14 @@ int match(const Request& request) {
 }  // namespace
 
 Command match_command() {
-  return {"match", "find the settings of one mill that do to the powder what another mill does",
+  return {"match", "find settings of one mill that reproduce what another mill does to the powder",
           joined({{{.name = "CASE",
                     .target = &Request::target,
-                    .about = "the mill A that is to be matched: a case file or folder",
+                    .about = "mill A, the target: a case file or folder",
                     .required = true},
                    {.name = "--in",
                     .target = &Request::data,
-                    .about = "the mill B whose settings are looked for: a case with [match]",
+                    .about = "mill B, whose settings are searched: a case with [match]",
                     .type = "CASE",
                     .required = true}},
                   changes(),

@@ -99,7 +99,7 @@ std::string shell_word(std::string_view text) {
   if (!text.empty() && text.front() != '-' && std::ranges::all_of(text, is_plain))
     return std::string(text);
   std::string word = has_control(text) ? "$'" : "'";
-  const bool escapes = word.size() > 1;  // $'...', where \ means something
+  const bool escapes = word.size() > 1;  // $'...' interprets backslash escapes
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (escapes && (byte < 0x20 || byte == 0x7F))

@@ -10,19 +10,18 @@
 
 #include "mahlwerk/base/error.hpp"
 
-// What the program says on stderr: in words, or with --json as one JSON object a line. Nothing of
-// it throws: a terminal that has gone must not end a run.
+// Messages on stderr: as text, or with --json as one JSON object per line. No function throws: a
+// closed terminal must not end a run.
 namespace mahlwerk::app {
 
-/// From here on messages are JSON.
+/// Switches all later messages to JSON.
 void set_json_messages();
 bool json_messages();
 
-/// Something the user must know while the run goes on.
+/// Prints a warning during a run.
 void print_warning(const Fault& warning);
 
-/// Trouble that many may meet: told when it comes first, and once more at the end. Threads may call
-/// at the same time.
+/// Reports a write error once when it first occurs and once at the end. Thread-safe.
 class WriteErrorReporter {
  public:
   void operator()(const Fault& trouble);
@@ -33,15 +32,15 @@ class WriteErrorReporter {
   std::optional<Fault> first_;
 };
 
-/// How the program ends, and why: `words` as text, the faults as JSON. Gives back the exit code.
+/// Reports how the program ends and why: `words` as text, or the faults as JSON. Returns `code`.
 int report_end(int code, std::string_view words, const std::vector<Fault>& faults);
-/// The same with the faults in words.
+/// The same; the text is made from the faults.
 int report_end(int code, const std::vector<Fault>& faults);
 
-/// Writes to stderr, whether or not anybody reads it.
+/// Writes to stderr; ignores errors.
 void to_stderr(std::string_view text);
 
-/// As one word of a shell, whatever stands in it; quoted where it must be.
+/// `text` as a single shell word, quoted if necessary.
 std::string shell_word(std::string_view text);
 
 }  // namespace mahlwerk::app

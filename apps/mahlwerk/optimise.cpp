@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// optimise: the settings of a mill for which a quantity is best.
+// optimise: finds the settings of a mill that maximise or minimise a quantity.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -40,7 +40,7 @@ int optimise(const Request& request) {
   const cases::Case what = cases::read(file, known, set);
   if (!what.optimise)
     throw InputError(Fault{what.file, "the case has no [optimise]",
-                           "say what is looked for: [optimise] with maximise = "
+                           "name the quantity and the keys to vary: [optimise] with maximise = "
                            "\"dissipated_power\" and over = { \"mill.speed\" = { from = \"200 "
                            "rpm\", to = \"600 rpm\" } }",
                            "nothing-to-optimise"});
@@ -73,7 +73,8 @@ int optimise(const Request& request) {
 }  // namespace
 
 Command optimise_command() {
-  return {"optimise", "find the settings for which a quantity is best: [optimise] of the case",
+  return {"optimise",
+          "find the settings that maximise or minimise a quantity: [optimise] of the case",
           joined({{one_case()}, changes(), running(", with -optimise"), {json()}}), optimise};
 }
 

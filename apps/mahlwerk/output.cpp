@@ -22,7 +22,7 @@ namespace {
 
 extern "C" void ignore_signal(int) {}
 
-int first_error = 0;  // of stdout, where it was told
+int first_error = 0;  // errno of the first failed write to stdout; 0: none, or not known
 
 }  // namespace
 
@@ -35,9 +35,9 @@ void json_to_stdout(const results::Json& json) {
 }
 
 void guard_output() {
-  std::signal(SIGPIPE, ignore_signal);  // not ignored: that would be handed down to other programs
+  std::signal(SIGPIPE, ignore_signal);  // not SIG_IGN, which child processes would inherit
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    // Of the wrong kind, so that what is written is an error.
+    // Opened in the wrong direction, so that each read or write fails.
     if (::fcntl(stream, F_GETFD) == -1)
       static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
@@ -55,8 +55,10 @@ int finish_output(int code) {
   const int error = first_error != 0 ? first_error : EIO;
   const std::string why = std::string("standard output cannot be written: ") + std::strerror(error);
   if (stop_wanted() && code == success) code = interrupted;
-  const Fault fault{"", why, "make room, or keep its reader open; results in folders are complete",
-                    "output-lost"};
+  const Fault fault{
+      "", why,
+      "free disk space, or keep the reader of the pipe open; results in folders are complete",
+      "output-lost"};
   return report_end(code == success ? static_cast<int>(output_lost) : code, {fault});
 }
 

@@ -6,23 +6,23 @@
 
 #include "mahlwerk/results/files/json_value.hpp"
 
-// What is printed on stdout arrives, or its loss is an error with an exit code of its own.
+// Output on stdout. Lost output is an error with its own exit code.
 namespace mahlwerk::app {
 
-/// Prints text that may hold what a case or a user said: control characters are escaped.
+/// Prints text to stdout with control characters escaped: it may contain text of a case or user.
 void to_stdout(std::string_view text);
 
-/// Prints what a command found, for programs to read.
+/// Prints the result of a command as JSON.
 void json_to_stdout(const results::Json& json);
 
-/// Before anything is printed or opened: a reader that has gone ends no run, and no file takes the
-/// place of a stream that is closed.
+/// Call before anything is printed or opened. A closed pipe (SIGPIPE) then does not end a run, and
+/// no file gets the descriptor of a closed standard stream.
 void guard_output();
 
-/// Whether a byte of stdout could not be written; `error` is the number of the error met just now.
+/// Whether writing to stdout failed; `error` is the errno of the current error.
 bool output_failed(int error);
 
-/// Once all is printed: the exit code, of lost output where `code` tells of nothing worse.
+/// Call after all output. Returns `code`, or output_lost if writing failed and `code` is success.
 int finish_output(int code);
 
 }  // namespace mahlwerk::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// papers: every figure of a paper from its campaigns, and its claims put to the test.
+// papers: runs the campaigns of a paper, draws its figures and tests its claims.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,19 +31,20 @@ namespace fs = std::filesystem;
 /// A paper with the cases of its campaigns.
 struct PaperJob {
   report::Paper paper;
-  std::map<std::string, cases::Case> whole;                ///< with [sweep], by campaign
-  std::map<std::string, std::vector<cases::Case>> points;  ///< each
+  std::map<std::string, cases::Case> whole;                ///< by campaign: its case with [sweep]
+  std::map<std::string, std::vector<cases::Case>> points;  ///< by campaign: its points
   std::unique_ptr<results::Folder> folder;
 };
 
-/// Folders with a paper.toml: the one that is meant by path or name, or all there are.
+/// Folders with a paper.toml: the one that `target` names by path or name, or all.
 std::vector<fs::path> folders(const std::string& target) {
   const fs::path home = fs::path(MAHLWERK_HOME) / "papers";
   if (!target.empty()) {
     const fs::path named =
         fs::exists(fs::path(target) / "paper.toml") ? fs::path(target) : home / target;
     if (fs::exists(named / "paper.toml")) return {named};
-    throw InputError(Fault{target, "there is no paper of this name, nor a folder with a paper.toml",
+    throw InputError(Fault{target,
+                           "there is no paper with this name, and no folder with a paper.toml",
                            "the names are those of the folders in papers/", "no-such-paper"});
   }
   std::vector<fs::path> found;
@@ -57,7 +58,7 @@ std::vector<fs::path> folders(const std::string& target) {
   return found;
 }
 
-/// The name of a folder, whatever stands behind its last slash.
+/// The name of a folder, also if its path ends in a slash.
 std::string name_of(const fs::path& folder) {
   return fs::weakly_canonical(folder).filename().string();
 }
@@ -112,14 +113,15 @@ report::Campaign numbers_of(const cases::Case& what,
   return made;
 }
 
-/// The points of all campaigns, those that campaigns share once.
+/// The points of all campaigns; points that campaigns share are stored once.
 class UniquePoints {
  public:
-  /// Where a point stands among them.
+  /// Adds a point unless an equal one is there. Returns its index in `points`.
   std::size_t add(const cases::Case& point) {
     cases::Case bare = point;
     bare.title.clear();
-    const bool alone = point.observe.collisions || point.observe.frames;  // files of its own
+    const bool alone =
+        point.observe.collisions || point.observe.frames;  // such a point writes its own files
     const std::string what = alone ? "" : cases::write(bare) + cases::input_files_fingerprint(bare);
     if (!alone) {
       const auto [known, fresh] = places_.try_emplace(what, points.size());
@@ -134,7 +136,7 @@ class UniquePoints {
   std::map<std::string, std::size_t> places_;
 };
 
-/// All points of all campaigns of the paper together, so that no core waits for another.
+/// Runs all points of all campaigns of the paper together, so that no core idles between campaigns.
 std::map<std::string, report::RunCampaign> run_all(const Request& request, const PaperJob& job,
                                                    campaign::ResumableRuns& kept) {
   UniquePoints unique;
@@ -220,9 +222,11 @@ int papers(const Request& request) {
     if (stop_wanted()) {
       ended = interrupted;
       if (!request.quiet || request.json)
-        report_end(interrupted, "interrupted: what was run is kept; the same command goes on",
-                   {Fault{"", "interrupted", "what was run is kept; the same command goes on",
-                          "interrupted"}});
+        report_end(
+            interrupted,
+            "interrupted: finished runs are kept; run the same command again to resume",
+            {Fault{"", "interrupted",
+                   "finished runs are kept; run the same command again to resume", "interrupted"}});
       break;
     }
     report::PaperResult result = report::paper_result(job.paper, run);
@@ -244,9 +248,9 @@ int papers(const Request& request) {
 }  // namespace
 
 Command papers_command() {
-  return {"papers", "regenerate every figure of a paper and put its claims to the test",
+  return {"papers", "regenerate every figure of a paper and test its claims",
           joined({{{"PAPER", &Request::target,
-                    "a folder of papers/, or any with a paper.toml (default: all papers)"}},
+                    "a folder of papers/, or any folder with a paper.toml (default: all papers)"}},
                   changes(),
                   running("; papers in results/papers"),
                   {kept_checkpoint(), json()}}),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where things are: the catalogue, the cases a user means.
+// Locations: the catalogue, the case files that a target names, the default result folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<fs::path> case_files(const std::string& target) {
   std::error_code failed;
   if (!fs::exists(place, failed))
     throw InputError(Fault{target, "there is no such file or folder",
-                           "give a case file, or a folder that holds one", "no-such-case"});
+                           "give a case file, or a folder that contains one", "no-such-case"});
   if (!fs::is_directory(place, failed)) return {place};
   if (fs::exists(place / "case.toml", failed)) return {place / "case.toml"};
   std::vector<fs::path> found;
@@ -40,7 +40,7 @@ std::vector<fs::path> case_files(const std::string& target) {
     throw InputError(
         Fault{target, "the folder cannot be read: " + failed.message(), "", "no-such-case"});
   if (found.empty())
-    throw InputError(Fault{target, "the folder holds no case",
+    throw InputError(Fault{target, "the folder contains no case",
                            "put a case.toml there, or name the case file", "no-such-case"});
   std::sort(found.begin(), found.end());
   return found;
@@ -49,9 +49,9 @@ std::vector<fs::path> case_files(const std::string& target) {
 fs::path one_case_file(const std::string& target, std::string_view command) {
   const std::vector<fs::path> files = case_files(target);
   if (files.size() == 1) return files.front();
-  throw InputError(
-      Fault{target, fmt::format("the folder holds {} cases, {} takes one", files.size(), command),
-            "name one of its files", "one-case"});
+  throw InputError(Fault{
+      target, fmt::format("the folder contains {} cases, {} takes one", files.size(), command),
+      "name one of its files", "one-case"});
 }
 
 fs::path default_folder(const std::string& target, const fs::path& file, bool several) {

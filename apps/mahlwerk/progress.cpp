@@ -24,7 +24,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_interrupt(int signal) {
   stop_asked.store(true);
-  // The next one ends the program; but a terminal that goes says so more than once.
+  // The next signal ends the program. SIGHUP is ignored: a closing terminal sends it repeatedly.
   std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
 }
 
@@ -38,7 +38,7 @@ bool is_terminal() {
   return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
 }
 
-/// [s] between two lines where there is no terminal.
+/// [s] between two lines without a terminal.
 std::chrono::duration<double> between_lines() {
   constexpr double usual = 30;
   const char* said = std::getenv("MAHLWERK_PROGRESS_EVERY");
@@ -60,7 +60,7 @@ void catch_ctrl_c() {
 
 ProgressLine::ProgressLine(bool quiet)
     : on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
-  if (!terminal_ && json_messages()) on_ = false;  // whoever reads JSON waits for its end
+  if (!terminal_ && json_messages()) on_ = false;  // no progress lines between JSON messages
 }
 
 ProgressLine::~ProgressLine() {

@@ -10,13 +10,13 @@
 
 namespace mahlwerk::app {
 
-/// Set by Ctrl-C, SIGTERM or SIGHUP while these are caught; a second one, but for
-/// SIGHUP, ends the program at once.
+/// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(). A second signal other than SIGHUP ends
+/// the program at once.
 const std::atomic<bool>& stop_wanted();
 void catch_ctrl_c();
 
-/// One line that tells where a run stands: on a terminal always the same, else a new one every 30 s
-/// (or MAHLWERK_PROGRESS_EVERY seconds).
+/// Progress of a run on stderr: on a terminal one line that is overwritten, else a new line every
+/// 30 s (or MAHLWERK_PROGRESS_EVERY seconds).
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -29,7 +29,7 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
   bool on_, terminal_, shown_ = false;
-  std::chrono::duration<double> every_{0};  // between two lines where there is no terminal
+  std::chrono::duration<double> every_{0};  // between two lines without a terminal
   Clock::time_point started_ = Clock::now(), last_ = started_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// run: one case, or every case of a folder, to result folders; those with [sweep] as campaigns.
+// run: runs one case, or every case of a folder, into result folders; cases with [sweep] as
+// campaigns.
 #include "mahlwerk/campaign/run/run.hpp"
 
 #include <fmt/format.h>
@@ -32,11 +33,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A case file with where its result goes.
+/// A case and its result folder.
 struct RunJob {
   cases::Case what;
   fs::path file, place;
-  std::unique_ptr<results::Folder> folder;  ///< none of a campaign, which keeps its own
+  std::unique_ptr<results::Folder> folder;  ///< null for a campaign, which has its own folder
 
   bool sweeps() const { return !what.sweep.empty(); }
 };
@@ -56,7 +57,7 @@ RunJob prepare_run(const Request& request, const fs::path& file, bool several,
   return job;
 }
 
-/// The defaults nobody has calibrated, in a line; empty if the case rests on none.
+/// A line that lists uncalibrated default values of the case; empty if there are none.
 std::string uncalibrated(const cases::Case& what) {
   std::string line;
   for (const cases::Origin& origin : what.origins)
@@ -89,7 +90,7 @@ void print_json(const std::vector<RunJob>& jobs) {
   json_to_stdout(list);
 }
 
-/// All cases read, and all their places found free, before anything is computed.
+/// Reads all cases and checks all result folders before anything is computed. Throws InputError.
 std::vector<RunJob> prepare_all(const Request& request) {
   const cases::Catalogue known = catalogue();
   const std::vector<fs::path> files = case_files(request.target);
@@ -104,7 +105,7 @@ std::vector<RunJob> prepare_all(const Request& request) {
   return jobs;
 }
 
-/// Where the states of a run are kept: beside its results. Nothing if nobody asked for it.
+/// The checkpoint file beside the results; nullptr without --checkpoint and --resume.
 std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
                                                  const std::vector<RunJob>& jobs) {
   if (!request.checkpoint && !request.resume) return nullptr;
@@ -113,10 +114,10 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   for (const RunJob& job : jobs) {
     if (job.what.observe.collisions || job.what.observe.frames)
       throw InputError(Fault{job.what.file,
-                             fmt::format("a run that keeps {} cannot be gone on with",
+                             fmt::format("a run that keeps {} cannot be resumed",
                                          job.what.observe.frames ? "frames" : "every collision"),
-                             fmt::format("{}, or leave out --checkpoint and --resume",
-                                         job.what.observe.frames ? "leave out [observe] frames"
+                             fmt::format("{}, or omit --checkpoint and --resume",
+                                         job.what.observe.frames ? "omit [observe] frames"
                                                                  : "write collisions = false"),
                              "bad-checkpoint"});
     what += cases::write(job.what) + cases::input_files_fingerprint(job.what);
@@ -132,7 +133,7 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   return made;
 }
 
-/// All cases that do not sweep, together.
+/// Runs all cases without [sweep] together.
 int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const auto kept = checkpoint(request, jobs);
   std::vector<cases::Case> points;
@@ -145,7 +146,7 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const std::vector<results::Outcome> outcomes = compute(request, points, streams, kept.get());
   streams.close();
   const bool talks = !request.quiet && !request.json;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {  // all, before anything can go wrong with stdout
+  for (std::size_t i = 0; i < jobs.size(); ++i) {  // all of them before any output, which may fail
     report::write(*jobs[i].folder, outcomes[i], version());
     jobs[i].folder->commit();
   }
@@ -155,7 +156,7 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   if (talks) fmt::print("computed in {} s\n", two_digits(outcomes.front().wall_seconds));
   const int ended = report_exit_status(outcomes);
   if (kept && kept->write_error()) print_warning(*kept->write_error());
-  if (kept && ended == interrupted && talks) fmt::print("go on with it:  --resume\n");
+  if (kept && ended == interrupted && talks) fmt::print("to resume it:  --resume\n");
   return ended;
 }
 
@@ -174,17 +175,15 @@ int run(const Request& request) {
 }  // namespace
 
 Command run_command() {
-  return {
-      "run", "run a case, or every case of a folder, and write its results",
-      joined({{several_cases()},
-              changes(),
-              running(),
-              {checkpoint("keep the state of the run every so many seconds, beside the results, "
-                          "so that --resume can go on from there"),
-               {"--resume", &Request::resume,
-                "go on with a run that was ended, from its last kept state"},
-               json()}}),
-      run};
+  return {"run", "run a case, or every case of a folder, and write its results",
+          joined({{several_cases()},
+                  changes(),
+                  running(),
+                  {checkpoint("seconds between two checkpoints, kept beside the results, from "
+                              "which --resume continues"),
+                   {"--resume", &Request::resume, "resume an ended run from its last checkpoint"},
+                   json()}}),
+          run};
 }
 
 }  // namespace mahlwerk::app

@@ -26,7 +26,7 @@ report::ValueCi95 value_ci95(const campaign::MeanCi95& guess) {
   return {guess.mean, guess.ci95};
 }
 
-/// The unit that a range is written in: that of its upper end.
+/// The unit of a range: that of its upper end.
 std::string unit_of(const cases::SweptKey& range) {
   return std::string(number_text(range.values[1]).rest);
 }
@@ -94,12 +94,11 @@ report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign
 std::string stop_reason_text(const campaign::SearchJob& job, const campaign::Optimum& found) {
   switch (found.stop_reason) {
     case campaign::StopReason::settings:
-      return fmt::format("The search ended because {} settings were tried, as many as allowed",
+      return fmt::format("The search ended because the maximum of {} settings was reached",
                          found.trials.size());
     case campaign::StopReason::converged:
       return fmt::format(
-          "The search ended because what one more setting is expected to gain, {}, is lost in the "
-          "noise",
+          "The search ended because the expected gain of one more setting, {}, is below the noise",
           report::readable(found.expected_gain, NAN, job.outcomes.front().unit).text());
     case campaign::StopReason::failed:
       break;
@@ -107,7 +106,7 @@ std::string stop_reason_text(const campaign::SearchJob& job, const campaign::Opt
   return "";
 }
 
-/// Null where there was none.
+/// null if the best setting was not checked.
 Json check_json(const report::OptimumReport& found) {
   if (!found.check) return nullptr;
   const report::OptimumCheck& check = *found.check;
@@ -143,20 +142,20 @@ bool ResumableSearch::has_states() const {
 
 int ResumableSearch::report_interrupted() const {
   const bool trials = has_trials(), states = has_states();
-  std::string what = trials ? "the runs of the search that had ended" : "";
+  std::string what = trials ? "the finished runs of the search" : "";
   if (trials && states) what += " and ";
-  if (states) what += "the mills' own runs as far as they were";
-  const std::string remedy = what.empty()
-                                 ? "the same command begins anew"
-                                 : fmt::format("{} are kept in {}; the same command goes on", what,
-                                               runs_.folder().string());
+  if (states) what += "checkpoints of the mills' own runs";
+  const std::string remedy =
+      what.empty() ? "run the same command again to start over"
+                   : fmt::format("{} are kept in {}; run the same command again to resume", what,
+                                 runs_.folder().string());
   const std::string words =
-      what.empty() ? "interrupted before any run had ended: " + remedy : "interrupted: " + remedy;
+      what.empty() ? "interrupted before any run ended: " + remedy : "interrupted: " + remedy;
   return report_end(interrupted, words, {Fault{"", "interrupted", remedy, "interrupted"}});
 }
 
 void ResumableSearch::remove() {
-  removed_ = true;  // from here on the place may be another process's
+  removed_ = true;  // from here on another process may own the folder
   std::error_code none;
   std::filesystem::remove(trials_, none);
   runs_.remove();

@@ -12,11 +12,12 @@
 #include "mahlwerk/report/optimum.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
-// What optimise and match share: settings are looked for, and told.
+// Search for settings and its report, shared by optimise and match.
 namespace mahlwerk::app {
 
-/// What a search keeps beside its results until these are written: what it was told, and states of
-/// runs. It is this process's alone; where nothing was kept, nothing stays.
+/// Files that a search keeps beside its results until the results are written: finished trials and
+/// checkpoints of runs. The folder is locked by this process. The destructor removes the folder if
+/// it holds neither.
 class ResumableSearch {
  public:
   /// Throws InputError as ResumableRuns does.
@@ -27,8 +28,8 @@ class ResumableSearch {
 
   campaign::ResumableRuns& runs() { return runs_; }
   const std::filesystem::path& trials() const { return trials_; }
-  int report_interrupted() const;  ///< what is kept; the exit code
-  void remove();                   ///< the results have been written
+  int report_interrupted() const;  ///< reports what is kept; returns the exit code
+  void remove();                   ///< call after the results are written
 
  private:
   bool has_trials() const;
@@ -39,12 +40,12 @@ class ResumableSearch {
   bool removed_ = false;
 };
 
-/// Looks for the best settings. Throws Interrupted.
+/// Runs the optimisation. Throws Interrupted.
 campaign::Optimum run_search(const Request& request, const campaign::SearchJob& job,
                              const ResumableSearch& kept);
 
-/// Runs the best setting by the soft engine where its own runs are invalid, unless that takes too
-/// long. Throws Interrupted.
+/// Runs the best setting with the soft engine if its own runs are outside the validity of their
+/// engine, unless that takes too long. Throws Interrupted.
 std::optional<report::OptimumCheck> check_best(const Request& request,
                                                const campaign::SearchJob& job,
                                                const campaign::Optimum& found,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A campaign on a cluster: its shards as a job array of Slurm.
+// A campaign on a cluster: its shards as a Slurm job array.
 #include "slurm.hpp"
 
 #include <fmt/format.h>
@@ -33,15 +33,15 @@ fs::path this_program() {
   return failed ? fs::path("mahlwerk") : found;
 }
 
-/// A line of its own in the script; a second one would be a command, or be lost.
+/// Throws InputError if `text` contains control characters: it must stay one line of the script.
 void refuse_control(const std::string& where, const std::string& text) {
   if (has_control(text))
-    throw InputError(Fault{where, "it holds the end of a line or another control character",
-                           "write one option for each --slurm-option, and paths without such",
-                           "slurm"});
+    throw InputError(Fault{
+        where, "it contains a line end or another control character",
+        "write one option for each --slurm-option, and paths without control characters", "slurm"});
 }
 
-/// As Slurm reads the name of a file: "%" begins what it replaces.
+/// The path with "%" doubled: Slurm replaces patterns that begin with "%" in file names.
 std::string slurm_path(const fs::path& path) {
   std::string text;
   for (const char c : fs::absolute(path).lexically_normal().string())
@@ -49,7 +49,7 @@ std::string slurm_path(const fs::path& path) {
   return text;
 }
 
-/// In quotes, as in a line of options.
+/// `text` in double quotes, for an #SBATCH line.
 std::string option_string(const std::string& text) {
   std::string made = "\"";
   for (const char c : text)
@@ -64,7 +64,7 @@ std::string more_options(const Request& request) {
   return lines;
 }
 
-/// What a command printed, without the end of its line; throws InputError if it failed.
+/// The output of a command without trailing line ends. Throws InputError if it failed.
 std::string output_of(const std::string& command, const fs::path& script) {
   struct Close {
     void operator()(std::FILE* pipe) const { pclose(pipe); }
@@ -79,9 +79,9 @@ std::string output_of(const std::string& command, const fs::path& script) {
   throw InputError(Fault{
       "--slurm",
       missing ? "there is no sbatch on this machine" : fmt::format("sbatch refused: {}", text),
-      fmt::format("the script is written: submit it yourself with sbatch {}, or "
-                  "start each shard with --shard i/n",
-                  shell_word(script.string())),
+      fmt::format(
+          "the script is written: submit it with sbatch {}, or start each shard with --shard i/n",
+          shell_word(script.string())),
       "slurm"});
 }
 
@@ -101,7 +101,7 @@ std::string slurm_script(const Request& request, const fs::path& case_file, cons
                                       : "";
   return fmt::format(
       "#!/bin/bash\n"
-      "# A campaign of Mahlwerk as {0} shards. Submitting it again does what is left.\n"
+      "# A campaign of Mahlwerk as {0} shards. Submitting it again runs what is left.\n"
       "#SBATCH --job-name=mahlwerk\n"
       "#SBATCH --array=1-{0}\n"
       "#SBATCH --cpus-per-task={1}\n"
@@ -135,9 +135,9 @@ int submit_to_slurm(const Request& request, const fs::path& case_file, const fs:
   std::vector<std::string> said{fmt::format("slurm-{}.out", last)};
   for (int task = 1; task <= request.slurm; ++task)
     said.push_back(fmt::format("slurm-{}_{}.out", job, task));
-  results::list_files(place, said);  // what Slurm will write for us
+  results::list_files(place, said);  // files that Slurm will write
   if (request.quiet) return success;
-  fmt::print("submitted {} shards as job {}; job {} joins them at the end\nscript:   {}\n",
+  fmt::print("submitted {} shards as job {}; job {} merges them at the end\nscript:   {}\n",
              request.slurm, job, last, script.string());
   return success;
 }

@@ -9,12 +9,12 @@
 
 namespace mahlwerk::app {
 
-/// The script of a job array whose tasks are the shards of a campaign: `request.slurm` of them.
+/// The script of a Slurm job array with `request.slurm` tasks, one for each shard of the campaign.
 std::string slurm_script(const Request& request, const std::filesystem::path& case_file,
                          const std::filesystem::path& place);
 
-/// Writes it into the campaign's folder and submits it, and a job that joins the shards once all
-/// have ended. Throws InputError where sbatch is missing or refuses; the script is there then.
+/// Writes the script into the campaign's folder and submits it, followed by a job that merges the
+/// shards when all have ended. Throws InputError if sbatch is missing or fails; the script remains.
 int submit_to_slurm(const Request& request, const std::filesystem::path& case_file,
                     const std::filesystem::path& place);
 

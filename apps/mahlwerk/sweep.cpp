@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// sweep: the campaign of a case with [sweep]; how far it is, as a table, what failed, its shards.
+// sweep: runs the campaign of a case with [sweep]; status, export, retry and merge of shards.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -24,7 +24,7 @@ int sweep(const Request& request) {
   const fs::path file = one_case_file(request.target, "sweep");
   const fs::path place = request.out ? *request.out : default_folder(request.target, file, false);
   if (request.slurm > 0) {
-    swept_case(file, overrides(request));  // its faults are told here, not in the queue
+    swept_case(file, overrides(request));  // reports faults of the case before it is queued
     return submit_to_slurm(request, file, place);
   }
   return sweep_case(request, file, overrides(request), place);
@@ -43,10 +43,10 @@ int sweep_status(const Request& request) {
       "{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", store.title(),
       counts.points, counts.done, counts.failed, counts.waiting,
       counts.points == 0
-          ? "nothing is planned yet: a process reads its case, or was ended while it did"
-      : at_work            ? "a process is at work on it"
-      : counts.waiting > 0 ? "nobody is at work on it; `mahlwerk sweep` with its case goes on"
-                           : "all has been run"));
+          ? "no runs are planned yet: a process is reading the case, or was ended while reading it"
+      : at_work            ? "a process is running it"
+      : counts.waiting > 0 ? "no process is running it; `mahlwerk sweep` with its case resumes it"
+                           : "all runs have ended"));
   if (const std::string warned = report::notice_lines(store.notices(), counts.points, "point");
       !warned.empty())
     to_stdout("\n" + warned);
@@ -61,7 +61,7 @@ int sweep_status(const Request& request) {
     to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
   });
   if (told_of > most)
-    fmt::print("\nand {} more: the column `message` of the store\n", told_of - most);
+    fmt::print("\nand {} more: see the column `message` of the store\n", told_of - most);
   return success;
 }
 
@@ -70,14 +70,14 @@ int sweep_export(const Request& request) {
   const campaign::Store store = campaign::open_store(place);
   if (request.out) {
     if (fs::exists(*request.out) && !request.force)
-      throw InputError(Fault{request.out->string(), "there is such a file already",
-                             "give another name, or replace it with --force", "result-exists"});
+      throw InputError(Fault{request.out->string(), "the file already exists",
+                             "choose another name, or replace it with --force", "result-exists"});
     std::ofstream out(*request.out, std::ios::binary);
     store.write_csv(out);
     out.close();
     if (!out)
       throw InputError(Fault{request.out->string(), "cannot be written",
-                             "check the folder, your rights and the space on the disk",
+                             "check the folder, your permissions and the free disk space",
                              "cannot-write"});
     return success;
   }
@@ -94,14 +94,14 @@ int sweep_retry(const Request& request) {
     const campaign::Store store = campaign::open_store(place);
     file = store.case_file();
     set = store.overrides();
-    swept_case(file, set);  // that it can be run, before anything is forgotten
+    swept_case(file, set);  // throws if the case cannot be run, before any result is discarded
   }
   {
     const campaign::CampaignLock lock(place / "campaign.lock");
     campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
     const std::size_t again = store.retry();
     if (!request.quiet && !request.json)
-      fmt::print("{} to be tried again\n\n", counted(again, "run"));
+      fmt::print("{} will be tried again\n\n", counted(again, "run"));
   }
   return sweep_case(request, file, set, place);
 }
@@ -116,7 +116,7 @@ int sweep_merge(const Request& request) {
       shards.push_back(entry.path());
   if (shards.empty())
     throw InputError(Fault{place.string(), "the folder holds no shards of a campaign",
-                           "name the folder that was given to `mahlwerk sweep --shard` as --out",
+                           "name the folder that `mahlwerk sweep --shard` was given as --out",
                            "no-campaign"});
   std::ranges::sort(shards);
   const campaign::CampaignLock lock(place / "campaign.lock", campaign::CampaignLock::Mode::shared);
@@ -130,7 +130,7 @@ int sweep_merge(const Request& request) {
     print_campaign(store, place, nullptr);
   } else if (!request.quiet) {
     to_stdout(fmt::format(
-        "{}\n\n{}{} taken from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
+        "{}\n\n{}{} merged from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
         campaign.title, table_with_warnings(campaign), counted(taken, "run"),
         counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
         counts.failed, counts.waiting, (place / "campaign.html").string()));
@@ -141,19 +141,20 @@ int sweep_merge(const Request& request) {
 Options sharing() {
   return {{.name = "--results",
            .target = &Request::results,
-           .about = "what is kept of each run: all (default up to 1000 points), or its summary in "
-                    "the store alone",
+           .about = "what is kept of each run: all results (default up to 1000 points), or only "
+                    "its summary in the store",
            .values = {"all", "summary"}},
-          {"--shard", &Request::shard, "do only this part of the runs: 2/8 is the second of eight"},
+          {"--shard", &Request::shard,
+           "run only this part of the campaign: 2/8 is the second of eight"},
           {.name = "--slurm",
            .target = &Request::slurm,
-           .about = "submit the campaign to Slurm as so many shards, and their merge",
+           .about = "submit the campaign to Slurm as this many shards, and a job that merges them",
            .type = "SHARDS",
            .range = {1, 10'000},
            .excludes = "--shard"},
           {.name = "--slurm-option",
            .target = &Request::slurm_options,
-           .about = "a line for sbatch: --slurm-option partition=long; may be repeated",
+           .about = "an option for sbatch: --slurm-option partition=long; may be repeated",
            .needs = "--slurm"}};
 }
 
@@ -162,23 +163,26 @@ std::vector<Command> subcommands() {
                       .target = &Request::target,
                       .about = "the campaign's folder",
                       .required = true};
-  return {{"status", "how far a campaign is, and what failed", {folder, json()}, sweep_status},
+  return {{"status",
+           "show the progress of a campaign and the runs that failed",
+           {folder, json()},
+           sweep_status},
           {"export",
-           "the table of a campaign as CSV",
+           "write the table of a campaign as CSV",
            {folder,
             {"--out", &Request::out, "file to write (default: the terminal)"},
-            {"--force", &Request::force, "replace the file if it is there"}},
+            {"--force", &Request::force, "replace an existing file"}},
            sweep_export},
-          {"retry", "run what failed once more", {folder, threads(), quiet(), json()}, sweep_retry},
-          {"merge", "join the shards of a campaign", {folder, quiet(), json()}, sweep_merge}};
+          {"retry", "run the failed runs again", {folder, threads(), quiet(), json()}, sweep_retry},
+          {"merge", "merge the shards of a campaign", {folder, quiet(), json()}, sweep_merge}};
 }
 
 }  // namespace
 
 Command sweep_command() {
   Option target = one_case();
-  target.required = false;  // a part may be meant
-  return {"sweep", "run the campaign of a case with [sweep], or go on with it",
+  target.required = false;  // a subcommand may follow instead
+  return {"sweep", "run or resume the campaign of a case with [sweep]",
           joined({{target}, changes(), running(), sharing(), {json()}}), sweep, subcommands()};
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "2/8" is the second of eight.
+/// Parses "2/8", the second of eight shards. Throws InputError.
 campaign::Shard shard_of(const std::string& text) {
   campaign::Shard shard;
   if (text.empty()) return shard;
@@ -33,12 +33,12 @@ campaign::Shard shard_of(const std::string& text) {
   const bool sound = slash && second.ec == std::errc{} && second.ptr == end && shard.of >= 1 &&
                      shard.of <= 100'000 && shard.number >= 1 && shard.number <= shard.of;
   if (!sound)
-    throw InputError(Fault{"--shard " + text, "this is no part of a whole",
+    throw InputError(Fault{"--shard " + text, "this is not a shard i/n",
                            "write --shard 1/4 for the first of four", "bad-shard"});
   return shard;
 }
 
-/// What there is to say once the work has ended.
+/// Prints the summary of a finished campaign.
 void print_summary(const campaign::CampaignFolder& folder, const campaign::RunCounts& counts,
                    const report::Campaign& campaign, const campaign::WorkSummary& worked) {
   to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
@@ -46,8 +46,7 @@ void print_summary(const campaign::CampaignFolder& folder, const campaign::RunCo
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
              (place / "campaign.html").string(), (place / "campaign.csv").string(),
              (place / "campaign.sqlite").string());
-  if (worked.already_done > 0)
-    fmt::print("{} had been run before\n", counted(worked.already_done, "run"));
+  if (worked.already_done > 0) fmt::print("{} already done\n", counted(worked.already_done, "run"));
   fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
   if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
   fmt::print("\n");
@@ -58,33 +57,33 @@ int ending(const Request& request, const campaign::WorkSummary& worked,
   const bool talks = !request.quiet || request.json;
   if (worked.interrupted) {
     const std::string kept =
-        fmt::format("{} of {} runs are done and kept; the same command goes on", counts.done,
-                    counts.done + counts.failed + counts.waiting);
+        fmt::format("{} of {} runs are done and kept; run the same command again to resume",
+                    counts.done, counts.done + counts.failed + counts.waiting);
     if (talks)
       report_end(interrupted, "interrupted: " + kept,
                  {Fault{"", "interrupted", kept, "interrupted"}});
     return interrupted;
   }
   if (counts.failed == 0) return success;
-  const std::string failed = counted(counts.failed, "run") + " failed",
-                    word = shell_word(place.string()),
-                    remedy = fmt::format(
-                        "`mahlwerk sweep status {}` says why, `mahlwerk sweep retry {}` tries them "
-                        "again",
-                        word, word);
+  const std::string
+      failed = counted(counts.failed, "run") + " failed",
+      word = shell_word(place.string()),
+      remedy = fmt::format(
+          "`mahlwerk sweep status {}` shows the reasons, `mahlwerk sweep retry {}` runs them again",
+          word, word);
   if (talks)
     report_end(stopped_by_physics, failed + ": " + remedy,
                {Fault{place.string(), failed, remedy, "runs-failed"}});
   return stopped_by_physics;
 }
 
-/// A shard does its part and says so; its numbers are told once all are joined.
+/// Reports the end of a shard. Results are reported after all shards are merged.
 int end_shard(const Request& request, campaign::CampaignFolder& folder,
               const campaign::Shard& shard, const campaign::WorkSummary& worked) {
   const campaign::RunCounts counts = folder.store().counts();
   if (!request.quiet && !request.json)
     to_stdout(
-        fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\njoin all shards:  "
+        fmt::format("shard {}/{}: {} done, {} failed, {} before, in {:.3g} s\nmerge all shards:  "
                     "mahlwerk sweep merge {}\n",
                     shard.number, shard.of, worked.done, worked.failed, worked.already_done,
                     worked.seconds, shell_word(folder.path().string())));
@@ -121,8 +120,8 @@ campaign::CampaignSettings settings_of(const Request& request, std::optional<Pro
 cases::Case swept_case(const fs::path& file, const std::vector<cases::Override>& set) {
   cases::Case what = cases::read(file, catalogue(), set);
   if (what.sweep.empty())
-    throw InputError(Fault{file.generic_string(), "the case has no [sweep]: nothing varies",
-                           "add for instance [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
+    throw InputError(Fault{file.generic_string(), "the case has no [sweep]: no key varies",
+                           "add, for instance, [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
                            "rpm\"] below it, or use `mahlwerk run`",
                            "no-sweep"});
   return what;
@@ -155,8 +154,9 @@ int sweep_case(const Request& request, const fs::path& file,
                const std::vector<cases::Override>& set, const fs::path& place) {
   const campaign::Shard shard = shard_of(request.shard);
   if (!shard.whole() && request.force)
-    throw InputError(Fault{"--force", "a shard cannot replace what others may be at work on",
-                           "take the folder away before the first shard starts", "bad-shard"});
+    throw InputError(Fault{"--force",
+                           "a shard cannot replace a folder that other shards may be using",
+                           "remove the folder before the first shard starts", "bad-shard"});
   const cases::Case what = swept_case(file, set);
   catch_ctrl_c();
   std::optional<ProgressLine> line;
@@ -165,18 +165,18 @@ int sweep_case(const Request& request, const fs::path& file,
   folder.plan(campaign::Plan(what.sweep, what.seed));
   if (stop_wanted()) {
     if (!request.quiet || request.json)
-      report_end(interrupted, "interrupted: nothing was run yet",
-                 {Fault{"", "interrupted", "nothing was run yet", "interrupted"}});
+      report_end(interrupted, "interrupted: no run has started",
+                 {Fault{"", "interrupted", "no run has started", "interrupted"}});
     return interrupted;
   }
   line.emplace(request.quiet);
   const campaign::WorkSummary worked = folder.work();
   not_kept.repeat();
-  line.reset();  // from the terminal
+  line.reset();  // clears the line on the terminal
   if (!shard.whole()) return end_shard(request, folder, shard, worked);
   const campaign::RunCounts counts = folder.store().counts();
   if (!fs::exists(place / "campaign.sqlite"))
-    throw InputError(Fault{place.string(), "the folder was taken away while the campaign ran",
+    throw InputError(Fault{place.string(), "the folder was removed while the campaign ran",
                            "start it again", "cannot-write"});
   const report::Campaign campaign = campaign_of(folder.store());
   write_pages(folder.store(), campaign, place);

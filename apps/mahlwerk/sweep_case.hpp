@@ -11,20 +11,21 @@
 #include "commands.hpp"
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 
-// The campaign of a case with [sweep], for the commands that run or tell of one.
+// The campaign of a case with [sweep], for the commands that run or report one.
 namespace mahlwerk::app {
 
-/// Throws InputError of a case without [sweep].
+/// Reads a case with [sweep]. Throws InputError if it has none.
 cases::Case swept_case(const std::filesystem::path& file, const std::vector<cases::Override>& set);
 
-/// Runs it, all of it or request.shard, in the folder `place`, again and again until all is done.
+/// Runs or resumes the campaign, or its part request.shard, in the folder `place`. Returns the exit
+/// code.
 int sweep_case(const Request& request, const std::filesystem::path& file,
                const std::vector<cases::Override>& set, const std::filesystem::path& place);
 
 /// "1 run", "2 runs".
 std::string counted(std::size_t n, std::string_view what);
 
-/// As JSON: how far it is, and how the work just `worked` went, which may be null.
+/// Prints the state of the campaign as JSON, with the seconds of `worked` (may be null).
 void print_campaign(const campaign::Store& store, const std::filesystem::path& place,
                     const campaign::WorkSummary* worked);
 

@@ -63,7 +63,7 @@ def more_points_run_only_what_is_new(program):
         c.run("--quiet")
         c.case.write_text(c.case.read_text().replace('"12 Hz"]', '"12 Hz", "14 Hz", "10 Hz"]'))
         said = c.run()
-        assert "2 runs had been run before" in said and "1 run in" in said, said
+        assert "2 runs already done" in said and "1 run in" in said, said
         assert asked(c.out, "SELECT count(*) FROM results") == [(4,)]
 
 
@@ -115,7 +115,7 @@ def of_two_replicates_the_noise_of_effects_is_theirs(program):
         assert math.isclose(noise, expected, rel_tol=1e-9), (noise, expected)
         assert size > 0 and "Effects of each key: 4." in figure, (rows, figure)
         assert rows["contact.rolling_friction"][0] == 0, rows
-        assert words.count("Changes nothing in this case: contact.rolling_friction.") == 1, words
+        assert words.count("Without effect in this case: contact.rolling_friction.") == 1, words
 
 
 def of_two_replicates_the_noise_of_shares_is_theirs(program):
@@ -127,7 +127,7 @@ def of_two_replicates_the_noise_of_shares_is_theirs(program):
         mean = sum(y for y, _ in ends) / len(ends)
         variance = sum((y - mean)**2 for y, _ in ends) / (len(ends) - 1)
         noise = 100 * sum(e**2 for _, e in ends) / len(ends) / variance
-        said = float(re.search(r"Noise makes ([0-9.]+) % of the variance", figure)[1])
+        said = float(re.search(r"Noise is ([0-9.]+) % of the observed variance", figure)[1])
         assert abs(said - noise) <= 0.05 * noise, (said, noise)  # told to two digits
         assert rows["contact.rolling_friction"][1] == 0, rows
         assert "Groups of runs: 8." in figure, figure
@@ -140,7 +140,7 @@ def two_at_once_are_refused(program):
             time.sleep(0.01)
         said = c.run(code=2)
         assert "another process is at work" in said, said
-        assert "a process is at work on it" in c.part("status")
+        assert "a process is running it" in c.part("status")
         first.send_signal(signal.SIGINT)
         assert first.wait() == 130
         assert "interrupted" not in c.part("status")
@@ -159,7 +159,7 @@ def export_replaces_nothing_unasked(program):
         c.run("--quiet")
         notes = c.here / "notes.txt"
         notes.write_text("important")
-        assert "there is such a file already" in c.part("export", "--out", str(notes), code=2)
+        assert "the file already exists" in c.part("export", "--out", str(notes), code=2)
         assert notes.read_text() == "important"
         c.part("export", "--out", str(notes), "--force")
         assert notes.read_text() == (c.out / "campaign.csv").read_text()

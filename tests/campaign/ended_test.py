@@ -71,8 +71,8 @@ def jobs_and_shards_give_the_same_to_the_bit(program):
         assert numbers(one) == numbers(two) == numbers(shards)
         assert len(numbers(one)) == 9
         # Joined once more, nothing is taken twice; and there is nothing left to run.
-        assert "0 runs taken" in c.part("merge", out=shards)
-        assert "9 runs had been run before" in c.run(out=shards)
+        assert "0 runs merged" in c.part("merge", out=shards)
+        assert "9 runs already done" in c.run(out=shards)
 
 
 def shards_go_on_after_they_were_joined(program):

@@ -71,9 +71,10 @@ final = 100
 """
 NUMBERS = """Object.fromEntries([...document.querySelectorAll('[data-quantity]')]
              .map(cell => [cell.dataset.quantity, Number(cell.dataset.value)]))"""
-HEADINGS = {"Replay", "Results", "Who hits whom", "How hard", "Where, and how it moves",
-            "How steady", "Wear", "How warm", "What collisions catch", "How fine it gets", "Dose",
-            "Methods, to paste", "What it rests on"}
+HEADINGS = {"Replay", "Results", "Collisions by pair", "Impact energies",
+            "Wall impacts and charge motion",
+            "Time series", "Wear", "Temperatures", "Powder captured by collisions", "Fineness", "Dose",
+            "Methods paragraph", "Assumptions and sources"}
 
 
 def colours(png):

@@ -202,7 +202,7 @@ TEST_F(Fit, refuses_what_it_cannot_fit) {
   write("odd.csv", "conversion\n0.5\n");
   expect_refused("fit case.toml odd.csv --out out", "the case has no [kinetics]");
   expect_refused("fit case.toml data.csv --out out --set breakage.f_mat='1 kg/J/m'",
-                 "leaves no number open");
+                 "has no free parameter");
   write("swept.toml", text("case.toml") + "[sweep]\n\"mill.frequency\" = [\"9 Hz\", \"10 Hz\"]\n");
   expect_refused("fit swept.toml data.csv --out out", "fit takes a single case");
   expect_refused("fit . data.csv --set mill.frequency='0 Hz' --out out", "mill.frequency");

@@ -183,7 +183,7 @@ TEST_F(Output, options_for_slurm_are_a_line_each) {
          "count = 1\ndiameter = \"8 mm\"\ndensity = \"7850 kg/m3\"\n[contact]\nrestitution = "
          "0.9\n[run]\ntime = \"1 s\"\n[sweep]\n\"mill.frequency\" = [\"10 Hz\", \"12 Hz\"]\n";
   expect_refused("sweep case.toml --out out --slurm 2 --slurm-option \"$(printf 'a\\nrm x')\"",
-                 "end of a line");
+                 "a line end");
 }
 
 TEST_F(Output, collisions_are_in_the_order_in_which_they_end) {

@@ -61,7 +61,7 @@ TEST_F(Papers, a_killed_paper_goes_on_and_gives_the_same) {
   EXPECT_FALSE(exists("out"));
   const ProgramResult again = mahlwerk(longer + "--out out --threads 1");
   ASSERT_EQ(again.code, 0) << again.output;
-  EXPECT_NE(again.output.find("of 6 settings go on where they were ended"), std::string::npos)
+  EXPECT_NE(again.output.find("of 6 settings where they were ended"), std::string::npos)
       << again.output;
   EXPECT_EQ(text("out/claims.csv"), text("whole/claims.csv"));
   EXPECT_EQ(text("out/c/campaign.csv"), text("whole/c/campaign.csv"));
@@ -72,13 +72,14 @@ TEST_F(Papers, an_interrupted_paper_writes_nothing_and_goes_on) {
   long_paper();
   const ProgramResult ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
   EXPECT_EQ(ended.code, 130) << ended.output;
-  EXPECT_NE(ended.output.find("the same command goes on"), std::string::npos) << ended.output;
+  EXPECT_NE(ended.output.find("run the same command again to resume"), std::string::npos)
+      << ended.output;
   EXPECT_FALSE(exists("out")) << "half a paper is no paper";
   EXPECT_EQ(mahlwerk(longer + "--out out").code, 0);
 }
 
 TEST_F(Papers, what_is_wrong_is_said_before_anything_runs) {
-  expect_refused("papers no-such-mill --out out", "there is no paper of this name");
+  expect_refused("papers no-such-mill --out out", "there is no paper with this name");
   paper("flight_share", "mill.amplitude");
   expect_refused("papers mine --out out", "there is no such case file");
   campaign();

@@ -159,7 +159,7 @@ TEST_F(Search, a_match_interrupted_in_mill_a_goes_on_and_gives_the_same) {
   EXPECT_FALSE(exists("out"));
   const ProgramResult again = mahlwerk(longer + "out");
   ASSERT_EQ(again.code, 0) << again.output;
-  EXPECT_NE(again.output.find("a run goes on where it was ended"), std::string::npos)
+  EXPECT_NE(again.output.find("resuming a run where it was ended"), std::string::npos)
       << again.output;
   EXPECT_FALSE(exists("out.checkpoints")) << "all is written";
   ASSERT_EQ(mahlwerk(longer + "whole").code, 0);
@@ -174,7 +174,7 @@ TEST_F(Search, what_an_interrupted_search_says_of_what_is_kept_is_true) {
   const bool kept = ended.output.find("kept in") != std::string::npos;
   EXPECT_EQ(exists("out.checkpoints/trials.sqlite"), kept) << ended.output;
   EXPECT_EQ(exists("out.checkpoints"), kept) << ended.output;
-  EXPECT_EQ(ended.output.find("begins anew") != std::string::npos, !kept) << ended.output;
+  EXPECT_EQ(ended.output.find("to start over") != std::string::npos, !kept) << ended.output;
   ASSERT_EQ(mahlwerk("optimise fast.toml --out out").code, 0);
   EXPECT_FALSE(exists("out.checkpoints"));
 }
@@ -211,10 +211,10 @@ TEST_F(Search, a_quantity_that_needs_a_section_is_named_with_it) {
   };
   const std::string line = "goal.toml:" + std::to_string(lines(mill) + 2);
   expect_refused(goal("minimise = \"d50\""), line + ": a run of this case has no quantity \"d50\"");
-  expect_refused(goal("minimise = \"d50\""), "comes with [grinding]");
-  expect_refused(goal("maximise = \"conversion\""), "comes with [kinetics]");
+  expect_refused(goal("minimise = \"d50\""), "needs [grinding]");
+  expect_refused(goal("maximise = \"conversion\""), "needs [kinetics]");
   expect_refused(goal("minimise = \"wear_rate\""),
-                 "did you mean \"wear_rate_balls\" or \"wear_rate_jar\"? It comes with [wear]");
+                 "did you mean \"wear_rate_balls\" or \"wear_rate_jar\"? It needs [wear]");
   const std::string best = "maximise = \"dissipated_power\"\nlimits = ";
   expect_refused(goal(best + "{ wear_rate_jr = \"below 1 mg/h\" }"),
                  "did you mean \"wear_rate_jar\"");

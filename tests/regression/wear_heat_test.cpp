@@ -169,7 +169,7 @@ TEST_F(WearAndHeat, are_told_to_who_asks_for_them_alone) {
     EXPECT_TRUE(has(quantity)) << quantity;
   for (const char* file : {"out/wear.csv", "out/temperature.csv"})
     EXPECT_TRUE(exists(file)) << file;
-  EXPECT_EQ(value("dissipated_power"), power) << "reckoned after the motion";
+  EXPECT_EQ(value("dissipated_power"), power) << "derived after the motion";
 }
 
 }  // namespace

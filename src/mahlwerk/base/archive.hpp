@@ -12,12 +12,13 @@
 
 namespace mahlwerk {
 
-/// The state of a run as bytes, to the bit. One function `serialize(Archive&)` of each part writes
-/// or reads it, depending on the archive's direction, so that both cannot disagree. For the machine
-/// that wrote it; throws RunError where bytes are missing or left over.
+/// Binary checkpoint of a run, exact to the bit. One function `serialize(Archive&)` of each class
+/// both writes and reads, depending on the direction of the archive, so the two cannot disagree.
+/// Native byte order and layout: only for the machine that wrote it. Throws RunError where bytes
+/// are missing or left over.
 class Archive {
  public:
-  Archive() = default;  ///< writes
+  Archive() = default;  ///< for writing
   explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
   bool reading() const { return reading_; }
@@ -31,7 +32,7 @@ class Archive {
   requires std::is_trivially_copyable_v<T> Archive& operator()(T& value) {
     return raw(&value, sizeof value);
   }
-  /// Read, a byte that is neither 0 nor 1 is damage.
+  /// Reading throws RunError for a byte that is neither 0 nor 1.
   Archive& operator()(bool& value) {
     std::uint8_t byte = value ? 1 : 0;
     raw(&byte, sizeof byte);
@@ -39,7 +40,7 @@ class Archive {
     value = byte == 1;
     return *this;
   }
-  /// A vector or string of plain values.
+  /// A vector or string of trivially copyable values.
   template <class List>
   requires requires(List& list) { list.resize(1); }
   Archive& operator()(List& list) {

@@ -7,7 +7,7 @@
 
 namespace mahlwerk {
 
-/// Bytes as text of 64 harmless characters, padded by '=' (RFC 4648).
+/// Base64 encoding of `bytes`, padded with '=' (RFC 4648).
 std::string base64(std::string_view bytes);
 
 }  // namespace mahlwerk

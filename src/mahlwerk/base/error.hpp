@@ -8,15 +8,15 @@
 
 namespace mahlwerk {
 
-/// One thing wrong with what the user gave: where, what, and how to mend it.
+/// One fault in the user's input: where, what, and the remedy.
 struct Fault {
   std::string where;   ///< "case.toml:14" or "--set jar.diameter"; may be empty
-  std::string what;    ///< the cause, in a sentence without a full stop
+  std::string what;    ///< the cause: a sentence without a full stop
   std::string remedy;  ///< what to do; may be empty
   std::string code;    ///< anchor in docs/errors.md, for instance "e-unknown-key"; may be empty
 };
 
-/// Bad input: all faults found, together. The program ends with exit code 2.
+/// Invalid input, with all faults that were found. The program ends with exit code 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -27,19 +27,19 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-/// A run that cannot go on for a reason of physics (Zeno guard, lost ball). Exit code 3.
+/// A run that cannot continue for a physical reason (Zeno guard, lost ball). Exit code 3.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Work was ended because the user asked for it.
+/// The user interrupted the work.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// The faults as the lines a user reads.
+/// The text of the faults as shown to the user, without control characters.
 std::string describe(const std::vector<Fault>& faults);
 
 }  // namespace mahlwerk

@@ -9,7 +9,7 @@
 
 namespace mahlwerk {
 
-/// The values a field may take. Ends are included unless said otherwise.
+/// Range of values of a field. Ends are included unless `without_least` or `without_most` is set.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -24,15 +24,16 @@ constexpr Range any_number{};
 constexpr Range positive{.least = 0, .without_least = true};
 constexpr Range not_negative{.least = 0};
 
-/// One number a user may give to a model. Parser, help, docs and results read this.
+/// One numeric parameter of a model, for users. Parser, help, docs and results read this
+/// description.
 template <class Model>
 struct Field {
-  std::string_view key;    ///< the word in TOML, Python and docs
-  std::string_view unit;   ///< the unit `value` is kept in ("m", "Hz", "rad/s", "" for a number)
-  double Model::*value;    ///< where it lives
-  Range range;             ///< in `unit`
-  std::string_view about;  ///< one sentence
-  std::optional<double> standard = std::nullopt;  ///< the default; none: the user must say it
+  std::string_view key;   ///< key in TOML, Python and docs
+  std::string_view unit;  ///< unit in which `value` is stored ("m", "Hz", "rad/s", "" for a number)
+  double Model::*value;   ///< the member of the model
+  Range range;            ///< in `unit`
+  std::string_view about;                         ///< one sentence
+  std::optional<double> standard = std::nullopt;  ///< the default; none: the parameter is required
   std::string_view source = "";                   ///< where the default comes from
 };
 

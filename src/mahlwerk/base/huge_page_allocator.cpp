@@ -17,7 +17,8 @@ void* allocate_huge_pages(std::size_t bytes) {
   void* const memory = std::aligned_alloc(align, (bytes + align - 1) / align * align);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  // A wish; nothing depends on it. Not for the last part, which a large page would make whole.
+  // A hint to the kernel; nothing depends on it. It excludes the last partial page, which a huge
+  // page would round up.
   if (bytes >= page) madvise(memory, bytes / page * page, MADV_HUGEPAGE);
 #endif
   return memory;

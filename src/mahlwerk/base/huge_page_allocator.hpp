@@ -7,8 +7,8 @@
 
 namespace mahlwerk {
 
-/// Memory for large arrays read in no order: asks for large pages, whose addresses the processor
-/// need not look up so often. Throws std::bad_alloc.
+/// Memory for large arrays with random access. Requests huge pages, which cause fewer TLB misses.
+/// Throws std::bad_alloc.
 void* allocate_huge_pages(std::size_t bytes);
 void free_huge_pages(void* memory);
 
@@ -17,7 +17,7 @@ struct HugePageAllocator {
   using value_type = T;
   HugePageAllocator() = default;
   template <class U>
-  HugePageAllocator(const HugePageAllocator<U>&) {}  // NOLINT: the conversion allocators must have
+  HugePageAllocator(const HugePageAllocator<U>&) {}  // NOLINT: allocators need the conversion
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_huge_pages(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t) { free_huge_pages(memory); }

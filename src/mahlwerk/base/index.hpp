@@ -7,7 +7,7 @@
 
 namespace mahlwerk {
 
-/// A number that is stored in 32 bits, as what a vector is indexed with; >= 0.
+/// Converts a 32-bit index, >= 0, to the index type of vectors.
 constexpr std::size_t as_index(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }

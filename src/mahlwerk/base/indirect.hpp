@@ -8,10 +8,10 @@
 
 namespace mahlwerk {
 
-/// A value of a type that a header only names: it is copied and compared as the value would be, and
-/// whoever looks into it includes the value's own header. The members below are compiled in one
-/// file, by `template class Indirect<T>` after base/indirect_members.hpp. Null only when moved
-/// from.
+/// Owning pointer with value semantics to an incomplete type T: copies and comparisons act on the
+/// value. Code that accesses the value includes the header that defines T. One file instantiates
+/// the members below, by `template class Indirect<T>` after base/indirect_members.hpp. Null only
+/// when moved from.
 template <class T>
 class Indirect {
  public:
@@ -23,7 +23,7 @@ class Indirect {
   ~Indirect();
   Indirect(const T& value);
   Indirect(T&& value);
-  /// From a model that the value can be, which has a name as models have.
+  /// From a model `M`, a type with a member `name`, from which T can be constructed.
   template <class M>
   requires(requires { std::remove_cvref_t<M>::name; } && std::is_constructible_v<T, M>)
       Indirect(M&& model)

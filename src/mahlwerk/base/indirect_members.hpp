@@ -6,7 +6,8 @@
 
 #include "mahlwerk/base/indirect.hpp"
 
-// What an Indirect<T> does that needs to know T; included by the one file that compiles it for T.
+// Members of Indirect<T> that need a complete T. Included by the one file that instantiates
+// Indirect<T>.
 namespace mahlwerk {
 
 template <class T>

@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <type_traits>
 
-// One text for one number or for eight side by side: functions templated on the number type V,
-// `double` or `Lanes`, with masks and choices instead of branches. IEEE operations only, so that
-// every lane has the bits of the plain number, whatever the width of the machine's registers.
+// SIMD by templates: functions are templates on the number type V, `double` or `Lanes` (eight
+// doubles), with masks and selects instead of branches. Only IEEE operations, so each lane has the
+// same bits as the scalar result, whatever the register width of the machine.
 
-// In front of a function: compiled for the registers of several machines, the right one is taken as
-// it runs. Not under the thread sanitizer, which such functions crash, and only with GCC.
+// Attribute of a function: compiles it for several instruction sets (function multiversioning); the
+// best one is selected at run time. Only with GCC, and not under the thread sanitizer, which
+// crashes on such functions.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define MAHLWERK_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
@@ -25,8 +26,8 @@ constexpr int lanes = 8;
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(std::int64_t))));  // 0, -1
 
-/// Eight numbers where they are kept: aligned for the widest registers, whatever a file is compiled
-/// for.
+/// Storage of eight numbers. The alignment is that of the widest registers, independent of the
+/// instruction set that a file is compiled for.
 struct alignas(64) AlignedLanes {
   Lanes value{};
 };
@@ -63,12 +64,13 @@ template <class V>
   return select(a < V{}, -a, a);
 }
 
-/// a < b as a mask. GCC 12 takes a comparison of eight numbers apart unless it chooses something.
+/// a < b as a mask. GCC 12 splits a comparison of eight numbers into scalars unless a select uses
+/// it.
 [[gnu::always_inline]] inline bool less(double a, double b) {
   return a < b;
 }
 [[gnu::always_inline]] inline LaneMask less(Lanes a, Lanes b) {
-  return (LaneMask)(a < b ? (Lanes)~LaneMask{} : Lanes{});  // the bits, as they are
+  return (LaneMask)(a < b ? (Lanes)~LaneMask{} : Lanes{});  // reinterprets the bits
 }
 [[gnu::always_inline]] inline bool any(bool mask) {
   return mask;
@@ -82,7 +84,7 @@ template <class V>
   return !any(~mask);
 }
 
-/// Eight vectors side by side, or one.
+/// A 3-vector of V: one vector, or eight (structure of arrays).
 template <class V>
 struct Vec {
   V x, y, z;

@@ -11,11 +11,11 @@
 
 namespace mahlwerk {
 
-/// How much a notice matters to a reader of the numbers.
+/// Severity of a notice, for readers of the results.
 enum class Severity {
   note,     ///< how the run was computed
-  warning,  ///< the numbers are to be used with care
-  invalid   ///< the numbers are outside the validity of the engine that ran
+  warning,  ///< use the results with care
+  invalid   ///< the results are outside the validity of the engine that ran
 };
 
 constexpr std::array<std::string_view, 3> severity_names{"note", "warning", "invalid"};
@@ -29,7 +29,7 @@ constexpr Severity severity_of(std::string_view name) {
                                     : static_cast<Severity>(at - severity_names.begin());
 }
 
-/// What a reader should know of a run besides its numbers.
+/// A note or warning that accompanies the results of a run.
 struct Notice {
   std::string code;  ///< heading in docs/warnings.md, for instance "not-settled"
   Severity severity = Severity::note;

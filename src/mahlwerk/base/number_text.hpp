@@ -9,8 +9,8 @@
 
 namespace mahlwerk {
 
-/// A text cut into its number and what follows: "400 rpm" is 400 and "rpm". A word is NaN and all
-/// of it. The parts live as long as the text.
+/// A text split into a leading number and the rest: "400 rpm" gives 400 and "rpm". A text without a
+/// leading number gives NaN and the whole text. `rest` is valid as long as the text.
 struct NumberText {
   double number = std::numeric_limits<double>::quiet_NaN();
   std::string_view rest;

@@ -15,14 +15,14 @@ unsigned byte(char c) {
   return static_cast<unsigned char>(c);
 }
 
-/// A character of UTF-8: its number and how many bytes it has; 0 bytes: there is none.
+/// A UTF-8 character: code point and number of bytes; 0 bytes: invalid UTF-8.
 struct Character {
   char32_t number = 0;
   std::size_t bytes = 0;
 };
 
 Character first_of(std::string_view text) {
-  constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};  // by bytes, no shorter way
+  constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};  // else an overlong form
   const unsigned first = byte(text[0]);
   const std::size_t bytes = first < 0x80    ? 1
                             : first < 0xC0  ? 0
@@ -42,7 +42,7 @@ Character first_of(std::string_view text) {
   return {number, bytes};
 }
 
-/// Control characters, and what XML has no place for.
+/// False for control characters and for characters that XML does not allow.
 bool is_shown(char32_t c) {
   if (c == '\t' || c == '\n') return true;
   return c >= 0x20 && !(c >= 0x7F && c < 0xA0) && c != 0xFFFE && c != 0xFFFF;

@@ -7,11 +7,11 @@
 
 namespace mahlwerk {
 
-/// Text that neither moves a terminal's cursor nor breaks XML: control characters other than tab
-/// and the end of a line are escaped as in TOML ("\u001b"), and bytes that are no UTF-8 as "\xff".
+/// `text` made safe for terminals and XML: control characters other than tab and newline are
+/// escaped as in TOML ("\u001b"), bytes that are not valid UTF-8 as "\xff".
 std::string printable(std::string_view text);
 
-/// Whether it holds a control character, tab and the end of a line included.
+/// Whether `text` contains a control character, including tab and newline.
 bool has_control(std::string_view text);
 
 }  // namespace mahlwerk

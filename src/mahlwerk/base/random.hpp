@@ -8,8 +8,8 @@
 
 namespace mahlwerk {
 
-/// Numbers from a counter (Philox 4x32-10, Salmon et al. 2011): the n-th number of a stream depends
-/// on (seed, stream, n) alone, so results do not depend on threads or order.
+/// Counter-based random number generator (Philox 4x32-10, Salmon et al. 2011). The n-th number of a
+/// stream depends only on (seed, stream, n), so results do not depend on threads or order.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}

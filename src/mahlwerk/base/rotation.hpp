@@ -7,7 +7,7 @@
 
 namespace mahlwerk {
 
-/// A proper rotation, kept as the images of the three axes.
+/// A proper rotation, stored as the images of the three axes.
 struct Rotation {
   Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
 
@@ -20,7 +20,7 @@ constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
   return {a * b.ex, a * b.ey, a * b.ez};
 }
 
-/// Turning by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
+/// Rotation by `angle` [rad] about the unit vector `axis`, right-handed (con.3).
 inline Rotation rotation_about(const Vec3& axis, double angle) {
   const SinCos of = sin_cos(angle);
   const auto turned = [&](const Vec3& a) {
@@ -29,7 +29,8 @@ inline Rotation rotation_about(const Vec3& axis, double angle) {
   return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
 }
 
-/// A bound on the components of a rotated vector whose own components are bounded by `most`.
+/// Bounds of the absolute components of a rotated vector whose absolute components are bounded by
+/// `most`.
 inline Vec3 bound_of_rotated(const Rotation& r, const Vec3& most) {
   return most.x * componentwise_abs(r.ex) + most.y * componentwise_abs(r.ey) +
          most.z * componentwise_abs(r.ez);

@@ -14,7 +14,7 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-/// Damerau's distance, neighbours swapped once at most.
+/// Restricted Damerau-Levenshtein distance (optimal string alignment).
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -32,7 +32,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 200;  // whatever is longer is no misspelt word
+  constexpr std::size_t longest = 200;  // longer texts are not misspelt words
   if (word.empty() || word.size() > longest) return {};
   std::string best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;

@@ -8,8 +8,8 @@
 
 namespace mahlwerk {
 
-/// The known word nearest to `word` by insertions, deletions, exchanges and swaps of neighbours, or
-/// empty if none is near enough to be meant.
+/// The known word with the smallest edit distance to `word` (insertion, deletion, substitution,
+/// transposition of neighbours), regardless of case. Empty if none is near enough.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace mahlwerk

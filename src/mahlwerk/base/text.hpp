@@ -6,7 +6,7 @@
 
 namespace mahlwerk {
 
-/// `text` without blanks, tabs and carriage returns at its ends; it lives as long as `text`.
+/// `text` without leading and trailing blanks, tabs and carriage returns. Valid as long as `text`.
 constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
   const auto first = text.find_first_not_of(blank);

@@ -13,11 +13,12 @@ struct SinCos {
   bool operator==(const SinCos&) const = default;
 };
 
-/// Sine and cosine together, within 2.3e-16 of their values for |x| below 1e4 rad. The C library's
-/// differ between versions and processors; these are the same to the bit everywhere, and inline.
+/// Sine and cosine of x [rad], with an absolute error below 2.3e-16 for |x| below 1e4. Results of
+/// the C library differ between versions and processors; these have the same bits everywhere, and
+/// are inline. From |x| = 1e5 on, the C library computes them.
 ///
-/// Reduction to |r| <= pi/4 by pi/2 in three parts (Cody and Waite 1980), then minimax polynomials
-/// with the coefficients of fdlibm.
+/// Argument reduction to |r| <= pi/4 with pi/2 in three parts (Cody and Waite 1980), then minimax
+/// polynomials with the coefficients of fdlibm.
 inline SinCos sin_cos(double x) {
   if (!(std::abs(x) < 1e5)) return {std::sin(x), std::cos(x)};
   constexpr double two_over_pi = 6.36619772367581382433e-01, round = 0x1.8p52;

@@ -16,9 +16,9 @@
 namespace mahlwerk {
 namespace {
 
-constexpr int highest_power = 9;  // of a unit; keeps exponents and factors within bounds
+constexpr int highest_power = 9;  // of a unit; bounds exponents and factors
 
-/// Other spellings of the same units.
+/// Replaces non-ASCII spellings of units.
 std::string with_ascii_symbols(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> spellings[] = {
       {"\u00b5", "u"}, {"\u03bc", "u"},     {"\u00b2", "2"},  {"\u00b3", "3"},
@@ -75,7 +75,7 @@ void multiply(ParsedUnit& m, const Unit& unit, int power) {
   m.scale.denominator /= divisor;
 }
 
-/// The power behind a symbol: "3", "^3", "^-3"; 1 if there is none.
+/// The power after a symbol: "3", "^3", "^-3"; 1 if empty.
 int parse_power(std::string_view power, std::string_view symbol) {
   if (power.empty()) return 1;
   std::string_view digits = power;
@@ -99,7 +99,7 @@ void multiply_factor(ParsedUnit& m, std::string_view factor, int sign) {
   multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
 }
 
-/// "J/(kg K)" as "J/kg/K": what a bracket that is divided by multiplies, divides.
+/// Expands brackets: "J/(kg K)" becomes "J/kg/K". A factor in the bracket of a denominator divides.
 std::string without_brackets(std::string_view text) {
   std::string out;
   bool inside = false, divided = false;
@@ -125,7 +125,7 @@ std::string without_brackets(std::string_view text) {
   return out;
 }
 
-/// Blanks between factors as products: "J m/kg" as "J*m/kg".
+/// Replaces blanks between factors by "*": "J m/kg" becomes "J*m/kg".
 std::string with_products(std::string_view text) {
   const auto joins = [](char c) { return c == '*' || c == '/' || c == '('; };
   std::string out;
@@ -149,7 +149,7 @@ ParsedUnit parse_unit(std::string_view given) {
   const std::string text = without_brackets(with_products(trimmed(with_ascii_symbols(given))));
   ParsedUnit m;
   if (text.empty()) return m;
-  if (text == "1/min") return parse_unit("rpm");  // a turn a minute, as on a type plate
+  if (text == "1/min") return parse_unit("rpm");  // one turn per minute, as on a rating plate
   std::size_t from = 0;
   int sign = 1;
   for (bool first = true;; first = false) {

@@ -65,7 +65,7 @@ constexpr Unit table[] = {
 
 struct DisplayUnits {
   std::string_view unit;
-  std::array<std::string_view, 5> as;  // empty ones are left out
+  std::array<std::string_view, 5> as;  // unused entries are empty
 };
 
 constexpr DisplayUnits display_table[] = {

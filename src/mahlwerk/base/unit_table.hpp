@@ -9,10 +9,11 @@
 
 namespace mahlwerk {
 
-/// The size of a unit in SI: numerator / denominator * (2 pi)^turns. Kept apart so that "600 rpm"
-/// is 10 Hz and "12 mm" is the double nearest to 0.012 m, without detours through rounded factors.
+/// SI value of a unit: numerator / denominator * (2 pi)^turns. Stored separately so that "600 rpm"
+/// is exactly 10 Hz and "12 mm" is the double nearest to 0.012 m, without rounded intermediate
+/// factors.
 struct Scale {
-  double numerator = 1, denominator = 1;  ///< whole numbers without a common divisor
+  double numerator = 1, denominator = 1;  ///< integers without a common divisor
   int turns = 0;
 };
 
@@ -23,19 +24,20 @@ struct Unit {
   Dimension dimension;
 };
 
-/// A unit as an expression gives it.
+/// Result of parsing a unit expression.
 struct ParsedUnit {
   Scale scale;
   Dimension dimension;
 };
 
-/// Every simple unit there is.
+/// All simple (not compound) units.
 std::span<const Unit> all_units();
 
-/// The multiples a value kept in `unit` is shown in, the one people like best first.
+/// The multiples in which a value stored in `unit` is displayed, preferred one first; empty if
+/// none.
 std::span<const std::string_view> display_units(std::string_view unit);
 
-/// Reads "mm", "kg/m3", "1/min", "J m/kg", "J/(kg K)". Throws UnitError.
+/// Parses a unit expression: "mm", "kg/m3", "1/min", "J m/kg", "J/(kg K)". Throws UnitError.
 ParsedUnit parse_unit(std::string_view text);
 
 }  // namespace mahlwerk

@@ -19,7 +19,7 @@ namespace {
 constexpr double ice_point = 273.15;  // [K]
 constexpr std::size_t longest_text = 200;
 
-/// A text cut into its number and what follows.
+/// A text split into number and unit.
 struct Parts {
   double number = 0;
   std::string_view digits, unit;
@@ -54,7 +54,7 @@ bool celsius(std::string_view unit) {
   return unit == "degC" || unit == "\u00b0C";
 }
 
-/// `value` in units of `from`, measured in units of `to`.
+/// Converts `value` from the unit `from` to the unit `to`.
 double converted(double value, const Scale& from, const Scale& to) {
   double numerator = from.numerator * to.denominator, denominator = from.denominator * to.numerator;
   for (double a = numerator, b = denominator;;) {
@@ -77,7 +77,7 @@ double finite_or_fault(double value, std::string_view text) {
   throw UnitError(fmt::format("the number in \"{}\" is too large", text));
 }
 
-/// What people call the dimension a unit measures.
+/// Common name of the dimension of a unit.
 std::string_view kind_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> kinds[] = {
       {"m", "a length"},
@@ -190,7 +190,7 @@ std::string shortest(double value) {
 
 namespace {
 
-/// `value` rounded to that many significant digits.
+/// `value` rounded to `digits` significant digits.
 double rounded(double value, int digits) {
   std::array<char, 64> room;
   const auto end = std::to_chars(room.data(), room.data() + room.size(), value,
@@ -205,10 +205,10 @@ std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? shortest(value) : fmt::format("{} {}", shortest(value), unit);
 }
 
-constexpr int unreadable = 1000;  // farther than any number is
+constexpr int unreadable = 1000;  // larger than the cost of any number
 
-/// How far `value` is from the sizes people like to read, in decades; unreadable in a unit so small
-/// that it is infinite.
+/// Distance of |value| from the readable range 0.1 to 1000, in decades. `unreadable` where the
+/// value overflows in its unit.
 int readability_cost(double value) {
   const double size = std::abs(value);
   if (size == 0) return 0;
@@ -217,13 +217,14 @@ int readability_cost(double value) {
   return size < 1000 ? 0 : static_cast<int>(std::floor(std::log10(size))) - 2;
 }
 
-/// One way to write a value.
+/// A candidate text of a value.
 struct Rendering {
   std::string text;
   int cost = unreadable;
 };
 
-/// Fewest digits in `as` that read back as `value` in `unit`; an empty text if none do.
+/// The shortest text in the unit `as` that reads back as exactly `value` in `unit`; empty if there
+/// is none.
 Rendering exact_in(double value, std::string_view unit, std::string_view as) {
   constexpr int enough = 17;
   const Scale here = parse_unit(unit).scale, there = parse_unit(as).scale;

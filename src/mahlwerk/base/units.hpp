@@ -9,7 +9,7 @@
 
 namespace mahlwerk {
 
-/// Exponents of the base dimensions. An angle is a dimension of its own, so that 400 rpm is never
+/// Exponents of the base dimensions. Angle is a base dimension, so that 400 rpm is never read as
 /// 41.9 Hz: a turn is 2 pi rad, 1 Hz is one turn (cycle) per second (con.4).
 struct Dimension {
   std::int8_t length = 0, mass = 0, time = 0, temperature = 0, angle = 0;
@@ -22,36 +22,36 @@ struct Quantity {
   Dimension dimension;
 };
 
-/// What is wrong with a text that should be a quantity; its message is complete without a place.
+/// A text is not a valid quantity. The message is complete without the location in the input.
 class UnitError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads "400 rpm", "15 mm", "7850 kg/m3", "0.35", "30 %". Throws UnitError naming the text, what
-/// is wrong, and the nearest known unit.
+/// Parses "400 rpm", "15 mm", "7850 kg/m3", "0.35", "30 %". Throws UnitError that names the text,
+/// the fault and the nearest known unit.
 Quantity parse_quantity(std::string_view text);
 
-/// Reads `text` and returns its value measured in `unit` ("m", "Hz", "rad/s", "kg/m3", "degC", ""
-/// for a pure number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError when the unit is
-/// missing or of another dimension, with an example of what is expected.
+/// Parses `text` and returns its value in `unit` ("m", "Hz", "rad/s", "kg/m3", "degC", "" for a
+/// pure number). "600 rpm" in "Hz" is 10, in "rad/s" 62.83. Throws UnitError, with an example, if
+/// the unit is missing or has another dimension.
 double parse_in(std::string_view text, std::string_view unit);
 
-/// Writes `value`, measured in `unit`, so that parse_in(show(value, unit), unit) == value to the
-/// last bit, in the most readable multiple that allows it ("12 mm" rather than "0.012 m").
+/// Formats `value`, given in `unit`, in the most readable multiple ("12 mm" rather than "0.012 m")
+/// for which parse_in(show(value, unit), unit) == value to the last bit.
 std::string show(double value, std::string_view unit);
 
-/// Writes `value`, measured in `unit`, to `digits` significant digits in a readable multiple; for
-/// people, not for reading back.
+/// Formats `value`, given in `unit`, to `digits` significant digits in a readable multiple; for
+/// display only.
 std::string show_rounded(double value, std::string_view unit, int digits = 4);
-/// A plain number to two digits, without a power of ten up to 15 places: "0.062", "3.5", "950000".
+/// Formats a number to two significant digits, without an exponent up to 15 places: "0.062", "3.5",
+/// "950000".
 std::string two_digits(double value);
 
-/// A quantity as one would write it where `unit` is expected: "12 mm" for "m", "400 rpm" for
-/// "rad/s".
+/// An example of a quantity in input that expects `unit`: "12 mm" for "m", "400 rpm" for "rad/s".
 std::string example_of(std::string_view unit);
 
-/// The shortest decimal text that reads back as the same double, whatever the locale.
+/// The shortest decimal text that reads back as the same double, independent of the locale.
 std::string shortest(double value);
 
 }  // namespace mahlwerk

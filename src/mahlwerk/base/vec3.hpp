@@ -6,7 +6,7 @@
 
 namespace mahlwerk {
 
-/// A vector of three doubles; the unit is that of whatever it holds.
+/// A vector of three doubles; its unit depends on the use.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
@@ -48,12 +48,12 @@ inline double norm(const Vec3& a) {
   return std::sqrt(squared(a));
 }
 
-/// Component by component size, for bounds.
+/// Absolute values of the components.
 inline Vec3 componentwise_abs(const Vec3& a) {
   return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
 }
 
-/// The part of `a` across the unit vector `n`.
+/// The component of `a` perpendicular to the unit vector `n`.
 constexpr Vec3 tangential_part(const Vec3& a, const Vec3& n) {
   return a - dot(a, n) * n;
 }

@@ -20,7 +20,7 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
   std::vector<scene::Ball> balls = fill(*c.jar.shape, c.balls, random, stop);
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
   const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
-  // Ball velocities are relative to the jar's centre, start speeds to the chosen frame.
+  // Ball velocities are relative to the jar's centre, initial speeds to the chosen frame.
   const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.frame.velocity;
   for (scene::Ball& ball : balls) {
     ball.position = start.rotation * (mount * ball.position);

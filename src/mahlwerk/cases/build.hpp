@@ -15,59 +15,61 @@
 
 namespace mahlwerk::cases {
 
-/// The jar of a case on its mill.
+/// The jar of a case with the motion of its mill.
 scene::Chamber chamber(const Case& c);
 
-/// Balls at random places where they touch nothing, with random velocities and spins as the case's
-/// [run] says (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Places that the case gives
-/// are kept. Depends on the seed and the replicate alone. Throws Interrupted once `*stop` is set.
+/// Balls at random positions without contact, with random velocities and spins in the ranges of
+/// [run] (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Positions given by the case are
+/// kept. The result depends only on the seed and the replicate. Throws Interrupted once `*stop` is
+/// set.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
                                         const std::atomic<bool>* stop = nullptr);
 
-/// The set each ball belongs to, in the order of starting_balls().
+/// Index of the ball set of each ball, in the order of starting_balls().
 std::vector<std::int32_t> kinds_of_balls(const Case& c);
 
-/// What grains stand for, in a sentence; empty where the powder is not simulated.
+/// A sentence on the coarse-graining of the powder; empty if the powder is not simulated as grains.
 std::string grains_note(const Case& c);
-/// For each set whose sizes differ, its sizes with their numbers.
+/// One text for each set with a size distribution: its diameters and the count of each.
 std::vector<std::string> size_notes(const Case& c);
 
-/// Who bounces off whom by which rule: a kind for each ball set, the faces of the jar.
+/// The bounce rule of every pair of ball sets, and of every ball set with every face of the jar.
 contact::BounceTable bounce_table(const Case& c);
 
-/// Whether the jar looks the same at all times: it does not turn, or about the axis it is symmetric
-/// to, and nothing in it turns by itself.
+/// Whether the surface of the jar looks the same at all times: the jar does not rotate, or rotates
+/// about its axis of symmetry, and holds no stirrer.
 bool looks_still(const Case& c);
 
-/// About how much room one frame of [observe] frames takes on disk [bytes].
+/// Approximate size on disk of one frame of [observe] frames [bytes].
 double frame_bytes(const Case& c);
 
-/// What the soft engine's laws need of every two that may touch: moduli, softened, and the values
-/// of [contact] and its pairs. A restitution that depends on the speed counts by its value().
+/// The pair parameters of the soft engine's contact laws: softened moduli, and the values of
+/// [contact] and its pairs. A speed-dependent restitution is represented by its value().
 contact::PairTable pair_table(const Case& c);
 
-/// What a user should know of the jar before trusting a run in it; empty if all is well.
+/// Warnings about the jar and the powder in it; empty if there are none.
 Notices jar_warnings(const Case& c);
 
-/// What the engine does not look at, or nobody asked for, is no assumption of the results.
+/// Clears the mark `assumed` of values that the engine does not read, and `assumed` and
+/// `unverified` of values that only wear or heat would need.
 void drop_irrelevant_assumptions(Case& c);
-/// Keys that the case gives and `engine` does not look at.
+/// A note on keys that the case gives and `engine` does not read.
 Notices ignored_keys(const Case& c, EngineName engine);
 
-/// Values that are allowed and most likely a slip: a metal as light as air, a jar that turns with
-/// its disc.
+/// Warnings about values that are allowed but probably a mistake: a metal as light as air, a
+/// planetary jar that rotates in the direction of its disc.
 Notices unusual_values(const Case& c);
 
-/// One thing that follows from a case before it is run.
+/// A quantity that follows from a case without a run.
 struct DerivedQuantity {
   std::string name;  ///< "peak_wall_speed"
   double value = 0;  ///< in `unit`
   std::string unit;
-  std::string about;  ///< a sentence with the formula's label
+  std::string about;  ///< description with the equation label
 };
 
-/// Peak wall speed, acceleration number, critical speed or speed ratio, expected impact energy,
-/// charge.
+/// Peak wall speed, acceleration number, critical speed or speed ratio, expected impact energy and
+/// the charge; empty for a case without balls.
 std::vector<DerivedQuantity> derived_quantities(const Case& c);
 
 }  // namespace mahlwerk::cases

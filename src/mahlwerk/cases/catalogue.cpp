@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one thing in a category is called in a message.
+/// Noun for one entry of a category, for messages.
 std::string_view category_noun(std::string_view category) {
   if (category == "mills") return "mill";
   if (category == "jars") return "jar";
@@ -41,8 +41,8 @@ std::vector<std::string> words_of(std::string_view word) {
   return parts;
 }
 
-/// Names that a wrong one may have meant, the likeliest first: the nearest by spelling, and those
-/// that hold all its parts.
+/// Suggestions for an unknown name, likeliest first: the nearest by spelling, and names that
+/// contain all its parts.
 std::vector<std::string> near_names(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t shortest = 3, most = 4;
   std::vector<std::string> near;
@@ -64,7 +64,7 @@ std::string contents(const fs::path& file) {
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream)
     throw InputError(Fault{file.string(), "the catalogue file cannot be read",
-                           "check that it is a file and may be read", "bad-catalogue-file"});
+                           "check that it is a file and its permissions", "bad-catalogue-file"});
   return text;
 }
 
@@ -84,7 +84,7 @@ Catalogue::Catalogue(fs::path root) : root_(std::move(root)) {
 std::vector<std::string> Catalogue::names(std::string_view category) const {
   if (std::ranges::find(categories, category) == std::end(categories))
     throw InputError(Fault{
-        "", fmt::format("the catalogue has no room called '{}'", category),
+        "", fmt::format("the catalogue has no category '{}'", category),
         fmt::format("one of: {}", joined({std::begin(categories), std::end(categories)}, ", ")),
         "unknown-name"});
   std::vector<std::string> found;
@@ -98,7 +98,7 @@ std::vector<std::string> Catalogue::names(std::string_view category) const {
 
 bool Catalogue::has(std::string_view category, std::string_view name) const {
   std::error_code missing;
-  return name.find_first_of("/\\") == std::string_view::npos &&  // "../x" is no name
+  return name.find_first_of("/\\") == std::string_view::npos &&  // refuses "../x"
          fs::is_regular_file(root_ / category / (std::string(name) + ".toml"), missing);
 }
 

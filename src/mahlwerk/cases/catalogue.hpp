@@ -8,19 +8,21 @@
 #include <string_view>
 #include <vector>
 
-// Mills, jars, materials and ball sets: data only, one TOML file each, every value with its source.
+// The catalogue of mills, jars, materials and ball sets: one TOML file each, every value with its
+// source.
 namespace mahlwerk::cases {
 
-/// One value as it stands in a catalogue file.
+/// One value of a catalogue file.
 struct CatalogueValue {
-  std::string text;         ///< as a case would say it: "70 mm", "1:-2", "0.35"
-  std::string source;       ///< where it comes from, never empty
+  std::string text;         ///< as written in a case: "70 mm", "1:-2", "0.35"
+  std::string source;       ///< citation, never empty
   bool unverified = false;  ///< confidence = "unverified" in the file
 };
 
-/// A statement in a file that must hold between its values and a figure known from elsewhere.
+/// A [[check]] of a catalogue file: a published value that a quantity derived from the entry's
+/// values must reproduce.
 struct CatalogueCheck {
-  std::string quantity;  ///< which derived quantity, one of check_quantities()
+  std::string quantity;  ///< name of the derived quantity, one of check_quantities()
   double expected = 0;   ///< in the quantity's unit
   double tolerance = 0;  ///< relative
   std::string source;
@@ -28,12 +30,12 @@ struct CatalogueCheck {
 
 struct CatalogueEntry {
   std::string category;  ///< "mills", "jars", "materials" or "media"
-  std::string name;      ///< the file's stem, and the word in a case
-  std::string title;     ///< what people call it
+  std::string name;      ///< the file's stem; a case uses this name
+  std::string title;     ///< usual name
   std::string kind;      ///< motion of a mill, shape of a jar; empty otherwise
-  std::string about;     ///< a sentence
+  std::string about;     ///< description, one sentence
   std::map<std::string, CatalogueValue> values;
-  std::vector<std::string> jars;  ///< of a mill: names in jars that fit it
+  std::vector<std::string> jars;  ///< of a mill: names of the catalogue's jars that fit it
   std::vector<CatalogueCheck> checks;
   std::string file;
 };
@@ -42,13 +44,13 @@ class Catalogue {
  public:
   static constexpr std::string_view categories[] = {"mills", "jars", "materials", "media"};
 
-  /// `root` holds one folder per category. Throws InputError if it is not there.
+  /// `root` holds one folder per category. Throws InputError if there is none.
   explicit Catalogue(std::filesystem::path root);
 
   std::vector<std::string> names(std::string_view category) const;  ///< sorted
   bool has(std::string_view category, std::string_view name) const;
-  /// Throws InputError with the nearest names if there is no such entry, or naming what is wrong in
-  /// its file. `where` is the place that asked for it.
+  /// Reads an entry. Throws InputError with the nearest names if there is no such entry, or with
+  /// the faults of its file. `where` is the place that the error cites.
   CatalogueEntry find(std::string_view category, std::string_view name,
                       std::string_view where = "") const;
   const std::filesystem::path& root() const { return root_; }
@@ -57,17 +59,17 @@ class Catalogue {
   std::filesystem::path root_;
 };
 
-/// The value of a derived quantity, in its unit, from an entry's values. Throws InputError for an
-/// unknown quantity or a value it needs that is missing.
+/// The value of a derived quantity, in its unit, from an entry's values. Throws InputError if the
+/// quantity is unknown or a value needed for it is missing.
 double derived(const CatalogueEntry& entry, std::string_view quantity);
 
-/// Names, units and meanings of the quantities a [[check]] may name.
+/// Name, unit and meaning of a quantity that a [[check]] may name.
 struct CheckQuantity {
   std::string_view name, unit, about;
 };
 const std::vector<CheckQuantity>& check_quantities();
 
-/// The known word nearest to `word`, or empty if none is near.
+/// The name in `known` nearest to `word`; empty if none is near.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace mahlwerk::cases

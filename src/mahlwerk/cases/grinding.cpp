@@ -11,8 +11,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Calls `visit(key, field, number)` for every number that may be changed after reading. `C` is
-/// Case, const or not.
+/// Calls `visit(key, field, number)` for every fit parameter. `C` is Case or const Case.
 template <class C, class Visit>
 void each_number(C& c, Visit visit) {
   const auto all = [&](const std::string& section, auto& model, const auto& fields) {

@@ -10,28 +10,29 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/powder/process.hpp"
 
-// What a case says of grinding, in the terms of the physics.
+// Converts the sections on grinding of a case to the types of the powder models.
 namespace mahlwerk::cases {
 
-/// Of a case with [capture] and [powder]; breakage and fragments are as they come without
-/// [grinding].
+/// The grinding process of a case with [capture] and [powder]. Without [grinding], breakage and
+/// fragments have their default values.
 powder::Process process(const Case& c);
 
-/// [s] How long the mill works, pauses left out, as [grinding], [kinetics] or [heat] say; nothing
-/// where none of them does.
+/// [s] Milling time without pauses, from [grinding], else from [kinetics], else from [heat]; no
+/// value without these sections.
 std::optional<double> milling_time(const Case& c);
 
-/// A number of [capture], [breakage], [fragments], [grinding] or [kinetics] that may be changed
-/// after reading, without a new run of the mill: what `mahlwerk fit` chooses.
+/// A number of [capture], [breakage], [fragments], [grinding] or [kinetics] that `mahlwerk fit` may
+/// change without a new run of the mill.
 struct FitParameter {
   std::string key;  ///< "breakage.f_mat"
   std::string unit, about;
   Range range;  ///< in `unit`
 };
-/// Those this case has.
+/// The fit parameters of this case.
 std::vector<FitParameter> fit_parameters(const Case& c);
-/// Sets one of them, in its unit. Throws std::invalid_argument for another key.
+/// Sets a fit parameter, in its unit. Throws std::invalid_argument for another key.
 void set_fit_parameter(Case& c, const std::string& key, double value);
-double fit_parameter_value(const Case& c, const std::string& key);  ///< its value now
+/// The value of a fit parameter, in its unit. Throws std::invalid_argument for another key.
+double fit_parameter_value(const Case& c, const std::string& key);
 
 }  // namespace mahlwerk::cases

@@ -12,16 +12,16 @@
 namespace mahlwerk::cases {
 namespace {
 
-using ChosenWords = std::map<std::string, std::size_t>;  ///< key -> place of the word under it
+using ChosenWords = std::map<std::string, std::size_t>;  ///< key -> index of its word
 
-/// What all visits together have found.
+/// Search over all combinations of words that lead to new keys.
 struct KeySearch {
-  std::vector<KeyInfo> keys;
-  std::set<std::pair<std::string, std::size_t>> tried;  ///< words
-  std::vector<ChosenWords> todo;                        ///< that lead to words not tried yet
+  std::vector<KeyInfo> keys;                            ///< found so far
+  std::set<std::pair<std::string, std::size_t>> tried;  ///< keys with the index of a word
+  std::vector<ChosenWords> todo;                        ///< choices that reach untried words
 };
 
-/// Lists the keys under some words; others that could stand there are left to do.
+/// Lists the keys under the chosen words, and adds the alternative words to `todo`.
 class KeyList : public CaseVisitor {
  public:
   KeyList(KeySearch& found, ChosenWords chosen) : found_(found), chosen_(std::move(chosen)) {}

@@ -11,15 +11,15 @@ namespace mahlwerk::cases {
 
 /// A key of a case file.
 struct KeyInfo {
-  std::string key;                 ///< "mill.speed"; of lists without a number: "balls.diameter"
+  std::string key;                 ///< "mill.speed"; in lists without index: "balls.diameter"
   std::string unit;                ///< of a number
   Range range;                     ///< of a number, in `unit`
-  std::vector<std::string> words;  ///< of a key that takes one of a few
-  std::string about;               ///< a sentence on a number
+  std::vector<std::string> words;  ///< the words that the key takes, if it takes words
+  std::string about;               ///< description of a number
 };
 
-/// Every key that a case may have, under one model or another, in the order in which cases are
-/// written; without the sections about many runs.
+/// Every key that a case may have under any model, in the order in which cases are written; without
+/// the keys of [sweep], [optimise], [match] and [fit].
 const std::vector<KeyInfo>& all_keys();
 
 }  // namespace mahlwerk::cases

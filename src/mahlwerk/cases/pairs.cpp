@@ -18,7 +18,7 @@ int faces(const Case& c) {
   return geometry::faces(*c.jar.shape);
 }
 
-/// Calls `balls` with every two kinds, `wall` with every kind and face, that a rule is for.
+/// Calls `balls` for every two ball sets, and `wall` for every set and face, that a rule selects.
 template <class Balls, class Wall>
 void for_each_pair(const PairRule& pair, const Case& c, Balls balls, Wall wall) {
   const PairSelector a = pair_selector(pair.between[0], c), b = pair_selector(pair.between[1], c);
@@ -30,7 +30,7 @@ void for_each_pair(const PairRule& pair, const Case& c, Balls balls, Wall wall) 
     for (const int face : a.faces) wall(j, face);
 }
 
-/// What [contact] or one of its pairs says; the moduli are the bodies' own matter.
+/// Pair parameters from [contact] or one of its pairs; with_moduli() adds the moduli.
 template <class Owner>
 contact::Pair contact_pair(const Owner& owner) {
   return {.modulus = 0,

@@ -8,7 +8,7 @@
 
 #include "mahlwerk/cases/case.hpp"
 
-// Who is meant by a name in [[contact.pairs]].
+// Ball sets and jar faces selected by a name in [[contact.pairs]].
 namespace mahlwerk::cases {
 
 /// Ball sets and faces of the jar, both counted from 0.
@@ -17,10 +17,11 @@ struct PairSelector {
   bool empty() const { return kinds.empty() && faces.empty(); }
 };
 
-/// "balls.1" for the first set, "powder" for grains.
+/// Name of a ball set: "balls.1" for the first, "powder" for grains.
 std::string set_name(const Case& c, std::size_t kind);
 
+/// The ball sets and faces that `name` selects; empty for an unknown name.
 PairSelector pair_selector(std::string_view name, const Case& c);
-std::vector<std::string> pair_selector_names(const Case& c);  ///< all that mean somebody
+std::vector<std::string> pair_selector_names(const Case& c);  ///< all known names
 
 }  // namespace mahlwerk::cases

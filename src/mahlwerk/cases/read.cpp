@@ -86,22 +86,22 @@ class CaseReader {
     }
   }
 
-  /// What [sweep] varies cannot be said once for all.
+  /// A key that [sweep] varies cannot have a value from --set.
   void refuse_both(const std::vector<Override>& overrides) {
     for (const Override& one : overrides)
       if (one.source == ValueSource::command &&
           std::ranges::find(c_.sweep.keys, one.key, &SweptKey::key) != c_.sweep.keys.end())
         findings_.faults.push_back(
             {fmt::format("--set {}", one.key), fmt::format("[sweep] varies {}", one.key),
-             "change its values in [sweep], or take it out there", "swept-value"});
+             "change its values in [sweep], or remove it there", "swept-value"});
   }
 
-  /// The values that follow from others by a formula of [sweep].
+  /// Evaluates the formulas of [sweep] and sets their keys.
   void apply_formulas(const std::map<std::string, std::string>& locations) {
     for (const auto& [key, formula] : c_.sweep.derived) {
       const std::string& where = locations.at(key);
       const auto fault = [&](std::string what, std::string remedy) {
-        findings_.faults.push_back({where, fmt::format("\"{}\" by its formula: {}", key, what),
+        findings_.faults.push_back({where, fmt::format("the formula of \"{}\": {}", key, what),
                                     std::move(remedy), "bad-formula"});
       };
       try {
@@ -115,10 +115,10 @@ class CaseReader {
     }
   }
 
-  /// The value of a key, by its formula if it has one.
+  /// The value of a key, from its formula if it has one.
   Quantity derived(std::string_view key, std::size_t depth) const {
     if (depth > c_.sweep.derived.size())
-      throw FormulaError(fmt::format("{} follows from itself", key));
+      throw FormulaError(fmt::format("{} depends on itself", key));
     const auto formula = c_.sweep.derived.find(std::string(key));
     if (formula != c_.sweep.derived.end())
       return evaluate(formula->second,
@@ -127,7 +127,7 @@ class CaseReader {
     if (const auto gravity = case_fields().front(); node == nullptr && key == gravity.key)
       return parse_quantity(show(*gravity.standard, gravity.unit));
     if (node == nullptr || (node->kind != Node::Kind::text && node->kind != Node::Kind::number))
-      throw FormulaError(fmt::format("the case does not say {} as a quantity", key));
+      throw FormulaError(fmt::format("the case gives no quantity for {}", key));
     try {
       return parse_quantity(node->text);
     } catch (const UnitError& error) {
@@ -135,14 +135,14 @@ class CaseReader {
     }
   }
 
-  /// A value that only the sweep gives is read with the first it takes.
+  /// A key without a value in the case gets the first value of its sweep.
   void fill_from_sweep(const std::map<std::string, std::string>& locations) {
     for (const SweptKey& swept : c_.sweep.keys) {
       const std::string& key = swept.key;
       if (value_at(root_, key) != nullptr) continue;
       const std::string& where = locations.at(key);
       Node value = value_from_text(swept.values.front(), where, Precedence::sweep);
-      value.source = fmt::format("first of [sweep] \"{}\"", key);
+      value.source = fmt::format("first value of [sweep] \"{}\"", key);
       const std::string trouble = set_value(root_, key, std::move(value));
       if (!trouble.empty())
         findings_.faults.push_back({where, trouble,
@@ -151,7 +151,7 @@ class CaseReader {
     }
   }
 
-  /// What [fit] may choose, and what it must, as nobody else gives it.
+  /// Stores the ranges of [fit]. Keys without a value in the case are marked as fitted keys.
   void record_fit(const DottedLists& fit) {
     for (const auto& [key, ends] : fit.values) {
       c_.fit.emplace(key, FitRange{ends.front(), ends.back()});
@@ -159,7 +159,7 @@ class CaseReader {
     }
   }
 
-  /// The table of a section, or null; one that is no table is a fault.
+  /// The table of a section, or null. A value that is not a table is a fault.
   const Node* section(std::string_view name, bool needed) {
     const Node* found = root_.find(name);
     if (found != nullptr && found->kind == Node::Kind::table) return found;
@@ -193,7 +193,7 @@ class CaseReader {
   std::uint64_t read_seed(SectionReader& in) {
     const Node* at = in.find("seed");
     if (at == nullptr) {
-      in.record_default("seed", "1", "any will do");
+      in.record_default("seed", "1", "any value will do");
       return 1;
     }
     std::uint64_t seed = 0;
@@ -208,7 +208,8 @@ class CaseReader {
     return seed;
   }
 
-  /// A section as it is described, if it is given or `needed`.
+  /// Reads a section with its function `describe`; no value if the case lacks the section, which is
+  /// a fault if it is `needed`.
   template <class What, class... Around>
   std::optional<What> described(const char* name, bool needed, Around&... around) {
     const Node* table = section(name, needed);
@@ -245,7 +246,8 @@ class CaseReader {
     c_.kinetics = described<Kinetics>("kinetics", false, c_);
   }
 
-  /// By line, so that a user mends the file from top to bottom; what is not in the file last.
+  /// Sorts faults by line of the case file, so that a user can correct the file from top to bottom.
+  /// Other faults are last.
   std::vector<Fault> in_order(std::vector<Fault> all) const {
     const std::string here = file_.generic_string() + ":";
     const auto line = [&](const Fault& f) {
@@ -274,10 +276,10 @@ std::string contents_of(const std::filesystem::path& file) {
   if (!std::filesystem::exists(status))
     throw fault("there is no such case file", "check the path; a case is a .toml file");
   if (!std::filesystem::is_regular_file(status))
-    throw fault("this is not a file", "name the case file in it: case.toml");
+    throw fault("this is not a file", "give the path of a case file, for instance case.toml");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw fault("the case file cannot be read", "check that you may read it");
+  if (!stream) throw fault("the case file cannot be read", "check its permissions");
   return text;
 }
 

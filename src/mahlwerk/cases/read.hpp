@@ -14,20 +14,20 @@
 
 namespace mahlwerk::cases {
 
-/// Who gives a value that is not the file's: --set, or the section that varies its key.
+/// Source of a value that overrides the file's: --set, or the section that varies the key.
 enum class ValueSource { command, sweep, optimise, match };
 
-/// One "key=value" of the command line, of a campaign's point or of a search; the value is text as
-/// in TOML, quotes optional.
+/// One "key=value" of the command line, of a campaign's point or of a search. The value is written
+/// as in TOML; quotes are optional.
 struct Override {
   std::string key, value;
   ValueSource source = ValueSource::command;
 };
 
-/// A case file read from disk once, for many runs that differ in some of its values.
+/// A case file that is parsed once, for many runs with different overrides.
 class CaseFile {
  public:
-  /// Throws InputError where the file cannot be read or is no TOML.
+  /// Throws InputError if the file cannot be read or is not valid TOML.
   explicit CaseFile(const std::filesystem::path& file);
   CaseFile(const std::string& text, const std::filesystem::path& file);  ///< as read_text()
 
@@ -38,41 +38,43 @@ class CaseFile {
   std::filesystem::path file_;
 };
 
-/// Reads a case file, overrides applied, catalogue entries and defaults filled in, [sweep] kept as
-/// it is. Throws InputError with every fault found: file, line, what, remedy.
+/// Reads a case file, applies overrides, and fills in catalogue entries and defaults; [sweep] is
+/// not expanded. Throws InputError with all faults found: file, line, what, remedy.
 Case read(const std::filesystem::path& file, const Catalogue& catalogue,
           const std::vector<Override>& overrides = {});
 
-/// The same from text; `file` is the name faults cite and the folder other files are relative to.
+/// Reads a case from text. Faults cite the name `file`; paths in the case are relative to its
+/// folder.
 Case read_text(const std::string& text, const std::filesystem::path& file,
                const Catalogue& catalogue, const std::vector<Override>& overrides = {});
 
-/// What [fit] of a case file says, nothing else of it read; empty without [fit]. Throws InputError.
-/// To read the whole case before these have values, give each one as an override.
+/// The ranges of [fit] of a case file; empty without [fit]. Reads no other section, because the
+/// fitted keys may have no value yet: to read the whole case, give each of them as an override.
+/// Throws InputError.
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file);
 
-/// The resolved case as TOML: every value, its origin as a comment behind it. read_text(write(c))
-/// == c.
+/// The resolved case as TOML: every value, followed by its origin as a comment.
+/// read_text(write(c)) == c.
 std::string write(const Case& c);
 
-/// What the files a case names hold, the jar's mesh and the measured motion, as a fingerprint:
-/// another file under the same name is another case.
+/// Fingerprint of the contents of the files that a case names: the jar's mesh and the measured
+/// motion. Distinguishes cases whose files have equal names but different contents.
 std::string input_files_fingerprint(const Case& c);
 
-/// Faults of a case as a whole, wherever it came from: values out of range, a ball that does not
-/// fit its jar. Empty if it makes sense. Called by read(); bindings and tests call it too.
+/// Faults of a complete case, read or constructed: values out of range, a ball that does not fit
+/// its jar. Empty for a valid case. read() calls it; bindings and tests call it directly.
 std::vector<Fault> faults(const Case& c);
 
-/// Where the value under `key` was said; the key itself if that is no place in a file. A key that
-/// is searched over is "optimise.over." and its name.
+/// File and line, or option, that gave the value of `key`; the key itself for a default. The key of
+/// a search range is "optimise.over." followed by the key searched over.
 std::string location_of(const Case& c, const std::string& key);
 
-/// What keeps the engines of this version from running a case that makes sense otherwise. Not
-/// called by read(), so that such a case can be checked.
+/// Faults of a valid case that the engines of this version cannot run. read() does not call it, so
+/// that such a case can still be checked.
 std::vector<Fault> engine_faults(const Case& c);
 
-/// Whether two balls of the case are together as wide as the jar, to a millionth: hard spheres that
-/// lie across it have no room to bounce.
+/// Whether the diameters of two balls sum to the width of the jar, to 1e-6 of it: hard spheres that
+/// lie across the jar then have no room to bounce.
 bool fits_exactly(const Case& c);
 
 }  // namespace mahlwerk::cases

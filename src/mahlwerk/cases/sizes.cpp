@@ -17,12 +17,13 @@ namespace {
 
 using SizeLaw = Distribution::Law;
 
-/// Number and third moment of the diameter between two bounds, up to a common factor.
+/// Zeroth and third moment of the number density of diameters between two bounds, up to a common
+/// factor.
 struct Moments {
   double number = 0, cube = 0;
 };
 
-/// Of the standard normal: its density, and the probability to lie between two bounds.
+/// Standard normal distribution: the density, and the probability between two bounds.
 double density(double z) {
   return std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
 }
@@ -50,7 +51,7 @@ Moments of_uniform(double low, double high) {  // (chg.4)
   return {high - low, 0.25 * (std::pow(high, 4) - std::pow(low, 4))};
 }
 
-/// Where `parts` classes end: equally wide, or in equal ratios.
+/// Bounds of `parts` classes with linear or logarithmic (`ratios`) spacing.
 std::vector<double> edges(double low, double high, std::int64_t parts, bool ratios) {
   std::vector<double> found{low};
   for (std::int64_t i = 1; i < parts; ++i) {

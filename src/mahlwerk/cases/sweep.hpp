@@ -7,35 +7,35 @@
 #include <string>
 #include <vector>
 
-// What a case says of many runs: which of its keys vary, and what is looked for among them.
+// Sections of a case for many runs: the keys that vary, and the target of a search.
 namespace mahlwerk::cases {
 
-/// A key of the case that varies, and the values it takes.
+/// A key of the case that varies, and its values.
 struct SweptKey {
   std::string key;                  ///< "mill.speed", "balls.2.diameter"
-  std::vector<std::string> values;  ///< as text; of a range its two ends
-  bool range = false;               ///< whatever lies between two ends
-  std::int64_t steps = 0;           ///< of a range: so many values on a grid; 0: not said
-  bool logarithmic = false;         ///< of a range: by equal ratios
+  std::vector<std::string> values;  ///< as text; the two ends of a range
+  bool range = false;               ///< a continuous range between two ends
+  std::int64_t steps = 0;           ///< of a range: number of values on a grid; 0: not given
+  bool logarithmic = false;         ///< of a range: logarithmic spacing
   bool operator==(const SweptKey&) const = default;
 };
 
-/// How the points of a campaign are chosen (docs/theory/campaigns.md).
+/// Experimental design: the choice of the points of a campaign (docs/theory/campaigns.md).
 enum class Design {
-  grid,             ///< each combination
-  latin_hypercube,  ///< each key's range cut into as many parts as there are points, one in each
-  sobol,            ///< evenly spread over the ranges (Sobol' 1967)
+  grid,             ///< full factorial: each combination of values
+  latin_hypercube,  ///< each range divided into as many intervals as points, one point in each
+  sobol,            ///< low-discrepancy Sobol' sequence (Sobol' 1967)
   one_at_a_time,    ///< the case itself, then each key alone at its ends
-  morris,           ///< elementary effects along random ways (Morris 1991)
-  sobol_indices     ///< shares of variance (Saltelli 2010)
+  morris,           ///< elementary effects along random trajectories (Morris 1991)
+  sobol_indices     ///< variance-based sensitivity indices (Saltelli 2010)
 };
 
 struct Sweep {
   Design design = Design::grid;
   std::int64_t samples =
-      0;  ///< points, or ways and base points of the last two designs; 0: not said
-  std::vector<SweptKey> keys;                      ///< by name
-  std::vector<std::vector<std::string>> together;  ///< keys whose lists go side by side
+      0;  ///< points; for the last two designs trajectories and base points; 0: not given
+  std::vector<SweptKey> keys;                      ///< sorted by name
+  std::vector<std::vector<std::string>> together;  ///< groups of keys that vary together
   std::map<std::string, std::string> derived;      ///< dotted key -> a formula of other keys
   bool empty() const { return keys.empty(); }
   bool operator==(const Sweep&) const = default;
@@ -49,22 +49,22 @@ struct Limit {
   bool operator==(const Limit&) const = default;
 };
 
-/// What `mahlwerk optimise` looks for.
+/// Target and search ranges of `mahlwerk optimise`.
 struct Optimise {
   std::string quantity;  ///< of the summary
   bool maximise = true;
-  std::vector<SweptKey> over;  ///< ranges, by name
+  std::vector<SweptKey> over;  ///< search ranges, by name
   std::vector<Limit> limits;
-  std::int64_t settings = 40;    ///< tried at most
-  std::int64_t replicates = 16;  ///< of one setting at most
+  std::int64_t settings = 40;    ///< largest number of settings tried
+  std::int64_t replicates = 16;  ///< largest number of replicates of one setting
   bool operator==(const Optimise&) const = default;
 };
 
-/// What `mahlwerk match` may change in this mill to make it do what another does.
+/// Keys of this mill that `mahlwerk match` may change to reproduce the collisions of another mill.
 struct Match {
-  std::vector<SweptKey> over;    ///< ranges, by name
-  std::int64_t settings = 40;    ///< tried at most
-  std::int64_t replicates = 16;  ///< of one setting at most
+  std::vector<SweptKey> over;    ///< search ranges, by name
+  std::int64_t settings = 40;    ///< largest number of settings tried
+  std::int64_t replicates = 16;  ///< largest number of replicates of one setting
   bool operator==(const Match&) const = default;
 };
 

@@ -9,7 +9,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// What a body brings into a collision; a wall is as heavy and as flat as can be.
+/// A body of a colliding pair; a wall has infinite mass and radius.
 struct Partner {
   double radius, mass, effusivity;
   contact::ElasticConstants elastic;

@@ -8,7 +8,7 @@
 
 namespace mahlwerk::contact {
 
-/// A number of a pair by which bodies adhere, with its key in a case.
+/// Adhesion parameter of a pair, with its key in a case file.
 struct AdhesionParameter {
   std::string_view key;
   double Pair::*value;

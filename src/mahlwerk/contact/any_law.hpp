@@ -8,16 +8,16 @@
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/contact/adhesion.hpp"
 
-// A contact law chosen at run time, for those who do not look into it; contact/laws.hpp lists what
-// it can be.
+// A contact law chosen at run time, as an incomplete type. Code that needs the alternatives
+// includes contact/laws.hpp, which lists them.
 namespace mahlwerk::contact {
 
 struct AnyLaw;
 
-std::string_view name_of(const AnyLaw& law);  ///< "hertz-mindlin"
-/// What its shortest_time() is of, as words: "the shortest collision".
+std::string_view name_of(const AnyLaw& law);  ///< for instance "hertz-mindlin"
+/// What the law's shortest_time() is the time of, in words: "the shortest collision".
 std::string_view shortest_time_name(const AnyLaw& law);
-/// What it knows of bodies that stick together; empty if nothing.
+/// The adhesion parameters that the law reads; empty if none.
 std::span<const AdhesionParameter> adhesion(const AnyLaw& law);
 
 }  // namespace mahlwerk::contact

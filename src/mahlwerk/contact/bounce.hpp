@@ -8,11 +8,11 @@
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/contact/restitution.hpp"
 
-// Instantaneous collisions of rough spheres: impulse in, impulse out, nothing else.
+// Instantaneous collisions of rough spheres (hard-sphere model): impulses and losses.
 namespace mahlwerk::contact {
 
-/// How a collision ends. Paper A: constant e_n and e_t, friction without limit. Walton: the same
-/// below the Coulomb limit `friction` (mu), sliding above it. e_n may depend on the speed.
+/// Collision rule. Paper A: constant e_n and e_t, no Coulomb limit. Walton: the same below the
+/// Coulomb limit `friction` (mu), sliding above it. e_n may depend on the speed.
 struct BounceRule {
   Restitution restitution = 1;        ///< e_n in [0, 1]
   double tangential_restitution = 1;  ///< e_t in [-1, 1]: 1 smooth, 0 no slip, -1 perfectly rough
@@ -20,15 +20,15 @@ struct BounceRule {
   bool operator==(const BounceRule&) const = default;
 };
 
-/// The impulses of one collision [N s], both against the motion of the ball relative to the other
+/// The impulses of one collision [N s]. Both oppose the motion of the ball relative to the other
 /// body.
 struct Impulse {
   double normal = 0;      ///< along n
-  double tangential = 0;  ///< along the slip
+  double tangential = 0;  ///< along the slip direction
 };
 
-/// For solid spheres, `mass` [kg] effective, `approach` u_n and `slip` |u_t| in m/s (evt.6, evt.7).
-/// `restitution` takes the place of the rule's, for an engine that has a reason of its own.
+/// Impulses of a collision of solid spheres (evt.6, evt.7): effective mass `mass` [kg], `approach`
+/// u_n and `slip` |u_t| [m/s]. `restitution` overrides the restitution of the rule.
 inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip,
                       double restitution) {
   const double normal = mass * (1 + restitution) * approach;
@@ -39,7 +39,8 @@ inline Impulse bounce(const BounceRule& rule, double mass, double approach, doub
   return bounce(rule, mass, approach, slip, rule.restitution.at(approach));
 }
 
-/// What the collision dissipates [J], from the velocities before and the impulses (evt.8).
+/// Energy that the collision dissipates [J], from the velocities before it and its impulses
+/// (evt.8).
 struct Loss {
   double normal = 0, tangential = 0;
 };

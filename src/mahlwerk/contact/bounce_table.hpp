@@ -7,7 +7,7 @@
 
 namespace mahlwerk::contact {
 
-/// Who bounces off whom by which rule.
+/// The collision rule of each pair of ball kinds, and of each kind with each face.
 using BounceTable = ByPair<BounceRule>;
 
 }  // namespace mahlwerk::contact

@@ -8,7 +8,8 @@
 
 namespace mahlwerk::contact {
 
-/// Something for each pair of kinds of balls, and for each kind and face of the jar.
+/// A value for each pair of ball kinds, and for each kind with each face of the jar. Symmetric in
+/// the two kinds.
 template <class T>
 class ByPair {
  public:
@@ -29,7 +30,7 @@ class ByPair {
   bool operator==(const ByPair&) const = default;
 
  private:
-  /// A row for each kind: against every kind, then against every face.
+  /// Layout: a row for each kind, with a column for every kind and then for every face.
   std::size_t index(int kind, int other) const {
     return static_cast<std::size_t>(kind) * row_ + static_cast<std::size_t>(other);
   }

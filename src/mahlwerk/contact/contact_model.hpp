@@ -7,14 +7,14 @@
 
 namespace mahlwerk::contact {
 
-/// The contact model of the soft engine: a law with its numbers, rolling resistance, and switches
-/// that hold under every law.
+/// The contact model of the soft engine: a law with its parameters, rolling resistance, and
+/// switches that apply to every law.
 struct ContactModel {
   Indirect<AnyLaw> law;
   Rolling rolling = Rolling::cdt;
-  double rolling_damping = 0.2;     ///< [1] eta_r of epsd, share of critical damping
-  bool curved_walls = false;        ///< R* of a ball at a wall takes the wall's curvature in
-  bool rescaled_unloading = false;  ///< the tangential spring weakens on unloading (dem.21)
+  double rolling_damping = 0.2;     ///< [1] eta of epsd (dem.25), fraction of critical damping
+  bool curved_walls = false;        ///< R* at a wall includes the wall's curvature
+  bool rescaled_unloading = false;  ///< rescale the tangential spring on unloading (dem.21)
   bool operator==(const ContactModel&) const = default;
 };
 

@@ -8,10 +8,11 @@
 namespace mahlwerk::contact {
 namespace {
 
-/// Restitution of x'' = -force(x, x'), by Runge-Kutta steps until the force or the overlap ends.
+/// Restitution of x'' = -force(x, x') with x(0) = 0, x'(0) = 1. Runge-Kutta steps of order 4 until
+/// the force or the overlap vanishes during the rebound.
 template <class Force>
 double rebound(const Force& force) {
-  constexpr double h = 2e-3;  // of a collision of about 3.2
+  constexpr double h = 2e-3;  // the collision takes about 3.2
   double x = 0, v = 1;
   for (int step = 0; step < 100'000; ++step) {
     const auto a = [&](double at, double speed) { return -force(std::max(at, 0.0), speed); };
@@ -23,10 +24,11 @@ double rebound(const Force& force) {
     v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
     if (v < 0 && (x <= 0 || force(x, v) <= 0)) return -v;
   }
-  return 0;  // so damped that it never comes back
+  return 0;  // overdamped: no rebound
 }
 
-/// The damping at which `rebound` gives `restitution`; it falls as damping grows.
+/// The damping at which `rebound` returns `restitution`, by bisection; `rebound` decreases with
+/// damping.
 template <class Rebound>
 double find_damping(double restitution, const Rebound& rebound) {
   if (restitution >= 1) return 0;

@@ -4,37 +4,38 @@
 
 #include "mahlwerk/contact/law.hpp"
 
-// Elastic spheres by Hertz (1881): what the laws built on them share.
+// Hertz contact of elastic spheres (Hertz 1881): common parts of the laws built on it.
 namespace mahlwerk::contact {
 
-/// F = this times overlap^1.5 [N/m^1.5] (dem.5).
+/// Hertz stiffness k [N/m^1.5], F = k overlap^1.5 (dem.5).
 inline double hertz_stiffness(const EffectivePair& t) {
   return 4.0 / 3.0 * t.pair.modulus * std::sqrt(t.radius);
 }
-/// Mindlin's stiffness across the normal is this times sqrt(overlap) [N/m^1.5] (dem.6).
+/// Mindlin coefficient [N/m^1.5]: the tangential stiffness is this times sqrt(overlap) (dem.6).
 inline double mindlin_stiffness(const EffectivePair& t) {
   return 8 * t.pair.shear_modulus * std::sqrt(t.radius);
 }
-/// F/overlap over the stiffness across the normal.
+/// Normal stiffness F/overlap over tangential stiffness [1].
 inline double mindlin_stiffness_ratio(const EffectivePair& t) {
   return t.pair.modulus / (6 * t.pair.shear_modulus);
 }
-/// Of an elastic collision at `speed` [m/s] (dem.8).
+/// Largest overlap of an elastic collision at `speed` [m/s], in m (dem.8).
 inline double hertz_overlap(const EffectivePair& t, double speed) {
   return std::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
-/// How long it lasts [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 overlaps a speed.
+/// Duration of an elastic collision [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 times
+/// largest overlap over speed.
 inline double hertz_time(const EffectivePair& t, double speed) {
   const double ratio = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
   return ratio * hertz_overlap(t, speed) / speed;
 }
-/// Elastic energy at an overlap [J].
+/// Elastic energy [J] at `overlap` [m].
 inline double hertz_energy(double stiffness, double overlap) {
   return overlap > 0 ? 0.4 * stiffness * overlap * overlap * std::sqrt(overlap) : 0;
 }
 
-/// What laws with Hertz's spring have in common; its stiffness is the first of their numbers. Their
-/// times and overlaps each states for itself.
+/// Base of laws with a Hertz spring. Coefficient 0 of such a law is the Hertz stiffness. Each law
+/// defines its own time scales and largest overlap (DefinesOwnScales).
 struct HertzSpring {
   static constexpr bool has_history = false;
   void begin(const LawCoefficients&, double*, double) const {}

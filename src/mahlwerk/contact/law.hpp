@@ -15,40 +15,42 @@
 #include "mahlwerk/contact/law_field.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 
-// A contact law says what force two bodies that touch exert on each other along their normal, and
-// how stiff and how damped the contact is across it. Written for a number type V: one contact, or
-// eight side by side. Overlap and its rate are > 0 in contact and while approaching (dem.1).
+// A contact law gives the normal force between two touching bodies, and the tangential stiffness
+// and damping of the contact. It is a template on the number type V: one contact (double) or eight
+// (Lanes). The overlap is > 0 in contact, its rate is > 0 while the bodies approach (dem.1).
 namespace mahlwerk::contact {
 
-/// Two bodies that may touch: their pair's properties, R* [m] and m* [kg] (dem.4).
+/// Two bodies that may touch: the properties of the pair, R* [m] and m* [kg] (dem.4).
 struct EffectivePair {
   Pair pair;
   double radius = 0, mass = 0;
 };
 
-/// What a law makes of them, once; what each number means is the law's own business.
+/// Coefficients that a law precomputes for a pair. Each law defines their meaning.
 constexpr int law_coefficient_count = 8;
 using LawCoefficients = std::array<double, law_coefficient_count>;
-/// What a law remembers of one contact.
+/// Number of history variables that a law stores for each contact.
 constexpr int law_history_size = 2;
 
-/// Force along the normal, > 0 repulsive [N]; stiffness [N/m] and damping [N s/m] across it; and
-/// the load [N] under which the bodies rub and roll, < 0 where they pull: its size counts.
+/// Normal force [N], > 0 repulsive; tangential stiffness [N/m] and damping [N s/m]; and the load
+/// [N] of friction and rolling resistance, which use its absolute value; < 0 where the bodies pull.
 template <class V>
 struct LawForce {
   V force, stiffness, damping, load;
 };
 
-/// What steps of a fiftieth of `shortest_time` leave a collision off by at most: [%] of rebound,
-/// speed across and spin, a row for each of these restitutions, at a Poisson ratio of 0.3
-/// (docs/theory/soft.md). tests/verification/soft/step_test.cpp finds them, and refuses less.
+/// Upper bounds of the time discretisation error of a collision in steps of a fiftieth of
+/// `shortest_time`: [%] of rebound speed, tangential speed and spin, a row for each of these
+/// restitutions, at a Poisson ratio of 0.3 (docs/theory/soft.md).
+/// tests/verification/soft/step_test.cpp measures the errors and fails where a bound is too small.
 constexpr std::array step_error_restitutions{0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0};
 using StepErrors = std::array<std::array<double, 3>, step_error_restitutions.size()>;
 
 /// The `shortest_time_name` of most laws.
 constexpr std::string_view whole_collision = "the shortest collision";
 
-/// Whether L itself states its scales: one inherited is another law's, and wrong without a word.
+/// Whether L itself defines its scales. An inherited scale would belong to another law and would be
+/// silently wrong.
 template <class L>
 concept DefinesOwnScales = std::same_as<decltype(&L::largest_overlap),
                                         double (L::*)(const EffectivePair&, double) const> &&
@@ -56,18 +58,18 @@ concept DefinesOwnScales = std::same_as<decltype(&L::largest_overlap),
     std::same_as<decltype(&L::damper_time),
                  double (L::*)(const EffectivePair&, double, double) const>;
 
-/// A contact law: a value with its own numbers, `fields()`, and `switches()` if it has any.
-/// `adhesion` lists the adhesion parameters it reads; a law that reads none need not say so.
-/// `shortest_time_name` names what `shortest_time` is the time of. `has_history` tells whether
-/// contacts have a memory. `damping(e)` is the number that makes a collision end with restitution
-/// e; it may take a while and is asked once for each pair. `begin` sets the memory of a new contact
-/// that closes at `approach` [m/s]. `pull_off_distance` [m] is how far a contact holds beyond
-/// touch. Within an overlap of `onset_overlap` [m] a force comes up that steps may pass over; most
-/// laws have none. `elastic_energy` [J] is the elastic energy of the normal deformation.
-/// `stiffness_ratio(t)` [1] is the stiffness along the normal, F/overlap of the spring, over that
-/// across it. `largest_overlap` [m], `shortest_time` [s] (that of the swiftest part of a collision)
-/// and `damper_time` [s] (in which the damper alone would stop the bodies, where that may be
-/// shorter still) are those at a speed [m/s].
+/// A contact law: a value type with parameters (`fields()`) and optional `switches()`. `adhesion`
+/// lists the adhesion parameters that the law reads; optional. `shortest_time_name` says in words
+/// what `shortest_time` is the time of. `has_history` is true where contacts have history
+/// variables. `damping(e)` returns the damping coefficient at which a collision ends with
+/// restitution e; it may be slow and is called once for each pair. `begin` sets the history
+/// variables of a new contact that closes at `approach` [m/s]. `pull_off_distance` [m] is the gap
+/// at which a contact breaks. Within an overlap of `onset_overlap` [m] a force rises that a single
+/// step may pass over; 0 for most laws. `elastic_energy` [J] is the elastic energy of the normal
+/// deformation. `stiffness_ratio(t)` [1] is the normal stiffness, F/overlap of the spring, over the
+/// tangential stiffness. The following are at a speed [m/s]: `largest_overlap` [m], `shortest_time`
+/// [s] (duration of the fastest part of a collision) and `damper_time` [s] (time in which the
+/// damper alone stops the bodies, where that can be shorter still).
 template <class L>
 concept Law = std::default_initializable<L> && std::equality_comparable<L> && DefinesOwnScales<L> &&
     requires(const L law, const EffectivePair& t, const LawCoefficients& k, double x, double* m,
@@ -91,7 +93,7 @@ concept Law = std::default_initializable<L> && std::equality_comparable<L> && De
   { law.damper_time(t, x, x) } -> std::same_as<double>;  // damping, speed
 };
 
-/// The switches of a law, and the adhesion parameters it reads; none where it does not say.
+/// The switches of a law, and the adhesion parameters it reads; empty where the law defines none.
 template <class L>
 constexpr auto switches_of() {
   if constexpr (requires { L::switches(); })
@@ -107,14 +109,15 @@ constexpr std::span<const AdhesionParameter> adhesion_of() {
     return {};
 }
 
-/// The damper time of a law damped critically at most: a collision takes no longer.
+/// The damper time of a law that is at most critically damped: `shortest_time` alone limits the
+/// step.
 constexpr double unbounded_time = std::numeric_limits<double>::infinity();
 
-/// Restitutions below this are taken as this by laws whose damper or spring would grow without
-/// bound (dem.10, dem.13, dem.14).
+/// Lower limit of the restitution, for laws whose damper or spring grows without bound as e goes to
+/// 0 (dem.10, dem.13, dem.14).
 constexpr double least_restitution = 0.01;
 
-/// ln e / sqrt(ln^2 e + pi^2), from 0 at e = 1 to -1 at e = 0 (dem.7).
+/// b = ln e / sqrt(ln^2 e + pi^2) (dem.7); 0 at e = 1, -1 at e = 0.
 inline double damping_ratio(double e) {
   if (e <= 0) return -1;
   const double ln = std::log(e);

@@ -7,20 +7,21 @@
 
 #include "mahlwerk/base/field.hpp"
 
-// What a contact law tells of its own numbers: reader, writer and checks of cases walk over it.
+// Descriptions of a law's parameters. The reader, the writer and the checks of cases iterate over
+// them.
 namespace mahlwerk::contact {
 
-/// A number of a law. At most one of `instead_of` and `default_text` says something; the number may
-/// then be left out of a case, and is 0.
+/// Parameter of a law. At most one of `instead_of` and `default_text` is not empty. The parameter
+/// is then optional in a case, and 0 if left out.
 template <class L>
 struct LawField : Field<L> {
-  std::string_view instead_of = "";    ///< key of the number whose place this one takes
-  std::string_view default_text = "";  ///< what the law takes where the case is silent, in words
+  std::string_view instead_of = "";    ///< key of the parameter that this one replaces
+  std::string_view default_text = "";  ///< default of the law, in words
 
   constexpr bool is_optional() const { return !instead_of.empty() || !default_text.empty(); }
 };
 
-/// Whether the number counts: it is not left out, and no other takes its place.
+/// Whether the parameter is in effect: it is given or required, and no other parameter replaces it.
 template <class L>
 bool is_given(const L& law, const LawField<L>& field) {
   for (const LawField<L>& other : L::fields())
@@ -28,12 +29,12 @@ bool is_given(const L& law, const LawField<L>& field) {
   return law.*field.value != 0 || !field.is_optional();
 }
 
-/// One of two words that a law takes.
+/// Option of a law with two values.
 template <class L>
 struct LawSwitch {
   std::string_view key;
   std::array<std::string_view, 2> words;  ///< the first is the default
-  bool L::*second;                        ///< whether the second is chosen
+  bool L::*second;                        ///< true if the second word is chosen
   std::string_view source;                ///< why the first is the default
 };
 

@@ -8,7 +8,7 @@ template class mahlwerk::Indirect<mahlwerk::contact::AnyLaw>;
 
 namespace mahlwerk::contact {
 
-// CMake counts the files in laws/ and compiles the loops of the soft engine for each of them.
+// CMake counts the files in laws/ and compiles the innermost loops of the soft engine for each law.
 static_assert(laws_count == MAHLWERK_LAW_FILES,
               "every file in contact/laws/ is one law, and has its name in contact/laws.hpp");
 

@@ -19,7 +19,7 @@
 
 namespace mahlwerk::contact {
 
-/// L itself, where it is a Law; else an error that says what it lacks.
+/// L itself if L satisfies Law; otherwise a compile error that names the missing requirement.
 template <Law L>
 using Checked = L;
 
@@ -27,11 +27,11 @@ using Checked = L;
 template <class... L>
 using LawVariant = std::variant<Checked<L>...>;
 
-/// The register: every contact law there is. A new one is its file in laws/ and its name here. The
-/// first is the default.
+/// Register of all contact laws. To add a law, add a file to laws/ and its name here. The first is
+/// the default.
 using Laws =
     LawVariant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr>;
-/// A class of its own, so that any_law.hpp can name it.
+/// A class, not an alias, so that any_law.hpp can declare it.
 struct AnyLaw : Laws {
   using Models = Laws;
   using Models::Models;
@@ -43,7 +43,7 @@ template <class... L>
 std::array<AnyLaw, sizeof...(L)> default_laws(std::type_identity<std::variant<L...>>) {
   return {L{}...};
 }
-/// Every law of the register, with its default numbers.
+/// Every law of the register, with its default parameters.
 inline std::array<AnyLaw, laws_count> all_laws() {
   return default_laws(std::type_identity<Laws>{});
 }

@@ -8,26 +8,26 @@
 
 namespace mahlwerk::contact {
 
-/// How a body gives way under load.
+/// Elastic constants of a body.
 struct ElasticConstants {
   double youngs_modulus = 0;  ///< [Pa] > 0; infinite: rigid
   double poisson_ratio = 0;   ///< [1] in (-1, 0.5]
   bool operator==(const ElasticConstants&) const = default;
 };
 
-/// What a contact law needs to know of two bodies that may touch, but for their radii and masses.
+/// Properties of a pair of bodies that a contact law reads, except radii and masses.
 struct Pair {
   double modulus = 0;           ///< [Pa] E* (dem.2)
   double shear_modulus = 0;     ///< [Pa] G* (dem.3)
   double restitution = 1;       ///< [1] e in [0, 1]
-  double friction = INFINITY;   ///< [1] mu >= 0; infinite: sticks at any load
+  double friction = INFINITY;   ///< [1] mu >= 0; infinite: no sliding
   double rolling_friction = 0;  ///< [1] mu_r >= 0; [s/m] for the viscous rule
-  double surface_energy = 0;    ///< [J/m2] gamma of one surface, of JKR
-  double cohesion = 0;          ///< [J/m3] energy density, of SJKR
+  double surface_energy = 0;    ///< [J/m2] gamma of one surface, for JKR
+  double cohesion = 0;          ///< [J/m3] energy density, for SJKR
   bool operator==(const Pair&) const = default;
 };
 
-/// E* and G* of two bodies, both 1 / (sum of compliances) (dem.2, dem.3).
+/// E* and G* of two bodies [Pa]; each is 1 / (sum of compliances) (dem.2, dem.3).
 inline double effective_modulus(const ElasticConstants& a, const ElasticConstants& b) {
   const auto compliance = [](const ElasticConstants& x) {
     return (1 - x.poisson_ratio * x.poisson_ratio) / x.youngs_modulus;

@@ -7,7 +7,7 @@
 
 namespace mahlwerk::contact {
 
-/// Normal restitution e_n: one number, or one that depends on the speed of approach.
+/// Normal restitution e_n: constant, or a function of the approach speed.
 class Restitution {
  public:
   enum class Law { constant, viscoelastic, tabulated };
@@ -15,10 +15,12 @@ class Restitution {
 
   Restitution(double value) : value_(value) {}  // NOLINT: a number is a restitution
 
-  /// Viscoelastic spheres with e_n = `value`, in (0, 1], at the speed `at_speed` [m/s] (evt.20).
+  /// Viscoelastic spheres with e_n = `value`, in (0, 1], at the speed `at_speed` [m/s] > 0
+  /// (evt.20). Throws std::invalid_argument for other values.
   static Restitution viscoelastic(double value, double at_speed);
-  /// Linear in the logarithm of the speed between points, constant beyond the ends (evt.21). Speeds
-  /// are above 0 and rise, values lie in [0, 1], or it throws std::invalid_argument.
+  /// Interpolates linearly in the logarithm of the speed, constant beyond the ends (evt.21). Throws
+  /// std::invalid_argument unless there is a point, speeds are > 0 and increase, and values lie in
+  /// [0, 1].
   static Restitution tabulated(Points speed_and_value);
 
   /// e_n of a collision at `approach` [m/s].
@@ -29,8 +31,8 @@ class Restitution {
   }
 
   Law law() const { return law_; }
-  double value() const { return value_; }           ///< constant; viscoelastic: at speed()
-  double speed() const { return speed_; }           ///< [m/s] viscoelastic: where value() holds
+  double value() const { return value_; }  ///< constant: e_n; viscoelastic: e_n at speed()
+  double speed() const { return speed_; }  ///< [m/s] viscoelastic: speed at which e_n is value()
   const Points& points() const { return points_; }  ///< tabulated
   bool operator==(const Restitution&) const = default;
 

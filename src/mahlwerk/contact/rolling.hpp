@@ -9,26 +9,26 @@
 
 namespace mahlwerk::contact {
 
-/// Rolling resistance; soft/kernel/contact_force.hpp has the torques (dem.22 to dem.25).
+/// Rolling resistance models; soft/kernel/contact_force.hpp has the torques (dem.22 to dem.25).
 enum class Rolling { none, cdt, viscous, epsd };
 
-/// What there is to know of a rule besides its torque.
+/// Properties of a rolling resistance model, except its torque.
 struct RollingRule {
   Rolling rule;
   std::string_view name, about;
   bool resists;
   std::string_view friction_unit;  ///< of the pairs' rolling_friction
   bool damped;                     ///< reads rolling_damping
-  bool has_history;                ///< contacts have a spring of rolling
+  bool has_history;                ///< contacts store a rolling spring
 };
 
-/// The register of rules, in the order of Rolling.
+/// Register of the models, in the order of the enum Rolling.
 constexpr std::array rolling_rules{
     RollingRule{Rolling::none, "none", "balls roll freely", false, "", false, false},
     RollingRule{Rolling::cdt, "cdt", "constant torque against the rolling (type A)", true, "",
                 false, false},
-    RollingRule{Rolling::viscous, "viscous", "torque in proportion to the speed (type B)", true,
-                "s/m", false, false},
+    RollingRule{Rolling::viscous, "viscous", "torque proportional to the rolling speed (type B)",
+                true, "s/m", false, false},
     RollingRule{Rolling::epsd, "epsd", "elastic-plastic spring and dashpot (type C)", true, "",
                 true, true}};
 constexpr const RollingRule& rule_of(Rolling rolling) {

@@ -4,26 +4,28 @@
 
 #include "mahlwerk/contact/hertz.hpp"
 
-// Linear springs: what the laws built on them share.
+// Linear spring: common parts of the laws built on it.
 namespace mahlwerk::contact {
 
-/// Across the normal, so that both motions of a collision have one period (dem.12).
+/// Tangential over normal stiffness: with 2/7, normal and tangential motion have the same period
+/// (dem.12).
 constexpr double tangential_stiffness_ratio = 2.0 / 7.0;
 
-/// What laws with a linear spring have in common. Their times and overlaps each states for itself.
+/// Base of laws with a linear spring. Each law defines its own time scales and largest overlap
+/// (DefinesOwnScales).
 struct Spring {
   static constexpr bool has_history = false;
-  double stiffness_speed = 1;  ///< [m/s] where the spring stores as much as Hertz's
-  double stiffness = 0;        ///< [N/m] of the spring itself; 0: from stiffness_speed
+  double stiffness_speed = 1;  ///< [m/s] impact speed of equal stored energy
+  double stiffness = 0;        ///< [N/m] normal stiffness; 0: from stiffness_speed
 
-  /// Of the spring between these bodies: as given, or such that it stores as much energy as Hertz's
-  /// at the same overlap when they meet at a characteristic speed (dem.11) [N/m].
+  /// Normal stiffness [N/m]: as given, or such that the spring stores the same energy as a Hertz
+  /// spring at the largest Hertz overlap of an impact at `stiffness_speed` (dem.11).
   double stiffness_of(const EffectivePair& t) const {
     if (stiffness > 0) return stiffness;
     const double d = hertz_overlap(t, stiffness_speed);
     return 0.8 * hertz_stiffness(t) * std::sqrt(d);  // k d^2 / 2 = (2/5) k_Hertz d^2.5
   }
-  /// [m] of an undamped collision.
+  /// Largest overlap [m] of an undamped collision at `speed` [m/s].
   double undamped_overlap(const EffectivePair& t, double speed) const {
     return speed * std::sqrt(t.mass / stiffness_of(t));
   }
@@ -37,13 +39,13 @@ struct Spring {
   bool operator==(const Spring&) const = default;
 };
 
-/// The numbers of a Spring, as those of the law L.
+/// The parameters of Spring, as fields of the law L.
 template <class L>
 constexpr auto spring_fields() {
   return std::array{
       LawField<L>{{"stiffness_speed", "m/s", &L::stiffness_speed, positive,
-                   "the speed of impact at which the spring is as stiff as Hertz's contact", 1.0,
-                   "uncalibrated; the order of the impacts in a mill"}},
+                   "impact speed at which the spring stores as much energy as a Hertz contact", 1.0,
+                   "uncalibrated; typical impact speed in a mill"}},
       LawField<L>{{"stiffness", "N/m", &L::stiffness, positive, "stiffness of the spring"},
                   "stiffness_speed"}};
 }

@@ -8,45 +8,45 @@
 
 #include "mahlwerk/base/vec3.hpp"
 
-// Many balls as the event engine keeps them: what a prediction of meetings reads fills one cache
-// line.
+// Ball data of the event engine for many balls. The data that a collision prediction reads of a
+// ball fills one cache line.
 namespace mahlwerk::event {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A ball between two of its collisions: a straight line in the falling frame (man.1).
+/// Trajectory of a ball between two collisions: a straight line in the falling frame (man.1).
 struct alignas(64) Trajectory {
   Vec3 position;               ///< [m] at `since`
   double since = 0;            ///< [s] on the engine's clock
   Vec3 velocity;               ///< [m/s]
-  std::uint32_t revision = 0;  ///< how often it has changed: an appointment made before is void
+  std::uint32_t revision = 0;  ///< predictions for an older one are void (lazy invalidation)
   std::uint32_t species = 0;
 
   Vec3 at(double t) const { return position + (t - since) * velocity; }
 };
 static_assert(sizeof(Trajectory) == 64);
 
-/// What a ball is up to next.
+/// The next event of a ball.
 struct Prediction {
-  double collision_time = never;  ///< [s] with `partner`, the earliest of its own
+  double collision_time = never;  ///< [s] of the earliest one predicted for it, with `partner`
   std::int32_t partner = -1;
-  std::uint32_t partner_revision = 0;  ///< when that was predicted
-  double safe_until = 0;   ///< [s] until then it certainly touches no wall and has not left
-  std::int32_t face = -1;  ///< that it touches then; < 0: it must be looked at
+  std::uint32_t partner_revision = 0;  ///< of the partner's trajectory, at the prediction
+  double safe_until = 0;   ///< [s] until then it certainly touches no wall and stays in its cell
+  std::int32_t face = -1;  ///< touched at that time; < 0: a safe-time query is due then
   std::int32_t cell = 0;
 
   double next() const { return collision_time < safe_until ? collision_time : safe_until; }
 };
 
-/// What only collisions need.
+/// Ball data that only collisions need.
 struct CollisionData {
   Vec3 spin;                       ///< [rad/s]
   double last_collision = -never;  ///< [s] of its last collision
   double stored_energy = 0;        ///< [J] of earlier losses (man.6)
-  std::int32_t id = 0;             ///< the user's number of it; where it is stored changes
+  std::int32_t id = 0;             ///< the user's ball number; the storage index changes
 };
 
-/// Balls of one size, density and set.
+/// Properties of balls of one size, density and set [m, kg, kg m2, kg/m3].
 struct Species {
   double radius = 0, mass = 0, inertia = 0, density = 0;
   std::int32_t kind = 0;

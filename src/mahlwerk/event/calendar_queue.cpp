@@ -10,7 +10,7 @@
 namespace mahlwerk::event {
 namespace {
 
-constexpr double per_slice = 4;  // events; few enough to sort by insertion
+constexpr double per_slice = 4;  // events; few enough for insertion sort
 constexpr std::int64_t far_away = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace
@@ -37,7 +37,7 @@ void CalendarQueue::start_at(double rate, double now) {
     const auto ball = static_cast<std::int32_t>(i);
     const std::int64_t slice = slice_of(times_[i]);
     if (slice <= slice_)
-      open_.push_back({times_[i], ball, -1});  // sorted below: there may be many of them
+      open_.push_back({times_[i], ball, -1});  // sorted below, because there may be many
     else
       add_to_bucket(slice, times_[i], ball);
   }
@@ -50,7 +50,7 @@ void CalendarQueue::sort_open() {
   });
 }
 
-/// Slices that turn out far too full or too empty get another width.
+/// Changes the slice width if slices turn out far too full or too empty.
 void CalendarQueue::retune() {
   const std::int64_t enough = std::ssize(times_) + 64;
   if (opened_ < enough && slice_ < 4 * bucket_count_) return;
@@ -60,7 +60,7 @@ void CalendarQueue::retune() {
   start_at(mean * slices_per_second_, now);
 }
 
-/// Appointments per second in the near future, from when the first tenth of them is over.
+/// Events per second in the near future, from the time at which the first tenth is over.
 double CalendarQueue::rate() const {
   std::vector<double> sorted(times_.begin(), times_.end());
   const auto tenth = sorted.begin() + std::ssize(sorted) / 10;
@@ -123,7 +123,7 @@ ScheduledEvent CalendarQueue::next() {
 }
 
 void CalendarQueue::open_next() {
-  if (bucketed_ == 0) {  // an empty ring: jump to what waits beyond it
+  if (bucketed_ == 0) {  // empty ring: jump to the first overflow entry
     std::int64_t first = far_away;
     for (const Entry& e : overflow_) first = std::min(first, slice_of(e.time));
     if (first == far_away) return start_at_earliest();
@@ -147,7 +147,8 @@ void CalendarQueue::open_next() {
   sort_open();
 }
 
-/// All that is left comes later than slices of this width can count: they get another one.
+/// Restarts with another slice width: all remaining events are later than slices of the present
+/// width can count.
 void CalendarQueue::start_at_earliest() {
   const double earliest = *std::ranges::min_element(times_);
   if (earliest == std::numeric_limits<double>::infinity()) return overflow_.clear();

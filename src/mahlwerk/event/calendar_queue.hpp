@@ -10,28 +10,29 @@
 
 namespace mahlwerk::event {
 
-/// What comes next: a ball and when [s].
+/// The next event: a ball and its time [s].
 struct ScheduledEvent {
   double time = 0;
-  std::int32_t ball = -1;  ///< < 0: nothing is due at all
+  std::int32_t ball = -1;  ///< < 0: there is no event
   bool operator==(const ScheduledEvent&) const = default;
 };
 
-/// One appointment per ball, the earliest first, ties by the ball's number.
+/// Calendar queue with one event per ball, the earliest first, ties by ball number.
 ///
-/// Time is cut into slices, a bucket each, in a ring; only the slice that is open is sorted. A new
-/// appointment leaves the old entry where it is: an entry whose time is no longer its ball's is
-/// dropped when its slice opens. What lies beyond the ring waits in a list until the ring comes
-/// round. All of it costs the same whatever the number of balls.
+/// Time is divided into slices. Each slice has a bucket in a ring; only the open slice is sorted.
+/// Rescheduling a ball leaves its old entry in place (lazy deletion): an entry whose time differs
+/// from its ball's time is stale and is dropped when the queue reaches it. Entries beyond the ring
+/// wait in an overflow list until the ring has gone round. The cost per operation does not depend
+/// on the number of balls.
 class CalendarQueue {
  public:
-  /// Starts anew with an appointment per ball [s], infinite for none. Slices get the width that
-  /// suits these.
+  /// Restarts with one event time per ball [s], infinite for none; `now` [s] is the present time.
+  /// The slice width follows from these times.
   void start(std::span<const double> times, double now);
 
   void schedule(std::int32_t ball, double time);
-  ScheduledEvent next();  ///< the earliest; stays until its ball is given another time
-  /// Who comes after `later` others, if that is known already; < 0: it is not.
+  ScheduledEvent next();  ///< the earliest; stays until its ball is rescheduled
+  /// Ball of the event `later` places after the earliest, if it is sorted already; else < 0.
   std::int32_t upcoming(std::ptrdiff_t later) const {
     const auto place = std::ssize(open_) - 1 - later;
     return place < 0 ? -1 : open_[static_cast<std::size_t>(place)].ball;
@@ -60,13 +61,13 @@ class CalendarQueue {
   HugePageVector<double> times_;               // [s] by ball
   HugePageVector<std::int32_t> buckets_;       // first entry of each, a ring
   HugePageVector<Entry> pool_;                 // entries of all buckets
-  std::int32_t free_ = -1;                     // first unused one
+  std::int32_t free_ = -1;                     // first unused entry of the pool
   std::int64_t bucketed_ = 0;                  // entries in buckets
   std::vector<Entry> open_;                    // the open slice, the earliest last
   std::vector<Entry> overflow_;                // too late for the ring
   std::int64_t slice_ = 0, bucket_count_ = 0;  // open slice; number of buckets, a power of two
   double origin_ = 0, slices_per_second_ = 1;
-  std::int64_t opened_ = 0;  // entries since the start
+  std::int64_t opened_ = 0;  // entries opened since the start
 };
 
 }  // namespace mahlwerk::event

@@ -83,7 +83,7 @@ void Cells::grow() {
 int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
   const std::int32_t* const from = &slots_[as_index(place * capacity_)];
   const std::int32_t many = filled_[as_index(place)];
-  std::copy_n(from, 4, out + n);  // without asking how many: four places are one move
+  std::copy_n(from, 4, out + n);  // always four: one vector move instead of a loop over the count
   for (std::int32_t i = 4; i < many; ++i) out[n + i] = from[i];
   return n + many;
 }
@@ -139,7 +139,7 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
 }
 
 void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const {
-  /// First index and how many, from there on round a periodic grid.
+  /// First index and number of cells; a periodic grid wraps around.
   const auto range = [&](double from, double to, double per_side, std::int32_t n) {
     const double first = std::floor(from * per_side), last = std::floor(to * per_side);
     if (!periodic_) {

@@ -13,45 +13,47 @@
 
 namespace mahlwerk::event {
 
-/// A cell's number: its three indices in ten bits each, so that none needs a division.
+/// A cell's number: its three indices, ten bits each, so that extracting them needs no division.
 using Cell = std::int32_t;
 
-/// A grid of cells at rest in the jar frame. Balls that can touch are in the same cell or in cells
-/// next to each other; a ball belongs to its cell until it is `slack` beyond its border.
+/// Cell list: a grid of cells at rest in the jar frame. Balls that can touch are in the same cell
+/// or in neighbouring cells. A ball belongs to its cell until it is `slack` [m] beyond the border.
 class Cells {
  public:
-  /// A grid over the box from `low` on, `size` [m] wide, periodic along axes where `periodic`.
-  /// Cells are at least `side` wide, or half a period, so that no ball goes round the box without
-  /// leaving its cell; there are at most about `most` of them.
+  /// A grid over the box that begins at `low` [m] and is `size` [m] wide, periodic along all axes
+  /// if `periodic`. Cells are at least `side` [m] wide, or half a period where that is less, so
+  /// that no ball crosses the box without leaving its cell. There are at most about `most` cells.
   Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack, double most);
 
-  Cell cell_at(const Vec3& position) const;  ///< places outside count to the nearest cell
+  Cell cell_at(const Vec3& position) const;  ///< the nearest cell for positions outside
   void clear();
   void insert(std::int32_t ball, Cell cell);
   void remove(std::int32_t ball, Cell cell);
 
-  /// The balls in and next to `cell` into `out`, which must hold `max_neighbours()`; returns how
-  /// many.
+  /// Writes the balls in `cell` and in the 26 cells around it to `out`, which must hold
+  /// max_neighbours() numbers. Returns their count.
   int near(Cell cell, std::int32_t* out) const;
-  /// Of those, the ones that are not near the neighbour `before` of `cell`.
+  /// As near(), but without the balls that are also near the cell `before`, if the two cells share
+  /// a face.
   int newly_near(Cell cell, Cell before, std::int32_t* out) const;
-  /// Appends the balls of all cells that the box from `low` to `high` reaches; it may be infinite.
+  /// Appends the balls of all cells that the box from `low` to `high` [m] overlaps; the box may be
+  /// infinite.
   void within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const;
-  /// Sends for what `near` will read.
+  /// Prefetches the data that near() reads.
   void prefetch(Cell cell) const;
   void serialize(Archive& archive);
-  bool contains(std::int32_t ball, Cell cell) const;  ///< any number may be asked for
-  std::int64_t ball_count() const;                    ///< how many balls there are in all cells
+  bool contains(std::int32_t ball, Cell cell) const;  ///< false for an invalid cell
+  std::int64_t ball_count() const;                    ///< in all cells
   int max_neighbours() const { return 27 * capacity_ + 4; }
 
-  /// Whether balls in cells next to each other may be nearer in another image than in the one they
-  /// will meet in: a box repeats itself after fewer than five cells.
+  /// Whether the nearest image of a ball in a neighbouring cell need not be the image that
+  /// collides: a periodic box has fewer than five cells along an axis.
   bool needs_all_images() const {
     return periodic_ && std::min({counts_[0], counts_[1], counts_[2]}) < 5;
   }
 
-  /// The box a ball may not leave as long as it belongs to `cell`, slack included; infinite where
-  /// there is no other cell to go to.
+  /// Box that a ball does not leave as long as it belongs to `cell` [m], slack included; infinite
+  /// where there is no neighbouring cell.
   struct Borders {
     Vec3 low, high;
   };
@@ -63,7 +65,7 @@ class Cells {
   static std::array<std::int32_t, 3> split(Cell cell) {
     return {cell & mask, (cell >> bits) & mask, cell >> (2 * bits)};
   }
-  /// Where a cell's balls are kept; place 0 stays empty and stands for "outside".
+  /// Storage index of a cell; index 0 stays empty and stands for "outside".
   std::int32_t cell_index(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return (z * counts_[1] + y) * counts_[0] + x + 1;
   }
@@ -81,8 +83,8 @@ class Cells {
   std::array<std::int32_t, 3> counts_{};
   std::array<std::vector<std::int32_t>, 3> before_, after_;  // neighbours along each axis, or -1
   int capacity_ = 4;                                         // balls a cell can hold
-  HugePageVector<std::int32_t> filled_;                      // how many it holds
-  HugePageVector<std::int32_t> slots_;                       // which, `capacity_` places a cell
+  HugePageVector<std::int32_t> filled_;                      // number of balls by cell
+  HugePageVector<std::int32_t> slots_;                       // balls, `capacity_` slots a cell
 };
 
 }  // namespace mahlwerk::event

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 
-// One text, compiled for what the machine has; the same bits from all of them. GCC's clones crash
-// under the thread sanitizer, and clang 14 cannot link them.
+// Function multiversioning: one source, compiled for several instruction sets, chosen at run time.
+// All versions give the same bits. GCC's clones crash under the thread sanitizer, and clang 14
+// cannot link them.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define MAHLWERK_CLONES __attribute__((target_clones("default", "avx2", "avx512f"), flatten))
 #else
@@ -22,7 +23,7 @@ using Four = double __attribute__((vector_size(32)));
 using FourIndices = std::int64_t __attribute__((vector_size(32)));
 using Rows = Four[lanes];
 
-/// Four rows of four numbers into four columns.
+/// Transposes a 4 x 4 matrix.
 [[gnu::always_inline]] inline void transpose(Rows& a) {
   const Four low01 = __builtin_shufflevector(a[0], a[1], 0, 4, 2, 6);
   const Four high01 = __builtin_shufflevector(a[0], a[1], 1, 5, 3, 7);
@@ -40,7 +41,7 @@ using Rows = Four[lanes];
   x += x < -0.5 * period ? one : zero;
 }
 
-/// The earliest of four lanes at a time; a lane's earliest is told by its time since now.
+/// The earliest collision of each of four SIMD lanes, with its time since now.
 struct EarliestLanes {
   Four time;
   FourIndices partner;
@@ -59,11 +60,11 @@ template <bool periodic, bool one_size>
     Rows p, v;
     std::int64_t index[lanes];
     for (std::size_t l = 0; l < lanes; ++l) {
-      index[l] = k + l < others.size() ? others[k + l] : me.self;  // nobody meets himself
+      index[l] = k + l < others.size() ? others[k + l] : me.self;  // padding: no collision
       const Trajectory& trajectory = trajectories[index[l]];
       static_assert(offsetof(Trajectory, velocity) == sizeof(Four));
       std::memcpy(&p[l], &trajectory.position, sizeof(Four));  // x, y, z, since
-      std::memcpy(&v[l], &trajectory.velocity, sizeof(Four));  // x, y, z, something else
+      std::memcpy(&v[l], &trajectory.velocity, sizeof(Four));  // x, y, z, unused
       if constexpr (!one_size) reach[l] = me.radius + radii[trajectory.species];
     }
     FourIndices who;

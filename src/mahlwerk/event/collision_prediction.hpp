@@ -9,28 +9,30 @@
 
 namespace mahlwerk::event {
 
+/// The earliest collision found; partner < 0: none.
 struct PredictedCollision {
-  double time = never;
+  double time = never;  ///< [s] on the engine's clock
   std::int32_t partner = -1;
 };
 
-/// A ball at an instant, about to be held against others.
+/// A ball at an instant, to be tested for collisions with others.
 struct CollisionQuery {
   Vec3 position, velocity;
   double time, radius;
   std::int32_t self;  ///< its own index
 };
 
-/// The earliest meeting of `query` with one of `others` (indices of `trajectories`) before `best`
-/// (man.2). `radii` by species; `periods` [m] where the box repeats itself, infinite where it does
-/// not.
+/// Returns the earliest collision of the ball `query` with one of `others` (indices of
+/// `trajectories`), or `best` if none is earlier (man.2). `radii` [m] by species; `periods` [m] of
+/// a periodic box, infinite for any other jar.
 PredictedCollision earliest_collision(const CollisionQuery& query,
                                       std::span<const Trajectory> trajectories,
                                       std::span<const std::int32_t> others,
                                       std::span<const double> radii, const Vec3& periods,
                                       const PredictedCollision& best);
 
-/// `a` as seen from the nearest image.
+/// Minimum image convention: the difference `a` [m] of two positions, each component taken to
+/// within half a period (geo.8).
 inline Vec3 nearest_image(Vec3 a, const Vec3& periods) {
   const auto fold = [](double x, double period) {
     if (x > 0.5 * period) return x - period;

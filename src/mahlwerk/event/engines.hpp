@@ -11,8 +11,8 @@
 
 namespace mahlwerk::event {
 
-// What there is for one shape and every motion; each shape is compiled in a file of its own, side
-// by side.
+// Explicitly instantiated for each shape in a file of its own (engine_capsule.cpp and so on), so
+// that the shapes compile in parallel.
 
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,

@@ -8,8 +8,8 @@
 
 namespace mahlwerk::event {
 
-// One ball shaken has the shortest search of all, which a call would slow by a sixth: its motion is
-// known when it is compiled.
+// One vibrated ball has the shortest search of all. A function call for the motion would slow it by
+// a sixth, so Vibration is known at compile time. All other motions are chosen at run time.
 template <class S>
 std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber& chamber,
                                            const scene::Ball& ball, const Rules& rules,

@@ -27,7 +27,7 @@ const char* remedy(SustainedContactMode lasting) {
 RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting) {
   std::ostringstream text;
   text << "at " << time << " s " << events << " events took place within " << within
-       << " s: bounces have collapsed (inelastic collapse) and time would stand still. "
+       << " s: bounces have collapsed (inelastic collapse) and time no longer advances. "
        << remedy(lasting) << "; see docs/errors.md#inelastic-collapse";
   return RunError(text.str());
 }

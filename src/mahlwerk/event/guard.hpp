@@ -10,12 +10,14 @@
 
 namespace mahlwerk::event {
 
-/// The Zeno guard's message: at `time` [s] since the start `events` took place within `within` [s].
-/// Its remedy is one that `lasting`, the treatment in force, does not contain.
+/// Returns the error of the Zeno guard (inelastic collapse): at `time` [s] since the start of the
+/// run `events` events took place within `within` [s]. The remedy in the text differs from
+/// `lasting`, the treatment of sustained contacts in force.
 RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting);
 
-/// Throws RunError if a collision gained energy, which no rule of the engine does: an error of the
-/// program. `mass` [kg], `approach` and `slip` [m/s] of the collision, `time` [s] since the start.
+/// Throws RunError if a collision gained energy. No rule of the engine does that, so it is an error
+/// of the program. `mass` [kg] is the effective mass, `approach` and `slip` [m/s] are those of the
+/// collision, `time` [s] counts from the start of the run.
 void reject_energy_gain(const contact::Loss& loss, double mass, double approach, double slip,
                         double time);
 

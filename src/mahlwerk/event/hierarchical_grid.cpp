@@ -10,7 +10,7 @@ namespace mahlwerk::event {
 HierarchicalGrid::HierarchicalGrid(const Vec3& low, const Vec3& size, bool periodic,
                                    std::span<const double> diameters, double slack,
                                    std::size_t balls) {
-  const double most = 32.0 * static_cast<double>(balls) + 512;  // cells a grid may have
+  const double most = 32.0 * static_cast<double>(balls) + 512;  // cells of one grid
   for (const double d : std::set<double, std::greater<>>(diameters.begin(), diameters.end())) {
     if (!levels_.empty() && d > 0.5 * levels_.back().widest) continue;
     const double room = slack * d;
@@ -50,7 +50,8 @@ std::span<const std::int32_t> HierarchicalGrid::newly_near(int level, Cell cell,
   return with_other_levels(level, cell, cells(level).newly_near(cell, before, found_.data()));
 }
 
-/// What lies within touch of anywhere in the cell, slack included, in the grids of other levels.
+/// Appends the balls of other levels that can touch a ball anywhere in the cell, slack included.
+/// `count` balls of the same level are in found_ already.
 std::span<const std::int32_t> HierarchicalGrid::with_other_levels(int level, Cell cell, int count) {
   const auto near = static_cast<std::size_t>(count);
   if (levels_.size() == 1) return {found_.data(), near};

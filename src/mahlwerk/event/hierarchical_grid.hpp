@@ -10,13 +10,14 @@
 
 namespace mahlwerk::event {
 
-/// Who may be met: a grid of cells for each class of sizes, so that a large ball among many small
-/// ones does not make everybody's neighbourhood large. A class holds diameters down to half its
-/// largest.
+/// Hierarchical grid for the neighbour search: a grid of cells for each size class, so that one
+/// large ball among many small ones does not enlarge the neighbourhood of all. A class holds
+/// diameters down to half its largest.
 class HierarchicalGrid {
  public:
-  /// For `balls` balls of these diameters [m] (by species) in the box from `low` on, `size` [m]
-  /// wide. Balls belong to a cell until they are `slack` diameters beyond its border.
+  /// Grid for `balls` balls of these `diameters` [m] (by species) in the box that begins at `low`
+  /// [m] and is `size` [m] wide. A ball belongs to its cell until it is `slack` diameters beyond
+  /// the border.
   HierarchicalGrid(const Vec3& low, const Vec3& size, bool periodic,
                    std::span<const double> diameters, double slack, std::size_t balls);
 
@@ -31,15 +32,15 @@ class HierarchicalGrid {
   bool contains(int level, std::int32_t ball, Cell cell) const {
     return cells(level).contains(ball, cell);
   }
-  std::int64_t ball_count() const;  ///< how many balls there are in all cells
-  /// Whether a box repeats itself after so few cells that any image may be met
+  std::int64_t ball_count() const;  ///< in all cells
+  /// Whether a periodic box has so few cells that any image of a ball may collide
   /// (Cells::needs_all_images).
   bool needs_all_images() const { return needs_all_images_; }
 
-  /// All balls that one of this level in this cell can touch before it leaves the cell, and more;
-  /// valid until the next call.
+  /// All balls that a ball of this level in this cell can touch before it leaves the cell, and
+  /// possibly more. Valid until the next call.
   std::span<const std::int32_t> near(int level, Cell cell);
-  /// Of those, the ones that were not near in its cell `before`, and more.
+  /// Those of near() that were not near the ball's previous cell `before`, and possibly more.
   std::span<const std::int32_t> newly_near(int level, Cell cell, Cell before);
 
  private:

@@ -11,10 +11,10 @@
 namespace mahlwerk::event {
 namespace {
 
-constexpr std::size_t chunk = 1024;             // records handed over at a time
-constexpr std::int64_t collisions_between = 2;  // per ball, from one renewal to the next
+constexpr std::size_t chunk = 1024;             // records per call of the observer
+constexpr std::int64_t collisions_between = 2;  // per ball, between two reorganisations
 constexpr std::int64_t collisions_at_least = 500;
-constexpr double longest_clock = 1;  // [s] beyond it the falling frame gets far away
+constexpr double longest_clock = 1;  // [s] later positions in the falling frame lose digits
 
 }  // namespace
 
@@ -47,9 +47,9 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
   hand_over(observer);
 }
 
-/// Whose turn comes soon is in memory somewhere far away: it is sent for in time.
+/// Prefetches the data of the next few events.
 void ManyBalls::prefetch_next_events() const {
-  constexpr std::size_t near_at_hand = 4096;  // so many balls stay in the processor's own memory
+  constexpr std::size_t near_at_hand = 4096;  // the data of so many balls stays in the cache
   if (trajectories_.size() <= near_at_hand) return;
   if (const std::int32_t later = queue_.upcoming(3); later >= 0) {
     const auto i = static_cast<std::size_t>(later);
@@ -77,8 +77,8 @@ void ManyBalls::process_event(std::int32_t ball) {
     process_collision(ball);
 }
 
-/// A ball may be near a wall or about to leave its cell. It is followed as long as nobody else's
-/// turn comes.
+/// Safe-time query: the ball may be near a wall or about to leave its cell. The query follows the
+/// ball as long as no other ball has an event.
 void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
@@ -89,8 +89,7 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   p.safe_until = left;
   if (walls_) {
     queue_.schedule(ball, never);
-    constexpr double ahead =
-        0.01;  // [s] a ball at rest that nothing reaches is not sought for ever
+    constexpr double ahead = 0.01;  // [s] bounds the search for a ball at rest that nothing reaches
     const double next = queue_.next().time;
     const double alone = std::min({p.collision_time, left, next, now_ + ahead});
     const WallPrediction predicted = jar_->predict_touch(
@@ -111,7 +110,8 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   queue_.schedule(ball, p.next());
 }
 
-/// Two balls meet, unless the partner has changed its way since that was predicted.
+/// Collides two balls, unless the partner's trajectory has changed since the prediction (lazy
+/// invalidation). Then the collisions of the ball are predicted again.
 void ManyBalls::process_collision(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   if (trajectory(p.partner).revision == p.partner_revision) return hit_ball(ball, p.partner);
@@ -119,8 +119,8 @@ void ManyBalls::process_collision(std::int32_t ball) {
   queue_.schedule(ball, p.next());
 }
 
-/// From time to time the clock is turned back, balls that are neighbours in the jar become
-/// neighbours in memory, and the calendar's slices get the width that suits the rate of events.
+/// Turns the clock back, stores balls that are neighbours in the jar next to each other in memory,
+/// and fits the slice width of the calendar queue to the rate of events.
 void ManyBalls::reorganise() {
   const double period = jar_->static_geometry() ? jar_->period() : never;
   const double shift = std::isfinite(period) ? std::floor(now_ / period) * period : now_;
@@ -131,9 +131,9 @@ void ManyBalls::reorganise() {
   collisions_at_reorganisation_ = energy_balance_.collisions;
 }
 
-/// A run whose events pile up without end stops with the reason, rather than hang.
+/// Zeno guard: stops a run whose events accumulate in almost no time, with the reason.
 void ManyBalls::guard() {
-  // A ball at rest makes some thirty in t_c; deep in a bed, several times as many.
+  // A ball at rest has some thirty events in t_c; deep in a bed, several times as many.
   constexpr std::int64_t many = 100'000, each = 2'000;
   constexpr double soon = 1e-4;  // [s]
   const std::int64_t events = events_ - guarded_;
@@ -157,7 +157,7 @@ void ManyBalls::serialize(Archive& archive) {
   rebuild_queue();
 }
 
-/// Whether all that tells who is who, or where in memory, can be so for `count` balls.
+/// Whether all ball numbers, indices and cells read from an archive are valid for `count` balls.
 bool ManyBalls::is_consistent(std::size_t count) {
   if (trajectories_.size() != count || predictions_.size() != count ||
       collision_data_.size() != count)

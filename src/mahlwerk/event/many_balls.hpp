@@ -18,9 +18,10 @@
 
 namespace mahlwerk::event {
 
-/// The event engine for many balls. Every ball keeps its own earliest event; a calendar tells whose
-/// is next. Balls run straight in the falling frame, in which meetings have a closed form, and are
-/// looked at in the jar frame, in which walls and cells are.
+/// The event engine for many balls (event-driven molecular dynamics). Every ball keeps its own
+/// earliest event; a calendar queue orders these events. Balls move on straight lines in the
+/// falling frame, in which collision times have a closed form. Walls and cells are tested in the
+/// jar frame.
 class ManyBalls final : public scene::Engine {
  public:
   ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
@@ -32,19 +33,20 @@ class ManyBalls final : public scene::Engine {
   void serialize(Archive& archive) override;
 
  private:
-  /// Where the jar frame is in the falling frame.
+  /// Position and velocity of the jar frame's origin in the falling frame.
   struct Drift {
     double time = -never;
     Vec3 position, velocity;
   };
-  /// Two bodies as they touch; the second may be the wall.
+  /// Relative motion of two touching bodies; the second may be the wall.
   struct CollisionKinematics {
     Vec3 normal;             ///< from the ball to the contact
-    Vec3 gliding, slipping;  ///< [m/s] tangential, of the centres and of the surfaces
+    Vec3 gliding, slipping;  ///< [m/s] tangential velocity of the centres and of the surfaces
     double mass, approach, slip;
-    double field;  ///< [m/s2] that holds them together, at most
+    double field;  ///< [m/s2] the largest that presses them together
 
-    /// `glide` [m/s] of the centres, `rolling` [m/s] the spins times their radii, added.
+    /// `glide` [m/s] is the relative velocity of the centres, `rolling` [m/s] the sum of the spins
+    /// times their radii.
     CollisionKinematics(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling,
                         double field_)
         : normal(n),
@@ -60,7 +62,7 @@ class ManyBalls final : public scene::Engine {
     }
   };
 
-  // many_balls.cpp: what happens next
+  // many_balls.cpp: event loop
   void process_event(std::int32_t ball);
   void prefetch_next_events() const;
   void check_wall_and_cell(std::int32_t ball);
@@ -71,7 +73,7 @@ class ManyBalls final : public scene::Engine {
   void guard();
   void hand_over(scene::Observer& observer);
 
-  // many_predictions.cpp: predictions, and where balls are
+  // many_predictions.cpp: predictions and ball positions
   void predict_all();
   void predict_and_schedule(std::int32_t ball);
   void predict(std::int32_t ball);
@@ -91,7 +93,7 @@ class ManyBalls final : public scene::Engine {
   Drift drift_at(double t) const;
   BallState ball_state(std::int32_t ball);
 
-  // many_collisions.cpp: impulses, records, the account
+  // many_collisions.cpp: impulses, records, energy balance
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
   using Bounce = TcRule::Result;
@@ -139,7 +141,7 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::AccelerationBound max_acceleration_;
-  double field_;  // [m/s2] the most that the mill presses a ball with (man.4)
+  double field_;  // [m/s2] the largest that the mill presses a ball with (man.4)
 
   HugePageVector<Trajectory> trajectories_;
   HugePageVector<Prediction> predictions_;
@@ -153,8 +155,8 @@ class ManyBalls final : public scene::Engine {
   double start_;                   // [s] mill time at which the run began
   double now_ = 0;                 // [s] on the engine's clock
   double clock_origin_ = 0;        // [s] mill time = clock_origin_ + clock
-  double horizon_ = 0;             // [s] clock: nothing at or after it happens in this call
-  kinematics::FrameMotion epoch_;  // of the falling frame: the jar's frame motion at clock 0
+  double horizon_ = 0;             // [s] clock: end of the present advance()
+  kinematics::FrameMotion epoch_;  // the jar's frame motion at clock 0, start of the falling frame
   Drift drift_;
   double reached_ = 0;  // [s] since the start
   std::int64_t events_ = 0, collisions_at_reorganisation_ = 0;

@@ -68,8 +68,8 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   predict_and_schedule(other);
 }
 
-/// The time since a ball's last collision was time in contact if it was short, and the bounce as
-/// slow as those of a sustained contact are (man.7).
+/// Counts the time since the ball's last collision as time in contact if it is short and the bounce
+/// is as slow as those of a sustained contact (man.7).
 void ManyBalls::count_contact(CollisionData& ball, bool slow) {
   const double flight = now_ - ball.last_collision;
   if (rules_.lasting == SustainedContactMode::tc && slow && flight < 5 * rules_.contact_time)
@@ -77,13 +77,13 @@ void ManyBalls::count_contact(CollisionData& ball, bool slow) {
   ball.last_collision = now_;
 }
 
-/// `since` [s] is the time since one of the two last collided. By the pair's rule, or by that of
-/// lasting contacts (man.4).
+/// Collision by the pair's rule, or by the TC rule for sustained contacts (man.4). `since` [s] is
+/// the time since the last collision of either body.
 ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
                                     const CollisionKinematics& touch, double since,
                                     StoredEnergy stored) {
   ++energy_balance_.collisions;
-  // Two that lost all their normal speed to each other may meet again at none, or less by rounding.
+  // Bodies without relative normal speed may collide again at zero speed, or less by rounding.
   const double approach = std::max(touch.approach, 1e-200);
   if (rules_.lasting != SustainedContactMode::tc) {
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
@@ -101,7 +101,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
   return b;
 }
 
-/// `arm` [m] from the centre to the contact.
+/// Applies `impulse` [N s] at `arm` [m] from the centre, and invalidates predictions for the ball.
 void ManyBalls::apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
   Trajectory& l = trajectory(ball);
   const Species& s = species(l);

@@ -23,21 +23,21 @@ TouchTolerance tolerance(const MovingWall& jar, double radius) {
   return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
 }
 
-/// Grids over the box in which centres of balls can be.
+/// Grid over the box that contains the centres of all balls.
 std::unique_ptr<HierarchicalGrid> make_grid(const MovingWall& jar, double max_acceleration,
                                             const std::vector<double>& radii, std::size_t balls) {
   const bool periodic = jar.periods().x < never;
   const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
-  // A ball pulled by unknown forces is looked at too early rather than too late, again and again as
-  // it nears the border: with some slack it has already crossed it at one of those looks.
+  // With only a bound on the acceleration, safe times are too short rather than too long, so a ball
+  // near the border is tested again and again. With some slack it has crossed at one of the tests.
   const double slack = max_acceleration > 0 ? 0.02 : 1e-7;
   std::vector<double> diameters;
   for (const double r : radii) diameters.push_back(2 * r);
   const double widest = *std::ranges::max_element(diameters);
   if (periodic && std::min({size.x, size.y, size.z}) <= 2 * widest)
-    throw InputError(Fault{"jar",
-                           "a ball of half a periodic box meets another and its image at once",
-                           "give smaller balls or a larger box", "periodic-box"});
+    throw InputError(Fault{
+        "jar", "a ball of half the box's width touches another ball and its periodic image at once",
+        "give smaller balls or a larger box", "periodic-box"});
   return std::make_unique<HierarchicalGrid>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
 
@@ -102,7 +102,7 @@ void ManyBalls::predict_and_schedule(std::int32_t ball) {
   queue_.schedule(ball, prediction_of(ball).next());
 }
 
-/// All of a ball's future, after its way has changed.
+/// Predicts all events of a ball after its trajectory has changed.
 void ManyBalls::predict(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   predict_collisions(ball);
@@ -123,7 +123,7 @@ void ManyBalls::predict_collisions(std::int32_t ball) {
   predict_collisions_with(ball, grid_->near(level(ball), prediction_of(ball).cell));
 }
 
-/// Keeps the ball's earliest meeting, if one of `others` is it.
+/// Keeps the earliest collision of the ball with one of `others` if it is before the known one.
 void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::int32_t> others) {
   const Trajectory& me = trajectory(ball);
   Prediction& p = prediction_of(ball);
@@ -138,8 +138,8 @@ void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::
          p.safe_until, p.face,        p.cell};
 }
 
-/// In a box of few cells the nearest image need not be the one that is met first: all are asked
-/// that can be met while both balls are in the box.
+/// Tests all images that can collide while both balls are in the box: in a box of few cells the
+/// nearest image need not be the one that collides first.
 PredictedCollision ManyBalls::first_of_images(const CollisionQuery& query,
                                               std::span<const std::int32_t> others,
                                               PredictedCollision found) const {
@@ -154,13 +154,14 @@ PredictedCollision ManyBalls::first_of_images(const CollisionQuery& query,
   return found;
 }
 
-/// How long a ball certainly stays in its cell [s].
+/// Time for which a ball certainly stays in its cell [s].
 double ManyBalls::cell_safe_time(std::int32_t ball, const BallState& where) const {
   const Cells::Borders b =
       grid_->borders(level(ball), predictions_[static_cast<std::size_t>(ball)].cell);
   const Vec3 &v = where.velocity, &a = max_acceleration_.components;
   Vec3 x = where.position;
-  if (periodic_) {  // seen from the cell: just beyond the border of the box it was folded far away
+  // Beyond the border of a periodic box the position is folded: use the image at the cell.
+  if (periodic_) {
     const Vec3 middle = 0.5 * (b.low + b.high);
     x = middle + nearest_image(x - middle, periods_);
   }
@@ -190,20 +191,20 @@ void ManyBalls::change_cell(std::int32_t ball, const BallState& where) {
   grid_->remove(level(ball), ball, before);
   grid_->insert(level(ball), ball, cell);
   p.cell = cell;
-  // In a box of few cells those who stay near may be met in another image from now on.
+  // In a box of few cells, balls that stay near may collide as another image from now on.
   predict_collisions_with(ball, grid_->needs_all_images()
                                     ? grid_->near(level(ball), cell)
                                     : grid_->newly_near(level(ball), cell, before));
 }
 
-/// Starts the ball's line anew at this moment, in the box.
+/// Restarts the ball's trajectory at the present time, with its position folded into the box.
 void ManyBalls::advance_to_now(std::int32_t ball) {
   Trajectory& l = trajectory(ball);
   l.position = nearest_image(l.at(now_), periods_);
   l.since = now_;
 }
 
-/// Turns the clock back by `shift` [s] and lets the falling frame start from the jar frame of that
+/// Turns the clock back by `shift` [s]. The falling frame starts again from the jar frame of that
 /// time (man.3).
 void ManyBalls::move_frame(double shift) {
   const Drift d = drift_at(shift);
@@ -223,7 +224,7 @@ void ManyBalls::move_frame(double shift) {
   drift_ = {};
 }
 
-/// Stores the balls in the order of their cells.
+/// Sorts the balls in memory by cell.
 void ManyBalls::sort() {
   const auto count = trajectories_.size();
   if (count < 512) return;
@@ -270,7 +271,7 @@ const ManyBalls::Drift& ManyBalls::drift() {
   return drift_;
 }
 
-/// Where a ball is now, in the jar frame.
+/// Present state of a ball in the jar frame.
 BallState ManyBalls::ball_state(std::int32_t ball) {
   const Trajectory& l = trajectory(ball);
   return {nearest_image(l.at(now_) - drift().position, periods_), l.velocity - drift().velocity};

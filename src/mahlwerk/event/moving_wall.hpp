@@ -8,21 +8,21 @@
 
 namespace mahlwerk::event {
 
-/// What a ball may count on.
+/// Result of a search for wall contacts: the next touch, or a time before which none occurs.
 struct WallPrediction {
-  double time = 0;  ///< [s] of the touch, or until when there is certainly none
+  double time = 0;  ///< [s] of the touch, or until then there is certainly none
   int face = -1;    ///< < 0: no touch
 };
 
-/// A jar on its mill with its types hidden: one call per question, for an engine of many balls.
-/// Times are the mill's own; places and velocities those of the jar frame.
+/// Type-erased jar on its mill, for the engine of many balls: one virtual call per query. Times are
+/// mill times; positions and velocities are those of the jar frame.
 class MovingWall {
  public:
   virtual ~MovingWall() = default;
 
   virtual kinematics::FrameMotion frame_motion(double t) const = 0;
-  /// Follows a ball that is `ball` at `t` and flies freely, until it touches, `until` is passed, or
-  /// after most_search_steps; looks at least once.
+  /// Follows a ball that has the state `ball` at `t` [s] and flies freely, until it touches a face,
+  /// `until` [s] is passed, or most_search_steps are done. Tests the faces at least once.
   virtual WallPrediction predict_touch(const BallState& ball, double t, double until,
                                        const TouchTolerance& tolerance) const = 0;
   virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;

@@ -16,9 +16,9 @@
 
 namespace mahlwerk::event {
 
-/// The event engine for one ball: flight, touch, bounce, and lasting contact where bounces
-/// collapse. The clock runs within one period of the mill, so that late times are as exact as early
-/// ones.
+/// The event engine for one ball: flight, touch, bounce, and sustained contact where bounces
+/// collapse. The clock stays within one period of the mill, so accuracy does not decrease with
+/// time.
 template <class S, class M>
 class OneBall final : public scene::Engine {
  public:
@@ -85,7 +85,7 @@ class OneBall final : public scene::Engine {
   scene::EnergyBalance energy_balance() const override {
     scene::EnergyBalance a = energy_balance_;
     const double at = in_contact_ ? now_.time : reached_ + start_ - clock_origin_;
-    // Never a rounding below what was asked for: whoever waits for it would wait for ever.
+    // Never below the requested time by rounding: a caller that waits for it would never finish.
     a.time = in_contact_ ? std::max(reached_, clock_origin_ + at - start_) : reached_;
     const kinematics::FrameMotion frame = jar_.motion().frame_motion(at);
     const Vec3& g = jar_.gravity();
@@ -134,14 +134,14 @@ class OneBall final : public scene::Engine {
     return -body_.mass * dot(jar_.gravity(), lab_position);
   }
 
-  /// Flight begins now, with the ball relative to the jar as said.
+  /// Starts a flight now with the state `p` in the jar frame.
   void start_flight(const BallState& p) {
     now_.ball = p;
     flight_ = {now_.time, p.position + now_.frame.centre, p.velocity + now_.frame.velocity};
   }
 
-  /// An impulse of the wall on the ball: the ball's velocity and spin, and the work of the wall
-  /// [J].
+  /// Applies an impulse of the wall [N s] to the velocity in `p` and to the spin. Returns the work
+  /// of the wall [J].
   double apply_impulse(const Vec3& impulse, const Wall& wall, BallState& p) {
     p.velocity += impulse / body_.mass;
     spin_ -= body_.radius / body_.inertia * cross(wall.inward, impulse);
@@ -181,9 +181,9 @@ class OneBall final : public scene::Engine {
   struct Bounce {
     contact::Impulse impulse;
     contact::Loss loss;
-    double kept = 0;  ///< [J] that is stored after it, more than before (man.6)
+    double kept = 0;  ///< [J] change of the stored energy (man.6)
   };
-  /// By the wall's rule (evt.6 to evt.8), or that of sustained contacts under the TC rule (man.4).
+  /// Collision by the wall's rule (evt.6 to evt.8), or by the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
     const contact::BounceRule& rule = rules_.wall(face);
     if (rules_.lasting != SustainedContactMode::tc) {
@@ -231,8 +231,8 @@ class OneBall final : public scene::Engine {
                          .lost_tangential = loss.tangential});
   }
 
-  /// Whether the bounces that follow would all be over before the wall's hold on the ball has
-  /// changed: then they are countless and the ball has come to stay (evt.19).
+  /// Whether the bounces that follow would all be over before the force that presses the ball to
+  /// the wall has halved. Then they are infinitely many, and a sustained contact begins (evt.19).
   bool collapses(int face) const {
     if (rules_.lasting != SustainedContactMode::roll || rebound_ >= rules_.lasting_speed)
       return false;
@@ -247,7 +247,7 @@ class OneBall final : public scene::Engine {
     return over_in * change < 0.5 * normal_force;
   }
 
-  /// Contact begins: what normal speed is left is lost.
+  /// Begins a sustained contact; the remaining normal speed is lost.
   void begin_contact(int face) {
     BallState p = now_.ball;
     SupportFaces support;
@@ -269,8 +269,8 @@ class OneBall final : public scene::Engine {
     in_contact_ = true;
   }
 
-  /// Whether the ball also rests on another face: it touches it, hardly moves to or from it, and is
-  /// pressed.
+  /// Whether the ball also rests on another face: the ball touches the face, has hardly any normal
+  /// speed, and is pressed to the face.
   bool rests_on(int face, const BallState& p) const {
     const Wall wall = jar_.wall(face, p.position, now_.time, body_.radius);
     return wall.gap <= 8 * tolerance_.margin &&
@@ -305,7 +305,7 @@ class OneBall final : public scene::Engine {
   }
   double mill_time() const { return clock_origin_ + now_.time; }
 
-  /// A run whose events pile up without end stops with the reason, rather than hang.
+  /// Zeno guard: stops a run whose events accumulate in almost no time, with the reason.
   void guard() {
     constexpr int many = 100000;
     constexpr double soon = 0.01;  // [s]
@@ -329,9 +329,9 @@ class OneBall final : public scene::Engine {
   Flight flight_;
   Vec3 spin_;
   bool in_contact_ = false;
-  double field_;                                // [m/s2] the strongest of the mill (man.4)
-  double start_;                                // [s] of the mill's own time
-  Instant now_;                                 // its time is the clock's
+  double field_;                                // [m/s2] the mill's largest (man.4)
+  double start_;                                // [s] mill time at which the run began
+  Instant now_;                                 // its time is on the engine's clock
   double clock_origin_ = 0;                     // [s] mill time = clock_origin_ + clock
   double clock_range_ = kinematics::no_period;  // [s] the clock's range
   double reached_ = 0;                          // [s] since the start

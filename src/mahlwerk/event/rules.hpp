@@ -8,19 +8,20 @@
 
 namespace mahlwerk::event {
 
-/// What to do when bounces become countless and ever smaller (docs/theory/event.md, "Collapse").
+/// Treatment of inelastic collapse, where bounces become infinitely many and ever smaller
+/// (docs/theory/event.md, "Collapse"): begin a sustained contact, apply the TC rule, or do nothing.
 enum class SustainedContactMode { roll, tc, none };
 
-/// How one ball and its jar meet, and how the engine treats collapse.
+/// Collision rule of one ball and its jar, and the treatment of inelastic collapse.
 struct Rules {
   contact::BounceRule bounce;
-  std::vector<contact::BounceRule> faces;  ///< by face of the jar, where they are not all alike
-  double lasting_friction = 0.3;           ///< mu of lasting contacts; they need a limit (evt.15)
-  double rolling_friction = 0;             ///< mu_r of lasting contacts
+  std::vector<contact::BounceRule> faces;  ///< by face of the jar; empty: all as `bounce`
+  double lasting_friction = 0.3;           ///< mu of sustained contacts; they need a limit (evt.15)
+  double rolling_friction = 0;             ///< mu_r of sustained contacts
   SustainedContactMode lasting = SustainedContactMode::roll;
-  double lasting_speed = 1e-4;  ///< [m/s] a slower rebound, pressed to the wall, has come to stay
+  double lasting_speed = 1e-4;  ///< [m/s] a pressed ball with a slower rebound stays (evt.19)
   double contact_time = 1e-4;   ///< [s] t_c of the TC rule
-  double threshold = 0;         ///< [m/s] hits slower than this are not counted in hits_within
+  double threshold = 0;         ///< [m/s] slower collisions are not counted in hits_within
 
   const contact::BounceRule& wall(int face) const {
     return faces.empty() ? bounce : faces[static_cast<std::size_t>(face)];

@@ -12,10 +12,10 @@ using scene::BallState;
 using scene::TypedChamber;
 using scene::Wall;
 
-/// A ball in flight: in laboratory axes, a parabola (evt.1, evt.2).
+/// A ball in flight: a parabola in laboratory axes (evt.1, evt.2).
 struct Flight {
-  double since = 0;         ///< [s] when it began, on the clock of the search
-  Vec3 position, velocity;  ///< then, in laboratory axes
+  double since = 0;         ///< [s] start of the flight, on the clock of the search
+  Vec3 position, velocity;  ///< [m], [m/s] at `since`, in laboratory axes
 
   Vec3 lab_position(double t, const Vec3& gravity) const {
     const double s = t - since;
@@ -24,23 +24,23 @@ struct Flight {
   Vec3 lab_velocity(double t, const Vec3& gravity) const {
     return velocity + (t - since) * gravity;
   }
-  /// Relative to the jar's centre.
+  /// The state in the jar frame.
   BallState ball_state(double t, const Vec3& gravity, const kinematics::FrameMotion& frame) const {
     return {lab_position(t, gravity) - frame.centre, lab_velocity(t, gravity) - frame.velocity};
   }
 };
 
-/// What the search of touches needs to know of a ball.
+/// The ball's radius and the tolerance of the touch search (evt.5).
 struct TouchTolerance {
   double radius = 0;  ///< [m]
-  double margin = 0;  ///< [m] a gap below this is a touch; far below what a radius is known to
+  double margin = 0;  ///< [m] a gap below this is a touch; far below the precision of radii
 
-  /// A time in which ball and wall, nearing each other at no more than `speed`, do not cross the
-  /// margin [s].
+  /// Least step [s]: a time in which ball and wall, approaching at no more than `speed` [m/s], do
+  /// not cross the margin.
   double least_step(double speed) const { return margin / (speed + 1e-3); }
 };
 
-/// An instant of a ball's way: the clock, the jar's frame motion, and the ball relative to it.
+/// State at an instant: the clock, the jar's frame motion, and the ball in the jar frame.
 struct Instant {
   double time = 0;  ///< [s] on the clock of the search
   kinematics::FrameMotion frame;
@@ -48,14 +48,15 @@ struct Instant {
 };
 
 struct Touch {
-  Instant when;            ///< of the touch, or the latest instant looked at
+  Instant when;            ///< of the touch, or the last instant tested
   int face = -1;           ///< < 0: none so far
-  std::int64_t steps = 0;  ///< the search took
+  std::int64_t steps = 0;  ///< of the search
 };
 
 /// Closing speeds below this are rounding, not an approach [m/s].
 constexpr double rounding_speed = 1e-10;
 
+/// Speed at which wall and ball approach each other along the normal [m/s].
 template <class S, class M>
 double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now,
                      const TouchTolerance& ball) {
@@ -63,9 +64,10 @@ double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
-/// A time in which a ball that flies along a face, neither nearing nor leaving it, does not sink in
-/// by more than a thousand margins, still nothing to its radius: a ball that keeps no normal speed
-/// may skim a wall for as long as it flies. One that lies deeper already may not.
+/// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it: the ball sinks
+/// in by at most a thousand margins, which is still negligible against its radius. Without this
+/// time, a ball that keeps no normal speed would graze the wall in steps of one margin. A ball that
+/// lies deeper already gets no extra time.
 template <class S, class M>
 double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant& now,
                          const TouchTolerance& ball) {
@@ -73,10 +75,10 @@ double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant&
   return jar.safe_time(face, now.ball, now.time, ball.radius - deepest).time;
 }
 
-/// What one look at all faces tells.
+/// Result of testing all faces at an instant.
 struct FaceScan {
-  double safe_time = geometry::never;  ///< [s] without a touch, certainly
-  int nearest = -1;                    ///< the face that limits it, of those the ball nears
+  double safe_time = geometry::never;  ///< [s] no touch occurs within it
+  int nearest = -1;                    ///< of the approached faces, the one that limits it
   int face = -1;                       ///< touched now; < 0: none
 };
 
@@ -102,14 +104,14 @@ FaceScan scan_faces(const TypedChamber<S, M>& jar, const Instant& now, const Tou
   return scan;
 }
 
-/// Steps of one search; a flight usually takes fewer than ten. A ball that skims a wall may take so
-/// many that whoever asks must be able to look after other things in between.
+/// Maximum steps of one search. A flight usually takes fewer than ten. A ball that grazes a wall
+/// may take so many that the caller must be able to process other events in between.
 constexpr std::int64_t most_search_steps = 4096;
 
-/// The first touch of a flight from `start` on, no later than about `until`: the first time at
-/// which a gap is (nearly) closed and shrinking. Steps by times that are certainly free, so no
-/// touch is passed (evt.3 to evt.5). After most_search_steps it returns where it is: no face, and a
-/// time before `until`, from where to go on.
+/// Finds the first touch of a flight from `start` on, no later than about `until` [s]: the first
+/// time at which a gap is (nearly) closed and shrinking. Conservative advancement: the steps are
+/// safe times, so no touch is passed (evt.3 to evt.5). After most_search_steps it returns no face
+/// and the instant reached, before `until`, from which the search can continue.
 template <class S, class M>
 [[gnu::flatten]] Touch next_touch(const TypedChamber<S, M>& jar, const Flight& flight,
                                   const Instant& start, double until, const TouchTolerance& ball) {
@@ -120,7 +122,7 @@ template <class S, class M>
     const double before = now.time;
     now.time +=
         std::max(scan.safe_time, ball.least_step(norm(now.ball.velocity) + jar.max_wall_speed()));
-    if (now.time == before) {  // nearer than the clock can tell: this is the touch
+    if (now.time == before) {  // step below the clock's resolution: this is the touch
       if (scan.nearest >= 0 && closing_speed(jar, scan.nearest, now, ball) > rounding_speed)
         return {now, scan.nearest, steps};
       now.time = std::nextafter(before, geometry::never);

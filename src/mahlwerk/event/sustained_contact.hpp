@@ -8,11 +8,12 @@
 #include "mahlwerk/event/rules.hpp"
 #include "mahlwerk/scene/typed_chamber.hpp"
 
-// A ball that stays on the wall: its equations of motion, rolling or sliding on one face, or
-// creeping where two or three meet (evt.12 to evt.17). The state is that of the jar frame.
+// Equations of motion of a ball in sustained contact with the wall: rolling or sliding on one face,
+// or creeping where two or three faces meet (evt.12 to evt.17). The state is that of the jar frame.
 namespace mahlwerk::event {
 
-/// A ball in lasting contact, with the work done on it and the energy it lost since contact began.
+/// State of a ball in sustained contact, with the work done on it and the energy lost, both
+/// accumulated over time.
 struct ContactState {
   Vec3 position, velocity, spin;
   double work = 0, lost = 0;  // [J]
@@ -25,10 +26,11 @@ inline ContactState operator*(double s, const ContactState& a) {
   return {s * a.position, s * a.velocity, s * a.spin, s * a.work, s * a.lost};
 }
 
-/// Creeping: friction made smooth, for two slips cannot both vanish in general (evt.17).
+/// Creeping: regularised friction, because the slips at several faces cannot all vanish in general
+/// (evt.17).
 enum class FrictionState { rolling, sliding, creeping };
 
-/// The faces a ball rests on, one to three, and how it holds on them: on more than one it creeps.
+/// The one to three faces that support a ball, and the friction state: creeping on several faces.
 struct SupportFaces {
   static constexpr std::size_t most = 3;
   std::size_t count = 0;
@@ -55,11 +57,11 @@ struct BallBody {
 struct ContactForces {
   std::array<double, SupportFaces::most>
       normal_force{};      ///< [m/s2] normal force per mass, < 0: the wall would have to pull
-  Vec3 sticking_friction;  ///< [m/s2] friction per mass that would keep the slip as it is
+  Vec3 sticking_friction;  ///< [m/s2] friction per mass that would keep the slip constant
   Vec3 friction;           ///< [m/s2] friction per mass
   Vec3 slip;               ///< [m/s] of the touching surfaces
 
-  /// The face of `support` that presses least: its place there.
+  /// Index in `support` of the face with the smallest normal force.
   std::size_t least(const SupportFaces& support) const {
     std::size_t place = 0;
     for (std::size_t i = 1; i < support.count; ++i)
@@ -69,8 +71,8 @@ struct ContactForces {
   bool pulls(const SupportFaces& support) const { return normal_force[least(support)] < 0; }
 };
 
-/// The normal forces of a support: sum_j matrix_ij normal_force_j = rhs_i. The columns' diagonals
-/// dominate (evt.23), so elimination needs no pivots.
+/// Linear system of the normal forces: sum_j matrix_ij normal_force_j = rhs_i. The matrix is
+/// diagonally dominant by columns (evt.23), so Gaussian elimination needs no pivoting.
 struct NormalForceSystem {
   std::size_t count = 0;
   std::array<std::array<double, SupportFaces::most>, SupportFaces::most> matrix{};
@@ -97,8 +99,9 @@ class SustainedContact {
   SustainedContact(const J& jar, const BallBody& ball, const Rules& rules)
       : jar_(&jar), ball_(ball), rules_(rules) {}
 
-  /// Derivative of the state at `t`, and the forces that make it. Flat inside, for it is most of
-  /// the work of a contact, but not copied into every stage that asks for it.
+  /// Time derivative of the state at `t` [s]; writes the forces to `forces`. All calls inside are
+  /// inlined, because this function is most of the cost of a contact. The function itself is not
+  /// inlined into every Runge-Kutta stage.
   [[gnu::flatten, gnu::noinline]] ContactState rate(const SupportFaces& support, double t,
                                                     const ContactState& y,
                                                     ContactForces& forces) const {
@@ -109,7 +112,7 @@ class SustainedContact {
                : on_face(support, t, y, frame.velocity, field, forces);
   }
 
-  /// The acceleration with which the wall holds the ball now, < 0 if it lets go [m/s2] (evt.12).
+  /// Normal force of the wall per mass [m/s2], < 0 if the ball leaves (evt.12).
   double normal_acceleration(int face, double t, const Vec3& position, const Vec3& velocity) const {
     const auto constraint = jar_->wall_constraint(face, {position, velocity}, t);
     const Vec3 field = jar_->gravity() - jar_->motion().frame_motion(t).acceleration;
@@ -123,8 +126,8 @@ class SustainedContact {
                            wall.inward);
   }
 
-  /// The state put back onto the wall: no gap, no normal speed. `friction_state` rolling: no slip
-  /// either, the spin following the centre.
+  /// Projects the state onto the wall: no gap, no normal speed. A rolling ball gets no slip,
+  /// either: the spin follows from the velocity of the centre.
   void project_onto_wall(const SupportFaces& support, double t, ContactState& y) const {
     for (std::size_t i = 0; i < support.count; ++i) {
       const Wall wall = jar_->wall(support.face[i], y.position, t, ball_.radius);
@@ -139,7 +142,7 @@ class SustainedContact {
     }
   }
 
-  /// Ends what slip is left by an impulse of the wall, as a bounce with e_t = 0 would (evt.7).
+  /// Ends the remaining slip by an impulse of the wall, as a bounce with e_t = 0 does (evt.7).
   void stick(int face, double t, ContactState& y) const {
     const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
     const Vec3 u = slip(face, t, y);
@@ -158,17 +161,17 @@ class SustainedContact {
   }
 
  private:
-  // [m/s] so slow a slip has no sharp direction: a ball that begins to slide would turn it at once
-  // however short the step.
+  // [m/s] a slower slip has no sharp direction: a ball that begins to slide would turn its slip at
+  // once, however short the step.
   static constexpr double hardly_slips = 1e-5;
 
-  /// Unit direction of a slip, less where it is not fast against `slow`.
+  /// Unit direction of a slip; shorter where the slip is not fast against `slow` [m/s].
   static Vec3 along(const Vec3& slip, double slow) {
     return slip / std::sqrt(squared(slip) + slow * slow);
   }
 
-  /// Rolling resistance of type A [m2/s2 per mass, i.e. torque over mass]; smooth where the ball
-  /// hardly turns (evt.16).
+  /// Rolling resistance of type A, torque over mass [m2/s2]; regularised where the ball hardly
+  /// turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
     constexpr double hardly = 0.1;  // [rad/s]
     const Vec3 w = tangential_part(turning, inward);
@@ -187,7 +190,7 @@ class SustainedContact {
     const Vec3 slip = tangential_part(y.velocity - wall - r * cross(y.spin, n), n);
     const Vec3 torque = rolling_torque(y.spin - w, n, normal_force);
 
-    // Friction per mass that keeps the slip as it is: d(slip)/dt = 0 (evt.13).
+    // Friction per mass that keeps the slip constant: d(slip)/dt = 0 (evt.13).
     const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
                            cross(w, y.velocity - r * constraint.inward_rate);
     const Vec3 wanted = 2.0 / 7.0 *
@@ -204,17 +207,17 @@ class SustainedContact {
             -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
   }
 
-  /// Two or three faces hold the ball, or one near another: as many normal forces from as many
-  /// conditions, friction at each made smooth over a creeping speed (evt.17).
+  /// Two or three faces support the ball, or one face near another: each face gives one normal
+  /// force and one condition. Friction at each face is regularised over a creeping speed (evt.17).
   ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
                        const Vec3& centre_velocity, const Vec3& field,
                        ContactForces& forces) const {
     constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
-    constexpr double most_friction = 0.7;  // more, and the normal forces are not unique (evt.23)
+    constexpr double most_friction = 0.7;  // above it normal forces are not unique (evt.23)
     const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, SupportFaces::most> n, wall, slip,
-        friction_ratio;  // friction_ratio: friction per normal force
+        friction_ratio;  // friction per normal force
     NormalForceSystem p;
     p.count = support.count;
     for (std::size_t i = 0; i < support.count; ++i) {

@@ -7,17 +7,18 @@
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/sustained_contact.hpp"
 
-// One step of a lasting contact: Dormand and Prince's embedded pair of orders 5 and 4, with its
-// step chosen from the error (evt.18).
+// Time integration of a sustained contact: the embedded Runge-Kutta pair of Dormand and Prince of
+// orders 5 and 4, with step-size control (evt.18).
 namespace mahlwerk::event {
 
 struct IntegrationStep {
-  ContactState end, rate;  ///< the state at its end, and its derivative there
-  ContactForces forces;    ///< there
-  double error = 0;        ///< relative to what is allowed; the step is good up to 1
+  ContactState end, rate;  ///< state at the end of the step, and its derivative
+  ContactForces forces;    ///< at the end
+  double error = 0;        ///< relative to the tolerance; the step is accepted up to 1
 };
 
-/// `rate(t, y, forces)` is the derivative; `first` its value at the start.
+/// One step of `h` [s] from the state `y` at `t` [s]. `rate(t, y, forces)` is the derivative,
+/// `first` its value at the start; `radius` [m] of the ball.
 template <class Rate>
 IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactState& y,
                                     const ContactState& first, double h, double radius) {
@@ -48,7 +49,7 @@ IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactSta
   return {end, last, forces, error};
 }
 
-/// Drives a ball that stays on the wall until it leaves or time is up.
+/// Integrates the motion of a ball in sustained contact with the wall.
 template <class J>
 class SustainedContactIntegrator {
  public:
@@ -58,7 +59,8 @@ class SustainedContactIntegrator {
                              const TouchTolerance& tolerance)
       : jar_(&jar), contact_(jar, ball, rules), ball_(ball), rules_(rules), tolerance_(tolerance) {}
 
-  /// Begins at `t` with the ball on the faces of `support`; grip is found out.
+  /// Begins at `t` [s] with the ball on the faces of `support`. On a single face the ball rolls or
+  /// slides, depending on its slip.
   void begin(SupportFaces support, double t, const ContactState& y) {
     support_ = support;
     now_ = y;
@@ -67,7 +69,9 @@ class SustainedContactIntegrator {
     if (support_.count == 1) choose_friction_state(t);
   }
 
-  /// One step from `t`, which it moves on. `now()` is the state after it.
+  /// Takes one step from `t` [s] and sets `t` to its end. `now()` is the state after the step.
+  /// Returns whether the ball is still in contact, was released by the wall, or touched another
+  /// face fast enough to bounce.
   Status advance(double& t) {
     const auto rate = [this](double at, const ContactState& y, ContactForces& forces) {
       return contact_.rate(support_, at, y, forces);
@@ -88,8 +92,8 @@ class SustainedContactIntegrator {
       h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
       s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
     }
-    if (h < wanted ||
-        wanted == step_)  // a step cut short for other reasons says nothing about the error
+    // A step shortened for other reasons says nothing about the error.
+    if (h < wanted || wanted == step_)
       step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (leaves_wall(t + h, s)) {
       h = bisect_release_time(rate, t, h);
@@ -99,7 +103,7 @@ class SustainedContactIntegrator {
     now_ = s.end;
     rate_ = s.rate;
     forces_ = s.forces;
-    rate_known_ = h < crease;  // beyond it the derivative is another
+    rate_known_ = h < crease;  // beyond it the derivative differs
     contact_.project_onto_wall(support_, t, now_);
     return bounces_off_other(t) ? Status::touched : Status::in_contact;
   }
@@ -115,8 +119,8 @@ class SustainedContactIntegrator {
   const SustainedContact<J>& contact() const { return contact_; }
 
  private:
-  static constexpr double sticking_speed = 1e-4;      // [m/s] slip below it may come to rest
-  static constexpr double insignificant_time = 3e-5;  // [s] in which no mill changes its push much
+  static constexpr double sticking_speed = 1e-4;      // [m/s] a slower slip may come to rest
+  static constexpr double insignificant_time = 3e-5;  // [s] no mill's field changes much in it
 
   void choose_friction_state(double t) {
     const double mu = rules_.lasting_friction;
@@ -128,8 +132,8 @@ class SustainedContactIntegrator {
     contact_.project_onto_wall(support_, t, now_);
   }
 
-  /// Rolling that needs more friction than there is begins to slide; sliding that has come to rest
-  /// rolls.
+  /// A rolling ball that needs more friction than the Coulomb limit begins to slide. A sliding ball
+  /// whose slip has come to rest begins to roll. Returns whether the state changed.
   bool update_friction_state(double t) {
     const double mu = rules_.lasting_friction;
     if (mu == 0 || std::isinf(mu)) return false;
@@ -149,7 +153,7 @@ class SustainedContactIntegrator {
     return false;
   }
 
-  /// A ball whose slip is coming to rest nears that moment from this side (evt.14).
+  /// Longest step [s] for a ball whose slip is coming to rest: it ends before that moment (evt.14).
   double slide_limit() const {
     if (support_.friction_state != FrictionState::sliding) return geometry::never;
     const double speed = norm(forces_.slip);
@@ -159,16 +163,17 @@ class SustainedContactIntegrator {
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 
-  /// Steps end where the curvature jumps, for across it the derivative is not smooth: just before,
-  /// and after one of at most `short_way` just beyond. The way there is nearly straight only when
-  /// it is short, so a long one is not gone at once.
+  /// Longest step [s] with respect to a jump of the wall's curvature, across which the derivative
+  /// is not smooth. A step ends just before the jump; then a step of at most about `short_way` ends
+  /// just beyond it. The path to the jump is nearly straight only if it is short, so a long path
+  /// takes several steps.
   double time_to_curvature_jump(double t) const {
     constexpr double short_way = 1e-8;  // [s]
     double soonest = geometry::never;
     for (std::size_t i = 0; i < support_.count; ++i) {
       const int face = support_.face[i];
       double time = jar_->time_to_curvature_jump(face, {now_.position, now_.velocity}, t);
-      if (time < step_)  // halfway the velocity is the mean one
+      if (time < step_)  // again with the mean velocity on the way
         time = jar_->time_to_curvature_jump(
             face, {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
       soonest = std::min(soonest, time > short_way ? 0.9 * time : time + least_step());
@@ -180,15 +185,15 @@ class SustainedContactIntegrator {
     return tolerance_.least_step(norm(now_.velocity) + jar_->max_wall_speed());
   }
 
-  /// Calls `visit(face)` for every face that the ball could touch besides those it rests on.
+  /// Calls `visit(face)` for every face that the ball could touch but does not rest on.
   template <class Visit>
   void for_each_other(const Visit& visit) const {
     for (int face = 0; face < jar_->shape().faces; ++face)
       if (!support_.has(face) && jar_->shape().can_touch(face, ball_.radius)) visit(face);
   }
 
-  /// A step in which no other face is touched, or so slowly that it would be no bounce: a ball that
-  /// has just left a face, or lies beside it, must not crawl.
+  /// Step [s] in which no other face is touched, or only so slowly that the touch is no bounce.
+  /// Otherwise a ball that has just left a face, or lies next to it, would advance in tiny steps.
   double safe_time_of_others(double t) const {
     double clear = geometry::never;
     for_each_other([&](int face) {
@@ -199,8 +204,8 @@ class SustainedContactIntegrator {
     return clear;
   }
 
-  /// A time in which the ball gains less than `lasting_speed` towards a face at twice its present
-  /// acceleration against it [s].
+  /// Time [s] in which the ball gains less than `lasting_speed` towards a face at twice its present
+  /// acceleration relative to the face.
   double slow_approach_time(int face, double t) const {
     const auto constraint = jar_->wall_constraint(face, {now_.position, now_.velocity}, t);
     const double against =
@@ -208,7 +213,7 @@ class SustainedContactIntegrator {
     return rules_.lasting_speed / (2 * against + rules_.lasting_speed / insignificant_time);
   }
 
-  /// Whether the ball is so far from all faces but its own that it no longer has to creep.
+  /// Whether the ball is so far from all other faces that it no longer has to creep.
   bool clear_of_others(double t) const {
     bool apart = true;
     for_each_other(
@@ -216,8 +221,8 @@ class SustainedContactIntegrator {
     return apart;
   }
 
-  /// Whether another face is touched fast enough to bounce. One touched slower holds the ball from
-  /// now on too, or lets it go as soon as its reaction is known.
+  /// Whether another face is touched fast enough to bounce. A face that is touched more slowly
+  /// joins the support. It is released again as soon as its normal force turns out to be negative.
   bool bounces_off_other(double t) {
     bool bounces = false;
     for_each_other([&](int face) {
@@ -228,7 +233,8 @@ class SustainedContactIntegrator {
     return bounces;
   }
 
-  /// The face is touched; if slowly, what is left of the normal speed is lost and the face joins.
+  /// Adds a touched face to the support if the ball approaches it slowly; the remaining normal
+  /// speed is lost. Returns whether the face joined.
   bool joins_support(int face, double t) {
     const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
     const double closing = dot(wall.velocity - now_.velocity, wall.inward);
@@ -248,8 +254,8 @@ class SustainedContactIntegrator {
     return jar_->safe_time(face, {y.position, y.velocity}, t, ball_.radius - tolerance_.margin);
   }
 
-  /// The wall would have to pull. Where several hold the ball it leaves the one that would have to
-  /// pull most, and may stay on the others.
+  /// Releases faces that would have to pull, the one that would pull most first; the ball may stay
+  /// on the others. Returns true if the ball leaves the last face.
   bool release_pulling_faces(double t) {
     while (forces_.pulls(support_)) {
       if (support_.count == 1) return true;
@@ -259,7 +265,7 @@ class SustainedContactIntegrator {
     return false;
   }
 
-  /// Whether a step ends with a wall that pulls or with the ball through another face.
+  /// Whether a step ends with a face that pulls or with the ball beyond another face.
   bool leaves_wall(double t, const IntegrationStep& s) const {
     bool through = false;
     for_each_other([&](int face) {
@@ -269,8 +275,8 @@ class SustainedContactIntegrator {
     return through || s.forces.pulls(support_);
   }
 
-  /// The length of the step at whose end the ball has just left, by bisection: `leaves_wall` is no
-  /// smooth function.
+  /// Length [s] of the step at whose end the ball has just left. By bisection, because
+  /// `leaves_wall` is not a smooth function.
   template <class Rate>
   double bisect_release_time(const Rate& rate, double t, double h) const {
     double stays = 0, gone = h;
@@ -292,7 +298,7 @@ class SustainedContactIntegrator {
   ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
   ContactForces forces_;
   bool rate_known_ = false;
-  double step_ = 1e-5;  // [s] what the error asks for
+  double step_ = 1e-5;  // [s] from the step-size control
 };
 
 }  // namespace mahlwerk::event

@@ -10,8 +10,9 @@
 namespace mahlwerk::event {
 
 /// The collision rule of the TC model with a limit on the speed (man.4). Hard spheres in sustained
-/// contact make small bounces instead, which must not die out: they would become countless.
-/// No collision gains energy beyond what the two bodies have stored of earlier losses (man.6).
+/// contact make small bounces instead. The rule keeps these bounces from dying out, because they
+/// would become infinitely many (inelastic collapse). No collision gains energy beyond what the two
+/// bodies have stored of earlier losses (man.6).
 struct TcRule {
   double contact_time = 0;  ///< [s] t_c
   double friction = 0;      ///< Coulomb's mu where the pair's rule has no limit
@@ -20,25 +21,26 @@ struct TcRule {
   struct Approach {
     double mass, normal, slip;  ///< [kg] effective, [m/s] u_n > 0 and |u_t|
     double since;               ///< [s] since the last collision of either body
-    double field;               ///< [m/s2] a, the strongest that presses the two together
-    double stored = 0;          ///< [J] by both bodies
+    double field;               ///< [m/s2] a, the largest that presses the two together
+    double stored = 0;          ///< [J] by both bodies together
   };
   struct Result {
     contact::Impulse impulse;
     contact::Loss loss;
-    double drawn = 0;     ///< [J] of what was stored; the loss is less by it
-    double kept = 0;      ///< [J] that the bodies store more after it (StoredEnergy::update)
-    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated besides
-    bool raised = false;  ///< made more elastic than the pair's restitution says
+    double drawn = 0;     ///< [J] taken from the store; the loss is less by it
+    double kept = 0;      ///< [J] change of the stored energy (StoredEnergy::update)
+    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated, too
+    bool raised = false;  ///< more elastic than the pair's restitution
   };
 
-  /// Slowest rebound as far as energy allows it [m/s] (man.4).
+  /// Slowest rebound as far as energy allows it [m/s] (man.4). `since` [s] is the time since the
+  /// last collision of either body, `field` [m/s2] as in Approach.
   double slowest_rebound(double since, double field) const {
     constexpr double alone = 0.5, crowded = 10;
     const double crowding = std::max(0.0, 1 - since / contact_time);
     return (alone + (crowded - alone) * crowding) * field * contact_time;
   }
-  /// [J] that a body of `mass` [kg] stores at most.
+  /// Energy that a body of `mass` [kg] stores at most [J].
   double storage_capacity(double mass, double field) const {
     const double speed = slowest_rebound(0, field);
     return 0.5 * mass * speed * speed;
@@ -61,7 +63,7 @@ struct TcRule {
     const double wanted = slowest / u;
     const double paid = std::max(1.0, std::min(wanted, neutral_restitution(mu, u, in.slip)));
     Result result = bounce({1, -1, mu}, in, paid);
-    const double enough = 0.5 * slowest;  // to go on; a whole one would keep beds too lively
+    const double enough = 0.5 * slowest;  // `slowest` itself would agitate beds too much
     if (paid * u < enough && in.stored > 0) draw(result, in, paid * u, enough);
     result.withheld = withheld;
     result.raised = true;
@@ -69,15 +71,15 @@ struct TcRule {
   }
 
  private:
-  /// The restitution with which sliding at the Coulomb limit dissipates just what the rebound gains
-  /// (man.5); below 1 where the contact sticks.
+  /// The restitution at which sliding at the Coulomb limit dissipates exactly what the rebound
+  /// gains (man.5); below 1 where the contact sticks.
   static double neutral_restitution(double mu, double u, double slip) {
     const double inertia = 1.75 * mu * mu * u;
     return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);
   }
 
-  /// Raises the rebound from `speed` towards `enough` [m/s] by what is stored. The tangential
-  /// impulse stays.
+  /// Raises the rebound from `speed` towards `enough` [m/s] with stored energy. The tangential
+  /// impulse is unchanged.
   static void draw(Result& result, const Approach& in, double speed, double enough) {
     const double half = 0.5 * in.mass;
     const double drawn = std::min(in.stored, half * (enough * enough - speed * speed));
@@ -93,8 +95,8 @@ struct TcRule {
   }
 };
 
-/// Energy that two bodies have stored [J], of which one may be the wall: that of earlier losses, as
-/// far as there is room, which sustained contacts draw on (man.6).
+/// Energy [J] that two bodies have stored from earlier losses, each up to its capacity. One of the
+/// bodies may be the wall, which stores nothing. Sustained contacts draw on this energy (man.6).
 class StoredEnergy {
  public:
   StoredEnergy(double& one, double room) : one_(&one), one_room_(room) {}
@@ -102,8 +104,8 @@ class StoredEnergy {
       : one_(&one), other_(&other), one_room_(room), other_room_(other_room) {}
 
   double sum() const { return *one_ + (other_ != nullptr ? *other_ : 0.0); }
-  /// Takes what was drawn, or puts by what was lost; then the collision's loss is what has really
-  /// been dissipated.
+  /// Withdraws the drawn energy, or stores the loss as far as the capacity allows. Afterwards the
+  /// collision's loss is the energy that is really dissipated.
   void update(TcRule::Result& collision) {
     const double before = sum();
     contact::Loss& loss = collision.loss;

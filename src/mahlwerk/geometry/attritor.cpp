@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// To a solid cylinder about z whose end, at z = 0, is flat and which goes on upwards for ever.
+/// Gap to a solid cylinder about z with a flat end at z = 0, infinitely long upwards.
 Gap from_shaft(const Vec3& p, double radius) {
   const double r = std::hypot(p.x, p.y), out = r - radius, below = -p.z;
   const Vec3 side = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
@@ -24,7 +24,7 @@ Gap from_shaft(const Vec3& p, double radius) {
 
 }  // namespace
 
-/// From the nearest point of an arm's axis.
+/// Vector from the nearest point of an arm's axis to `p` [m].
 Vec3 Attritor::from_core(int face, const Vec3& p) const {
   const int arm = face - first_rotor_face - 1;
   const double half = 0.5 * (arm_span - arm_diameter);
@@ -46,22 +46,22 @@ Vec3 Attritor::normal_rate(int face, const Vec3& p, const Vec3& v) const {
   if (face < first_rotor_face) return vessel().normal_rate(face, p, v);
   Vec3 e, u = v;
   if (face == first_rotor_face) {
-    if (p.z < shaft_clearance - 0.5 * height) return {};  // its end is flat, and its rim sharp
+    if (p.z < shaft_clearance - 0.5 * height) return {};  // flat end with a sharp rim
     e = {p.x, p.y, 0}, u.z = 0;
   } else {
     e = from_core(face, p);
-    if (e.x == 0) u.x = 0;  // along the axis
+    if (e.x == 0) u.x = 0;  // no curvature along the arm's axis
     if (e.y == 0) u.y = 0;
   }
   return squared(e) > 0 ? -rate_about_core(e, u) : Vec3{};
 }
 
-/// The vessel less the shaft and what of the arms stands out of it (geo.16).
+/// The vessel less the shaft and the parts of the arms outside the shaft (geo.16).
 double Attritor::volume() const {
   const double shaft = 0.5 * shaft_diameter, arm = 0.5 * arm_diameter;
   const double whole = pi * arm * arm * (arm_span - arm_diameter) + 4 * pi / 3 * arm * arm * arm;
-  // Two cylinders that cross square: the integral over y of 4 sqrt(shaft^2 - y^2) sqrt(arm^2 - y^2)
-  // from -arm to arm, by Gauss and Chebyshev.
+  // Two cylinders that cross at right angles, by Gauss-Chebyshev quadrature: the integral over y of
+  // 4 sqrt(shaft^2 - y^2) sqrt(arm^2 - y^2) from -arm to arm.
   constexpr int nodes = 64;
   double crossing = 0;
   for (int k = 1; k <= nodes; ++k) {
@@ -72,8 +72,8 @@ double Attritor::volume() const {
          arms * (whole - crossing);
 }
 
-/// The largest ball that fits, wherever the stirrer stands, and its place: beside or below the
-/// stirrer.
+/// Centre and radius of the largest ball that fits at any angle of the stirrer: beside the stirrer,
+/// below it, or above its arms.
 std::pair<Vec3, double> Attritor::largest_ball() const {
   const double beside = 0.25 * (diameter - 2 * rotor_reach());
   const double lowest = std::min(shaft_clearance, arm_clearance - 0.5 * arm_diameter);

@@ -11,22 +11,22 @@
 
 namespace mahlwerk::geometry {
 
-/// A vessel with a stirrer in it: a shaft from above along the axis, with arms through it, one
-/// above the other and each square to the last. The stirrer turns by itself. Shaft and arms are
-/// convex, each a face, so a ball meets each at one point (geo.15).
+/// A vessel with a stirrer: a shaft from above along the axis with arms through it, one above the
+/// other, each at right angles to the one below. The stirrer rotates relative to the vessel. Shaft
+/// and arms are convex, and each is a face, so a ball touches each at one point (geo.15).
 struct Attritor {
   double diameter = 0, height = 0;                 // [m] of the vessel
-  double shaft_diameter = 0, shaft_clearance = 0;  // [m] between its end and the bottom
-  double arms = 0;                                 // how many
-  double arm_diameter = 0, arm_span = 0;           // [m] from tip to tip
-  double arm_clearance = 0, arm_spacing = 0;       // [m] of the lowest arm's axis from the bottom
+  double shaft_diameter = 0, shaft_clearance = 0;  // [m] diameter; between its end and the bottom
+  double arms = 0;                                 // number of arms
+  double arm_diameter = 0, arm_span = 0;           // [m] diameter; from tip to tip
+  double arm_clearance = 0, arm_spacing = 0;       // [m] lowest axis to bottom; between axes
   double rotor_speed = 0;                          // [rad/s] about z
   int faces = 4;
 
   static constexpr std::string_view name = "attritor";
   static constexpr std::string_view about = "a vessel with a stirrer: a shaft with arms that turns";
   static constexpr bool axisymmetric = false;
-  static constexpr int first_rotor_face = 3;  // this face and those after it are of the stirrer
+  static constexpr int first_rotor_face = 3;  // this face and those after it belong to the stirrer
   static std::string face_name(int face) {
     if (face < 3) return std::string(Cylinder::face_name(face));
     return face == 3 ? "shaft" : "arm" + std::to_string(face - 3);
@@ -56,7 +56,7 @@ struct Attritor {
   void complete() { faces = 4 + static_cast<int>(arms); }
   std::string flaw() const;
 
-  /// The stirrer's faces as it stands at first, its first arm along x.
+  /// For the stirrer's faces at its initial angle, with the first arm along x.
   Gap gap(int face, const Vec3& p) const;
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const;
   double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
@@ -74,7 +74,7 @@ struct Attritor {
     const Vec3 half{0.5 * diameter, 0.5 * diameter, 0.5 * height};
     return {-half, half};
   }
-  /// How far the stirrer reaches from the axis [m].
+  /// Largest distance of the stirrer from the axis [m].
   double rotor_reach() const { return 0.5 * std::max(arm_span, shaft_diameter); }
   bool operator==(const Attritor&) const = default;
 

@@ -9,7 +9,7 @@
 
 namespace mahlwerk::geometry {
 
-/// A box with sharp edges: six planes, of which up to three hold a ball in a corner (geo.7).
+/// A box with sharp edges: six planes, of which a ball in a corner touches three (geo.7).
 struct Box {
   double width = 0;   // [m] along x
   double depth = 0;   // [m] along y
@@ -50,7 +50,7 @@ struct Box {
   bool operator==(const Box&) const = default;
 
  private:
-  /// The component of `a` across `face`.
+  /// The component of `a` normal to `face`.
   static double part(int face, const Vec3& a) { return face < 2 ? a.x : face < 4 ? a.y : a.z; }
   static Vec3 into(int face) {
     const double up = face % 2 == 0 ? 1 : -1;

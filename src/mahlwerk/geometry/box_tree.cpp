@@ -37,7 +37,7 @@ void BoxTree::Box::add(const Box& other) {
   high = other.high > high ? other.high : high;
 }
 
-/// Halves along the axis on which the middles of the boxes spread most.
+/// Splits at the median along the axis on which the centres of the boxes spread most.
 BoxTree::Item BoxTree::build(std::span<Item> items) {
   for (const Item& i : items)
     for (int k = 0; k < 3; ++k)

@@ -13,24 +13,24 @@
 
 namespace mahlwerk::geometry {
 
-/// Boxes within boxes, for questions that only concern what is near a point. A node has a number; a
-/// leaf is told by ~number, and is what the caller says it is.
+/// Bounding volume hierarchy of axis-aligned boxes, for queries near a point. A node is identified
+/// by its number, a leaf by ~number; the caller defines what a leaf is.
 class BoxTree {
  public:
-  using Four = float __attribute__((vector_size(16)));  // x, y, z and nothing
+  using Four = float __attribute__((vector_size(16)));  // x, y, z, unused
 
-  /// A point, and what floats may have made of it and of a box's borders.
+  /// A query point, and the bound on float rounding of its coordinates and of a box's borders.
   struct Probe {
     Four position, slack;
   };
-  /// Floats, rounded outwards: half the memory, and never too small.
+  /// A box in floats, rounded outwards: half the memory of doubles, and never too small.
   struct Box {
     Four low, high;
 
     void add(const Vec3& p);
     void add(const Box& other);
     static Box empty();
-    /// Squared distance from a point [m2], or a little less; 0 inside.
+    /// Lower bound of the squared distance from a point [m2], close to it; 0 inside.
     double distance2(const Probe& p) const {
       const Four below = low - p.position, above = p.position - high;
       const Four out = (below > above ? below : above) - p.slack;
@@ -45,19 +45,20 @@ class BoxTree {
     Box box;
   };
 
-  /// A node that holds them all; their order is changed. The item itself if there is only one.
+  /// Builds a tree of all items and returns its root, or the item itself if there is only one.
+  /// Reorders `items`.
   Item build(std::span<Item> items);
 
-  /// Calls `visit(leaf, within2)` for leaves nearer to `p` than the root of `within2` [m2], which
-  /// it may lessen; the nearest boxes first.
+  /// Calls `visit(leaf, within2)` for the leaves nearer to `p` than the square root of `within2`
+  /// [m2], nearer boxes first. `visit` may reduce `within2`. `root` is the node to begin with.
   template <class Visit>
   void near(std::int32_t root, const Vec3& p, double& within2, Visit visit) const {
     struct StackEntry {
       std::int32_t id;
       double distance2;
     };
-    std::array<StackEntry, 64>
-        stack;  // a node waits at each level of a tree of at most 2^31 leaves
+    // One waiting node per level, in a tree of at most 2^31 leaves.
+    std::array<StackEntry, 64> stack;
     std::size_t count = 0;
     const Probe probe = probe_at(p);
     for (std::int32_t id = root;;) {
@@ -93,7 +94,7 @@ class BoxTree {
   }
 
   std::vector<Node> nodes_;
-  double widest_ = 0;  // [m] of all coordinates
+  double widest_ = 0;  // [m] largest of all coordinates
 };
 
 }  // namespace mahlwerk::geometry

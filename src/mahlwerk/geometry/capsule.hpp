@@ -9,11 +9,11 @@
 
 namespace mahlwerk::geometry {
 
-/// A cylinder closed by two half spheres: the vial of paper A. All round it is the set of points
-/// one radius from the axis segment, so it is one C1 face (geo.3).
+/// A cylinder closed by two half spheres: the vial of paper A. Its wall is the set of points at one
+/// radius from the axis segment, so it is one C1 face (geo.3).
 struct Capsule {
   double diameter = 0;  // [m]
-  double height = 0;    // [m] of the cylinder, caps left out
+  double height = 0;    // [m] of the cylinder, without the caps
 
   static constexpr std::string_view name = "capsule";
   static constexpr std::string_view about = "a cylinder closed by two half spheres";
@@ -27,7 +27,7 @@ struct Capsule {
                        "height of the cylindrical part, without the caps"}};
   }
 
-  /// From the nearest point of the axis segment to `p`.
+  /// Vector from the nearest point of the axis segment (the core) to `p` [m].
   Vec3 from_core(const Vec3& p) const {
     const double h = 0.5 * height;
     return {p.x, p.y, p.z - std::clamp(p.z, -h, h)};
@@ -39,7 +39,7 @@ struct Capsule {
   }
   Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const {
     const Vec3 e = from_core(p);
-    return rate_about_core(e, e.z == 0 ? Vec3{v.x, v.y, 0} : v);  // straight along the cylinder
+    return rate_about_core(e, e.z == 0 ? Vec3{v.x, v.y, 0} : v);  // no curvature along the cylinder
   }
   double time_to_curvature_jump(int, const Vec3& p, const Vec3& v) const {
     return until_crossing(0.5 * height, p.z, v.z);
@@ -49,15 +49,15 @@ struct Capsule {
     const Vec3 e = from_core(c.position);
     const double e2 = squared(e), along = dot(e, c.velocity), speed2 = squared(c.velocity);
     const double gap = gap_within(room, e2);
-    if (e.z ==
-        0) {  // between the caps only the motion across the axis counts, until a cap is reached
+    // Between the caps only the motion across the axis counts, until a cap is reached (geo.6).
+    if (e.z == 0) {
       const double vz = c.velocity.z, across2 = std::max(speed2 - vz * vz, 0.0);
       const double side = core_safe_time(room, e2, along, across2, c.max_acceleration.across_axis);
       if (stays_between_caps(c, side)) return {gap, along, side};
       const double ball = core_safe_time(room, e2, along, speed2, c.max_acceleration.total);
       return {gap, along, std::max(ball, std::min(side, until_cap(c)))};
     }
-    // The ball of radius `room` about the foot lies inside: free at least that long.
+    // The sphere of radius `room` about the nearest core point lies inside: safe until then.
     return {gap, along, core_safe_time(room, e2, along, speed2, c.max_acceleration.total)};
   }
   bool can_touch(int, double) const { return true; }

@@ -9,7 +9,7 @@
 
 namespace mahlwerk::geometry {
 
-/// A cylinder with flat ends. Side and ends meet at edges, so they are three faces.
+/// A cylinder with flat ends. Side and ends meet in edges, so they are three faces.
 struct Cylinder {
   double diameter = 0;  // [m]
   double height = 0;    // [m]

@@ -13,7 +13,7 @@
 namespace mahlwerk::geometry {
 namespace {
 
-/// Plane and sides. The normal of a triangle without area is none.
+/// Plane and sides of a triangle. The normal of a triangle without area is zero.
 Facet facet_of(const Surface& s, const std::array<std::int32_t, 3>& t) {
   Facet f;
   f.vertex = t;
@@ -34,7 +34,7 @@ Facet facet_of(const Surface& s, const std::array<std::int32_t, 3>& t) {
   return f;
 }
 
-/// Side by side, two of each edge.
+/// Links neighbours; `sides` holds the two sides of each edge next to each other.
 void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides) {
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     for (const auto& [mine, other] :
@@ -46,7 +46,7 @@ void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides)
 }
 
 int split_into_faces(std::vector<Facet>& facets, double crease_angle) {
-  // Bends of just the angle are creases, however their cosine was rounded.
+  // Bends of exactly the crease angle are creases, however their cosine is rounded.
   const double smooth = std::cos(crease_angle) + 1e-9;
   int faces = 0;
   for (Facet& f : facets) f.face = -1;
@@ -84,7 +84,7 @@ Vec3 unit(const Vec3& a) {
 void gather_vertices(Facets& all, std::size_t points) {
   all.vertices.assign(points, {});
   for (const Facet& f : all.facets)
-    for (const std::int32_t v : f.vertex) all.vertices[as_index(v)].last += 2;  // both its sides
+    for (const std::int32_t v : f.vertex) all.vertices[as_index(v)].last += 2;  // sides per facet
   std::int32_t count = 0;
   for (Vertex& v : all.vertices) {
     v.first = count;
@@ -109,7 +109,8 @@ void gather_vertices(Facets& all, std::size_t points) {
   for (Vertex& v : all.vertices) v.normal = unit(v.normal);
 }
 
-/// At a corner, of the facets there that belong to its own face. Each has two incident sides.
+/// Normal at corner k, from the facets there that belong to the face of `f`. Each of them has two
+/// incident sides.
 Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
   const Vertex& v = all.vertices[as_index(f.vertex[k])];
   if (!v.crease) return v.normal;
@@ -123,7 +124,7 @@ Vec3 face_normal(const Facets& all, const Facet& f, std::size_t k) {
   return unit(sum);
 }
 
-/// From how the normal turns along sides (geo.12).
+/// From the change of the normal along the sides (geo.12) [m].
 double min_concave_radius(const Facets& all) {
   double most = 0;
   for (const Facet& f : all.facets) {
@@ -134,7 +135,7 @@ double min_concave_radius(const Facets& all) {
       most = std::max(most, -dot(normal[(k + 1) % 3] - normal[k], way) / squared(way));
     }
   }
-  constexpr double rounding = 1e-6;  // of a curvature seen across the surface
+  constexpr double rounding = 1e-6;  // of a curvature times the size of a facet
   const double size = norm(extent_of(all.facets[0].corner).size());
   return most * size > rounding ? 1 / most : std::numeric_limits<double>::infinity();
 }

@@ -8,19 +8,19 @@
 
 #include "mahlwerk/geometry/surface.hpp"
 
-// The triangles of a wall with all that a search for nearest points asks of them. What two of them
-// share is computed from the same numbers in both, so that they never disagree on whose a point is.
+// The triangles of a wall, with the data that a nearest-point search needs. Data that two triangles
+// share is computed from the same numbers in both, so that they agree on which one owns a point.
 namespace mahlwerk::geometry {
 
 struct Facet {
   std::array<Vec3, 3> corner;  ///< [m]
-  Vec3 normal;                 ///< into the jar
+  Vec3 normal;                 ///< unit, into the jar
   // Side k runs between corners k and k + 1, and is measured from the end with the lower number.
-  std::array<Vec3, 3> inner;  ///< across side k, in the plane, into the facet
-  std::array<Vec3, 3> along;  ///< side k
+  std::array<Vec3, 3> inner;  ///< unit, normal to side k in the plane, into the facet
+  std::array<Vec3, 3> along;  ///< unit, along side k from its start
   std::array<std::int32_t, 3> vertex, neighbour;
   std::array<std::int8_t, 3> start;           ///< the corner that side k is measured from
-  std::array<std::int8_t, 3> neighbour_side;  ///< which side of the neighbour side k is
+  std::array<std::int8_t, 3> neighbour_side;  ///< index of side k in the neighbour
   std::int32_t face = 0;
 
   const Vec3& start_of(std::size_t k) const { return corner[static_cast<std::size_t>(start[k])]; }
@@ -34,14 +34,14 @@ struct Facet {
 struct IncidentSide {
   std::int32_t facet;
   std::int8_t side;
-  bool starts;  ///< it is measured from there
+  bool starts;  ///< it is measured from that vertex
 };
 
 struct Vertex {
-  Vec3 normal;                       ///< of the facets around it, by their angles; into the jar
-  std::int32_t owner = 0;            ///< the first of the faces around it
-  bool crease = false;               ///< there are several
-  std::int32_t first = 0, last = 0;  ///< its incident sides
+  Vec3 normal;                       ///< of the facets around it, weighted by angle; into the jar
+  std::int32_t owner = 0;            ///< the lowest number of the faces around it
+  bool crease = false;               ///< several faces meet there
+  std::int32_t first = 0, last = 0;  ///< range of its incident sides
 };
 
 struct Facets {
@@ -49,15 +49,15 @@ struct Facets {
   std::vector<Vertex> vertices;
   std::vector<IncidentSide> incident_sides;
   int faces = 0;
-  /// [m] the smallest concave radius at which a face is curved (geo.12); infinite if none is
+  /// [m] smallest concave radius of curvature of a face (geo.12); infinite if none is concave
   double min_concave_radius = 0;
 };
 
-/// Facets of a closed surface. Those joined over sides that bend by less than `crease_angle` [rad]
-/// are one face; faces are numbered as their first triangles are (geo.9).
+/// Facets of a closed surface. Facets joined by sides that bend by less than `crease_angle` [rad]
+/// are one face; faces are numbered in the order of their first triangles (geo.9).
 Facets facets_of(const Surface& surface, double crease_angle);
 
-/// Facets in that order of their numbers.
+/// Reorders the facets: the new facet i is the old facet order[i].
 void reorder(Facets& all, const std::vector<std::int32_t>& order);
 
 }  // namespace mahlwerk::geometry

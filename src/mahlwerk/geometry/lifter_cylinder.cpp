@@ -7,15 +7,15 @@
 
 namespace mahlwerk::geometry {
 
-/// In the plane across the axis, from the middle of the bar's foot: up towards the axis, and aside.
-/// The bar is what lies below its top and between its sides, however deep (geo.13).
+/// Gap to a bar, in the plane across the axis. Coordinates: up towards the axis, and aside from the
+/// middle of the bar. The bar is all that is below its top and between its sides (geo.13).
 Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   const double shell = 0.5 * diameter, reach = shell - lifter_height - within;
   if (reach > 0 && p.x * p.x + p.y * p.y < reach * reach) return {not_near, {0, 0, 1}, 0};
   const SinCos& at = bars[static_cast<std::size_t>(which)];
   const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
   const double aside = std::abs(along);
-  // From the edge between top and side.
+  // Relative to the edge between top and side.
   const double up = shell - out - lifter_height, off = aside - top;
   const double from_side = up * side.cos + off * side.sin;
   const double down_side = off * side.cos - up * side.sin;
@@ -32,8 +32,8 @@ Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   return {distance, inward, 0};
 }
 
-/// Of the shell less the bars: each a trapezoid on the chord between its feet, and the segment of
-/// the circle under the chord (geo.14).
+/// The shell less the bars. The cross section of a bar is a trapezoid on the chord between its
+/// feet, and the segment of the circle under the chord (geo.14).
 double LifterCylinder::volume() const {
   const double r = 0.5 * diameter,
                slope = std::cos(lifter_face_angle) / std::sin(lifter_face_angle);

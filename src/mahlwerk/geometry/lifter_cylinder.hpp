@@ -14,16 +14,16 @@
 namespace mahlwerk::geometry {
 
 /// A cylinder with flat ends and equal bars along its shell: a drum with lifters, or with a liner
-/// of many low bars. Each bar is a face; it is convex, so a ball meets it at one point (geo.13).
+/// of many low bars. Each bar is a face; it is convex, so a ball touches it at one point (geo.13).
 struct LifterCylinder {
   double diameter = 0, height = 0;             // [m]
-  double lifters = 0;                          // how many
+  double lifters = 0;                          // number of bars
   double lifter_height = 0, lifter_width = 0;  // [m] above the shell; at the foot
   double lifter_face_angle = 0;                // [rad] between its sides and its foot
   int faces = 3;
   double top = 0;            // [m] half the width of a bar's flat top
   SinCos side{0, 1};         // of the angle of its sides
-  std::vector<SinCos> bars;  // where each stands, round the axis
+  std::vector<SinCos> bars;  // of the angle of each about the axis
 
   static constexpr std::string_view name = "lifter_cylinder";
   static constexpr std::string_view about = "a cylinder with lifter bars along its shell";
@@ -53,7 +53,7 @@ struct LifterCylinder {
                  right,
                  "90 deg: rectangular bars"}};
   }
-  /// What follows from the fields.
+  /// Computes the members that follow from the fields.
   void complete() {
     faces = 3 + static_cast<int>(lifters);
     top = half_top();
@@ -61,7 +61,7 @@ struct LifterCylinder {
     bars.clear();
     for (int i = 0; i < faces - 3; ++i) bars.push_back(sin_cos(2 * std::numbers::pi * i / lifters));
   }
-  /// Why there is no such jar; empty if there is.
+  /// Why the jar is impossible; empty if it is valid.
   std::string flaw() const;
 
   Gap gap(int face, const Vec3& p) const { return gap(face, p, never); }

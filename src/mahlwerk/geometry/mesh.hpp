@@ -15,9 +15,10 @@ namespace mahlwerk::geometry {
 
 class MeshWall;
 
-/// The inside of a closed surface of triangles. Copies share the surface. Unlike the shapes of the
-/// formulas it has as many faces as its creases make, and it is not convex: a face may be hidden
-/// behind another, so gap() speaks of where a ball can touch it, distances() of where it is.
+/// The inside of a closed surface of triangles. Copies share the surface. Unlike the analytic
+/// shapes it has as many faces as its creases make, and it is not convex: a face may be hidden
+/// behind another. Therefore gap() refers to the point where a ball can touch a face, distances()
+/// to the nearest point of the face.
 struct Mesh {
   double crease_angle = 0;  // [rad]
   int faces = 0;
@@ -36,34 +37,34 @@ struct Mesh {
   }
 
   Mesh() = default;
-  /// A surface without flaw_of().
+  /// `surface` must be without a flaw (flaw_of()); `crease_angle` [rad].
   Mesh(Surface surface, double crease_angle);
 
   Gap gap(int face, const Vec3& p) const { return gap(face, p, never); }
-  /// Those farther than `within` may be said to be farther still (geo.10).
+  /// As above, but a face farther than `within` [m] may be reported as still farther (geo.10).
   Gap gap(int face, const Vec3& p, double within) const;
   void distances(const Vec3& p, double within, std::span<double> out) const;
   double distance(int face, const Vec3& p, double within) const;
-  /// Calls `f(face, gap)` for the faces a ball at `p` may touch within `within`; outside the jar
-  /// for the one it has passed, with a negative distance.
+  /// Calls `f(face, gap)` for the faces that a ball at `p` may touch within `within` [m]. Outside
+  /// the jar, calls it only for the face that the ball has passed, with a negative distance.
   template <class F>
   void near(const Vec3& p, double within, F f) const;
 
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
   double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
-  /// For the whole wall, and so for each face.
+  /// Safe time for the whole wall, and so for each face.
   SafeTime safe_time(int face, const SafeTimeQuery& query, double radius) const;
   static constexpr bool whole_wall_safe_time = true;
   bool can_touch(int, double) const { return true; }
 
   double volume() const;
   double reach() const;
-  double inradius() const;            // of the largest ball that was found to fit
+  double inradius() const;            // [m] of the largest ball found
   Vec3 middle() const;                // its centre
   Extent extent() const;              // [m]
   double radius_about_axis() const;   // [m] largest distance from the z axis
   double min_concave_radius() const;  // [m] (geo.12)
-  const Surface& surface() const;     // of a mesh that has one
+  const Surface& surface() const;     // empty for a mesh without one
   bool operator==(const Mesh& o) const;
 
  private:

@@ -8,7 +8,7 @@
 
 #include "mahlwerk/geometry/mesh_wall.hpp"
 
-// How deep a mesh is: what is known of each part of it, and the largest ball it holds.
+// Depth of a mesh: a lower bound of the wall distance for each cell, and the largest ball inside.
 namespace mahlwerk::geometry {
 namespace {
 
@@ -17,14 +17,15 @@ struct DepthSample {
   double depth;  // [m]
 };
 
-/// In the middle of a round jar all of the wall is about as near, and looking for what is nearest
-/// would never end. Of the facets only those are kept that may be the nearest where the climb is,
-/// and most places need not know more than that some facet is near.
+/// Depth at points near the present position of the climb. In the middle of a round jar all of the
+/// wall is about equally near, and a search for the nearest facet would be very slow. Therefore
+/// only the facets are kept that may be the nearest around that position, and most points need only
+/// the information that some facet is near.
 class LocalDepth {
  public:
   LocalDepth(const MeshWall& wall, std::span<const std::int32_t> all) : wall_(wall), all_(all) {}
 
-  /// Places at most `reach` from `p` will be asked for.
+  /// Prepares for queries at most `reach` [m] from `p`.
   void move_to(const Vec3& p, double reach) {
     const double enlarged = 4 * reach, off = norm(p - centre_);
     const bool inside = off + reach <= within_;
@@ -42,14 +43,14 @@ class LocalDepth {
   std::span<const std::int32_t> all_;
   std::vector<std::int32_t> near_;
   Vec3 centre_;
-  double within_ = -1;  // [m] of the centre: none yet
+  double within_ = -1;  // [m] from centre_; < 0: none yet
 };
 
-/// The nearest peak of the depth: the best of the 26 directions as long as one goes up, then in
-/// steps half as long.
+/// Pattern search for the nearest maximum of the depth: steps in the best of 26 directions as long
+/// as one increases the depth, then halves the step, down to `least` [m].
 DepthSample hill_climb(DepthSample from, double step, double least, LocalDepth depth) {
   while (step > least) {
-    depth.move_to(from.position, 1.8 * step);  // root 3 of it, and rounding
+    depth.move_to(from.position, 1.8 * step);  // sqrt(3) step, and rounding
     DepthSample best = from;
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
@@ -67,10 +68,11 @@ DepthSample hill_climb(DepthSample from, double step, double least, LocalDepth d
 
 }  // namespace
 
-/// Distances change by no more than one moves: one sounding tells of a whole cell.
+/// Samples the depth at cell centres. A distance changes by no more than the point moves, so one
+/// sample gives a bound for a whole cell.
 void MeshWall::sample_depth() {
   const Vec3 cell = extent_.size() / cells;
-  const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and what a float loses
+  const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and float rounding
   std::vector<std::int32_t> all(facets_.facets.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<float> found;
@@ -90,7 +92,7 @@ void MeshWall::sample_depth() {
                             &DepthSample::depth);
   DepthSample best = deep[0];
   for (std::size_t i = 0; i < tried; ++i) {
-    if (deep[i].depth + half < best.depth) break;  // its cell has no deeper place
+    if (deep[i].depth + half < best.depth) break;  // its cell has no deeper point
     const DepthSample peak = hill_climb(deep[i], half, 1e-9 * reach_, LocalDepth(*this, all));
     if (peak.depth > best.depth) best = peak;
   }

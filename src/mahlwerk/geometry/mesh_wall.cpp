@@ -14,7 +14,7 @@ namespace {
 double across_side(const Facet& f, std::size_t k, const Vec3& p) {
   return dot(f.inner[k], p - f.start_of(k));
 }
-/// How far p lies along a side from its start, or from its end: exact to the sign near each.
+/// Coordinate of p along a side, from its start or from its end; the sign is exact near that end.
 double from_start(const Facet& f, std::size_t k, const Vec3& p) {
   return dot(f.along[k], p - f.start_of(k));
 }
@@ -26,13 +26,14 @@ double from_end(const Facet& f, std::size_t k, const Vec3& p) {
 
 MeshWall::MeshWall(Surface surface, double crease_angle)
     : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
-  reorder(facets_, build_trees());  // near ones in memory, too
+  reorder(facets_, build_trees());  // near facets get near in memory
   build_trees();
   measure();
   sample_depth();
 }
 
-/// A tree of each face's facets, and one of the faces. Gives the facets in the order of the trees.
+/// Builds a tree of each face's facets, and one of the faces. Returns the facets in the order of
+/// the trees.
 std::vector<std::int32_t> MeshWall::build_trees() {
   const auto faces = static_cast<std::size_t>(facets_.faces);
   tree_ = face_tree_ = {};
@@ -65,8 +66,8 @@ void MeshWall::measure() {
   }
 }
 
-/// The nearest point of a triangle: in its plane, on the one side beyond which p lies between the
-/// ends, or a corner.
+/// The nearest point of a triangle: inside it, on the one side beyond which p lies between the
+/// ends, or at a corner.
 MeshWall::ClosestPoint MeshWall::closest_point_on(const Facet& f, const Vec3& p) {
   std::array<double, 3> s{};
   for (std::size_t k = 0; k < 3; ++k) s[k] = across_side(f, k, p);
@@ -101,13 +102,13 @@ MeshWall::Feature MeshWall::feature_of(const ClosestPoint& closest) const {
   const Vec3 sum = f.normal + other.normal;
   const double size = norm(sum);
   return {size > 0 ? sum / size
-                   : f.inner[as_index(closest.feature - 1)] * -1.0,  // a fin without thickness
+                   : f.inner[as_index(closest.feature - 1)] * -1.0,  // fin without thickness
           std::min(f.face, other.face)};
 }
 
-/// Whether no point of the wall around the closest point is nearer, and p is before it (geo.10).
-/// Next to each other the parts of the wall ask the same of the same numbers: what one declines
-/// another takes.
+/// Whether p lies in the normal cone of the closest point: no wall point around it is nearer, and p
+/// is in front of the wall (geo.10). Neighbouring features test the same numbers, so exactly one of
+/// them accepts p.
 bool MeshWall::in_normal_cone(const ClosestPoint& closest, const Vec3& p) const {
   const Facet& f = facets_.facets[as_index(closest.facet)];
   if (closest.feature > 3) {
@@ -146,7 +147,7 @@ Gap MeshWall::gap(int face, const Vec3& p, double within) const {
   return signed_nearest(best, p).gap;
 }
 
-/// A closest point as a wall under p, before or behind it.
+/// The face of a closest point, with the signed distance of p: negative behind the wall.
 MeshWall::NearestFace MeshWall::signed_nearest(const ClosestPoint& closest, const Vec3& p) const {
   const Feature feature = feature_of(closest);
   const Vec3 way = p - closest.point;

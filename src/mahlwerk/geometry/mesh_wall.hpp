@@ -11,12 +11,12 @@
 
 namespace mahlwerk::geometry {
 
-/// The inner wall of a closed surface of triangles, and how far points are from it.
+/// The inner wall of a closed surface of triangles, and distances of points from it.
 class MeshWall {
  public:
   static constexpr double far = not_near;
 
-  /// A surface without flaw_of().
+  /// `surface` must be without a flaw (flaw_of()); `crease_angle` [rad].
   MeshWall(Surface surface, double crease_angle);
 
   const Surface& surface() const { return surface_; }
@@ -24,39 +24,39 @@ class MeshWall {
   const Extent& extent() const { return extent_; }
   double volume() const { return volume_; }
   double reach() const { return reach_; }
-  double radius_about_axis() const {
-    return radius_about_axis_;
-  }  ///< [m] largest distance from the z axis
+  /// Largest distance of the wall from the z axis [m].
+  double radius_about_axis() const { return radius_about_axis_; }
+  /// Radius of the largest ball found [m].
   double inradius() const { return inradius_; }
-  const Vec3& largest_ball_centre() const {
-    return largest_ball_centre_;
-  }  ///< centre of the largest ball
+  /// Centre of the largest ball found [m].
+  const Vec3& largest_ball_centre() const { return largest_ball_centre_; }
   double min_concave_radius() const { return facets_.min_concave_radius; }
 
-  /// Where a ball at `p` may touch a face (geo.10): the nearest point of the face from which p lies
-  /// in the wall's normal cone. Distance `far` where there is none within `within`.
+  /// Where a ball at `p` may touch a face (geo.10): the nearest point of the face in whose normal
+  /// cone p lies. Distance `far` if there is none within `within` [m].
   Gap gap(int face, const Vec3& p, double within) const;
 
-  /// Distance of each face, wherever its nearest point is seen from; never more than gap() gives
-  /// while p moves. `far` beyond `within`. One is negative where p is outside.
+  /// Distance of each face [m], whether or not p lies in a normal cone: a lower bound of gap(),
+  /// also while p moves. `far` beyond `within` [m]. One distance is negative if p is outside.
   void distances(const Vec3& p, double within, std::span<double> out) const;
 
-  /// The same of one face, never negative.
+  /// As distances(), for one face; never negative.
   double distance(int face, const Vec3& p, double within) const;
 
   struct NearestFace {
     int face = 0;
     Gap gap;  ///< negative outside
   };
-  /// Of the whole wall.
+  /// The nearest face of the whole wall.
   NearestFace nearest(const Vec3& p) const;
-  /// [m] from these facets, < 0 outside, where that is more than `depth`; else no more than it.
+  /// Distance from these facets [m], < 0 outside, if it is more than `depth` [m]; otherwise any
+  /// value up to `depth`.
   double depth_beyond(double depth, const Vec3& p, std::span<const std::int32_t> facets) const;
-  /// Those of the facets that may be the nearest to a place `within` [m] of `p`.
+  /// Those of the facets that may be the nearest to some point within `within` [m] of `p`.
   std::vector<std::int32_t> nearest_around(const Vec3& p, double within,
                                            std::span<const std::int32_t> facets) const;
 
-  /// A distance that p certainly has, inside; 0 if nothing is known at once.
+  /// Lower bound of the distance of p from the wall, for p inside [m]; 0 where none is stored.
   double distance_bound(const Vec3& p) const;
 
  private:
@@ -68,7 +68,7 @@ class MeshWall {
   };
   struct Feature {
     Vec3 normal;         // into the jar
-    std::int32_t owner;  // the face it counts for
+    std::int32_t owner;  // the face that owns it
   };
 
   std::vector<std::int32_t> build_trees();
@@ -84,15 +84,15 @@ class MeshWall {
   Surface surface_;
   Facets facets_;
   BoxTree tree_, face_tree_;
-  std::vector<std::int32_t> roots_;  // of each face
-  std::int32_t root_ = 0;            // of all faces
+  std::vector<std::int32_t> roots_;  // root of each face's tree
+  std::int32_t root_ = 0;            // root of the tree of faces
 
   Extent extent_;
   double volume_ = 0, reach_ = 0, radius_about_axis_ = 0, inradius_ = 0;
   Vec3 largest_ball_centre_;
 
-  static constexpr int cells = 24;      // along each side of the extent
-  std::vector<float> distance_bounds_;  // [m] for all points of a cell
+  static constexpr int cells = 24;      // number along each side of the extent
+  std::vector<float> distance_bounds_;  // [m] lower bound for all points of a cell
 };
 
 }  // namespace mahlwerk::geometry

@@ -9,8 +9,8 @@
 
 namespace mahlwerk::geometry {
 
-/// A box without walls: what leaves by one side comes in by the opposite one (geo.8). For the
-/// physics of collisions alone, without a mill.
+/// A box without walls, with periodic boundaries: a ball that leaves through one side enters
+/// through the opposite one (geo.8). For the physics of collisions alone, without a mill.
 struct PeriodicBox {
   double width = 0, depth = 0, height = 0;  // [m] along x, y, z
 

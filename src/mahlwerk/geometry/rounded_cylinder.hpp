@@ -10,8 +10,8 @@
 namespace mahlwerk::geometry {
 
 /// A cylinder whose ends meet its side in a fillet, as in most milling jars. A ball smaller than
-/// the fillet meets one C1 wall, the points `fillet` from the flat core; a larger one never reaches
-/// the fillet and meets side and ends as in a plain cylinder (geo.3).
+/// the fillet touches one C1 wall, the points at the distance `fillet` from the flat core. A larger
+/// ball never reaches the fillet and touches side and ends as in a plain cylinder (geo.3).
 struct RoundedCylinder {
   double diameter = 0;  // [m]
   double height = 0;    // [m]
@@ -47,7 +47,7 @@ struct RoundedCylinder {
     if (squared(e) == 0) return plain().normal_rate(nearest_plain_face(p), p, v);
     const double rho = std::hypot(p.x, p.y);
     if (rho == 0) return {};
-    // e = over(rho) out + z part: its rate without the sliding of its foot around the core.
+    // e = over(rho) out + z part; its rate without the motion of the nearest core point around it.
     const Vec3 out{p.x / rho, p.y / rho, 0}, around{-out.y, out.x, 0};
     const double over = dot(e, out);
     const Vec3 u{over > 0 ? dot(v, out) * out.x : 0, over > 0 ? dot(v, out) * out.y : 0,
@@ -79,7 +79,7 @@ struct RoundedCylinder {
   }
   bool can_touch(int face, double radius) const { return (face == 3) == (radius < fillet); }
   double volume() const {
-    // Pappus: a square of side `fillet` less its quarter disc, turned about the axis, at both ends.
+    // Pappus: at both ends a square of side `fillet` less its quarter disc, rotated about the axis.
     const double big = 0.5 * diameter, f = fillet, pi = std::numbers::pi;
     const double quarter = 0.25 * pi * f * f, quarter_arm = big - f + 4 * f / (3 * pi);
     const double lost = 2 * pi * (f * f * (big - 0.5 * f) - quarter * quarter_arm);
@@ -97,7 +97,7 @@ struct RoundedCylinder {
     const int end = p.z < 0 ? 1 : 2;
     return plain().gap(0, p).distance < plain().gap(end, p).distance ? 0 : end;
   }
-  /// From the nearest point of the core (the flat cylinder one fillet inside the wall) to `p`.
+  /// Vector [m] to `p` from the nearest point of the core, a cylinder one fillet inside the wall.
   Vec3 from_core(const Vec3& p) const {
     const double rho = std::hypot(p.x, p.y), over = rho - (0.5 * diameter - fillet);
     const double h = 0.5 * height - fillet;

@@ -12,52 +12,52 @@
 #include "mahlwerk/base/vec3.hpp"
 
 // A jar's inner wall, in the jar's own axes: origin in the middle, z along the jar's axis. The wall
-// is a set of smooth faces; where it is smooth all round it is one face with one C1 gap (geo.1).
+// is a set of smooth faces. A wall that is smooth throughout is one face with one C1 gap (geo.1).
 namespace mahlwerk::geometry {
 
-/// Where a point stands to one face.
+/// Position of a point relative to one face.
 struct Gap {
   double distance = 0;   ///< [m] from the wall, > 0 inside; |grad distance| = 1
   Vec3 inward;           ///< unit normal of the wall, pointing into the jar: grad distance
   double curvature = 0;  ///< [1/m] the wall's largest principal curvature there, > 0 concave
 };
 
-/// Bounds on an acceleration [m/s2], kept with what the faces make of them.
+/// Bounds on an acceleration [m/s2], by component and combined as the faces need them.
 struct AccelerationBound {
-  Vec3 components;         ///< on the components' sizes
-  double total = 0;        ///< on its size
-  double across_axis = 0;  ///< on the size of its part across z
+  Vec3 components;         ///< on the magnitudes of the components
+  double total = 0;        ///< on its magnitude
+  double across_axis = 0;  ///< on the magnitude of its part across z
 
   AccelerationBound() = default;
   explicit AccelerationBound(const Vec3& bounds)
       : components(bounds), total(norm(bounds)), across_axis(std::hypot(bounds.x, bounds.y)) {}
 };
 
-/// A ball's centre on its way, in the jar's own axes.
+/// State of a ball's centre for a safe-time query, in the jar's own axes.
 struct SafeTimeQuery {
   const Vec3& position;                       ///< [m]
   const Vec3& velocity;                       ///< [m/s]
-  const AccelerationBound& max_acceleration;  ///< what accelerates it from now on
+  const AccelerationBound& max_acceleration;  ///< bounds from now on
 };
 
-/// What a face can promise a ball on its course.
+/// Result of a safe-time query: a time in which the ball does not touch the face.
 struct SafeTime {
   double gap = 0;      ///< [m] between ball and face; a lower bound, exact as it closes
-  double closing = 0;  ///< > 0 if the gap shrinks (its sign is what counts)
-  double time = 0;  ///< [s] for which no touch is possible, whatever the acceleration within bounds
+  double closing = 0;  ///< > 0 if the gap shrinks; only the sign counts
+  double time = 0;     ///< [s] no touch is possible in it, whatever the acceleration within bounds
 };
 
-/// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] as seen by a point that passes p at
-/// v; its product with -v is the inward acceleration of a point that runs along the parallel
-/// surface (geo.2). `time_to_curvature_jump(face, p, v)` [s] is when a point on a straight line
-/// crosses to where the wall's curvature is another, infinite if it does not. `safe_time(face,
-/// query, radius)` serves the search of touches (geo.4 to geo.6). `can_touch(face, radius)` says
-/// whether a ball of that radius can touch the face at all.
+/// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] at a point that passes p at v; its
+/// product with -v is the inward acceleration of a point that moves along the parallel surface
+/// (geo.2). `time_to_curvature_jump(face, p, v)` [s] is the time until a point on a straight line
+/// crosses a jump of the wall's curvature, infinite if it does not. `safe_time(face, query,
+/// radius)` serves the touch search by conservative advancement (geo.4 to geo.6). `can_touch(face,
+/// radius)` says whether a ball of that radius can touch the face at all.
 template <class S>
 concept Shape = requires(const S s, int face, double radius, Vec3 p, SafeTimeQuery query) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::about } -> std::convertible_to<std::string_view>;
-  { s.faces } -> std::convertible_to<int>;  // a constant, or as many as a mesh has
+  { s.faces } -> std::convertible_to<int>;  // constant, except for some shapes such as a mesh
   { S::axisymmetric } -> std::convertible_to<bool>;
   { S::face_name(face) } -> std::convertible_to<std::string_view>;
   { s.gap(face, p) } -> std::same_as<Gap>;
@@ -72,8 +72,8 @@ concept Shape = requires(const S s, int face, double radius, Vec3 p, SafeTimeQue
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// How far apart the images of a ball lie along each axis [m]: a shape without walls across an axis
-/// repeats itself along it and says so by `periods()`; infinite for all others.
+/// Periods along each axis [m], the distances between the images of a ball; infinite for a shape
+/// that has no member `periods()`.
 template <class S>
 Vec3 periods_of(const S& shape) {
   if constexpr (requires { shape.periods(); })
@@ -82,7 +82,7 @@ Vec3 periods_of(const S& shape) {
     return {never, never, never};
 }
 
-/// How fast a part of the shape moves in it [m/s]: a stirrer's tips.
+/// Speed of a stirrer's tips relative to the shape [m/s]; 0 for a shape without a stirrer.
 template <class S>
 double rotor_tip_speed_of(const S& shape) {
   if constexpr (requires { shape.rotor_speed; })
@@ -91,12 +91,12 @@ double rotor_tip_speed_of(const S& shape) {
     return 0;
 }
 
-constexpr double not_near =
-    1e3;  ///< [m] in place of a distance that nobody asked for: a number still
+/// [m] stands for a distance beyond the range of the query; finite.
+constexpr double not_near = 1e3;
 
-// Questions to shapes of many faces, which answer for what is near alone.
+// Queries that shapes of many faces answer for near faces only.
 
-/// The gap where it is `within` [m] of the face, something larger elsewhere.
+/// The gap to a face where `p` is within `within` [m] of it; any larger gap elsewhere.
 template <class S>
 Gap gap_near(const S& shape, int face, const Vec3& p, double within) {
   if constexpr (requires { shape.gap(face, p, within); })
@@ -105,7 +105,7 @@ Gap gap_near(const S& shape, int face, const Vec3& p, double within) {
     return shape.gap(face, p);
 }
 
-/// How far all faces are, one by one; any larger number for those that are not `within` [m].
+/// Writes the distance of each face [m] to `out`; any larger number for faces beyond `within` [m].
 template <class S>
 void distances(const S& shape, const Vec3& p, double within, std::span<double> out) {
   if constexpr (requires { shape.distances(p, within, out); })
@@ -115,7 +115,7 @@ void distances(const S& shape, const Vec3& p, double within, std::span<double> o
       out[static_cast<std::size_t>(face)] = shape.gap(face, p).distance;
 }
 
-/// How far one face is, as distances().
+/// Distance of one face [m], as distances().
 template <class S>
 double distance(const S& shape, int face, const Vec3& p, double within) {
   if constexpr (requires { shape.distance(face, p, within); })
@@ -124,8 +124,8 @@ double distance(const S& shape, int face, const Vec3& p, double within) {
     return shape.gap(face, p).distance;
 }
 
-/// Calls `f(face, gap)` for those faces that a ball of `radius` at `p` can touch: at least for all
-/// that are `within` [m], and outside the jar for one.
+/// Calls `f(face, gap)` for the faces that a ball of `radius` [m] at `p` can touch: at least for
+/// all within `within` [m], and for one face if p is outside the jar.
 template <class S, class F>
 void for_each_near_face(const S& shape, const Vec3& p, double radius, double within, F f) {
   if constexpr (requires { shape.near(p, within, f); })

@@ -23,11 +23,13 @@ struct Register {
   using Formula = std::variant<Formulas...>;
   using Any = std::variant<Formulas..., LifterCylinder, Attritor, Mesh>;
 };
-/// The register: every jar shape there is. A new one is its file and its name here.
+/// The register of all jar shapes. To add one, write its file and add its name here.
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;
 
-using FormulaShape = Shapes::Formula;  ///< convex ones, whose touches are exact: for both engines
-/// And those for the soft engine alone. A class of its own, so that any_shape.hpp can name it.
+/// Convex analytic shapes, whose touches are exact: for both engines.
+using FormulaShape = Shapes::Formula;
+/// All shapes, with those for the soft engine only. A class rather than an alias, so that
+/// any_shape.hpp can declare it.
 struct AnyShape : Shapes::Any {
   using Models = Shapes::Any;
   using Models::Models;
@@ -37,7 +39,7 @@ template <class S, class Variant>
 constexpr bool is_among = false;
 template <class S, class... Shapes>
 constexpr bool is_among<S, std::variant<Shapes...>> = (std::is_same_v<S, Shapes> || ...);
-/// Whether the event engine knows when a ball touches it.
+/// Whether the event engine can compute when a ball touches the shape.
 template <class S>
 constexpr bool has_exact_touches = is_among<S, FormulaShape>;
 

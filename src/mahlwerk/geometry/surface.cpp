@@ -15,7 +15,7 @@ namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Points in cells a little larger than the distance at which two are one.
+/// Spatial hash of points, with cells larger than the welding tolerance.
 class VertexWelder {
  public:
   VertexWelder(double tolerance, double size)
@@ -80,7 +80,7 @@ bool closed(const Surface& s) {
   return true;
 }
 
-/// Which of a triangle's sides is its longest.
+/// Index of a triangle's longest side.
 std::size_t longest_side(const Surface& s, const Triangle& t) {
   std::size_t longest = 0;
   double most = -1;
@@ -91,7 +91,7 @@ std::size_t longest_side(const Surface& s, const Triangle& t) {
   return longest;
 }
 
-/// Its height over the longest side [m].
+/// Height of a triangle over its longest side [m].
 double height_of(const Surface& s, const Triangle& t) {
   const std::size_t k = longest_side(s, t);
   const Vec3 a = s.points[as_index(t[k])], b = s.points[as_index(t[(k + 1) % 3])],
@@ -99,7 +99,7 @@ double height_of(const Surface& s, const Triangle& t) {
   return norm(cross(b - a, c - a)) / norm(b - a);
 }
 
-/// Which triangle has the side from one corner to another; of several the first that was noted.
+/// Maps a directed side, from one corner to another, to its triangle; of several, the first added.
 class SideMap {
  public:
   explicit SideMap(const std::vector<Triangle>& triangles) {
@@ -128,8 +128,9 @@ class SideMap {
   std::unordered_map<std::uint64_t, std::size_t> of_;
 };
 
-/// A triangle whose corner b lies on its side from c to a, and the neighbour there, are the two
-/// that the line from b to the neighbour's own corner makes.
+/// Edge flip: replaces a triangle without area, whose corner b lies on its side from c to a, and
+/// the neighbour at that side by the two triangles at the line from b to the neighbour's opposite
+/// corner. Returns whether the flip was possible.
 bool flip_longest_side(Surface& s, SideMap& sides, std::size_t flat) {
   const Triangle t = s.triangles[flat];
   const std::size_t k = longest_side(s, t);
@@ -151,7 +152,7 @@ void remove_degenerate_triangles(Surface& s) {
   std::erase_if(s.triangles,
                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   const double least = 1e-9 * norm(extent_of(s.points).size());
-  std::optional<SideMap> sides;  // made when the first is found
+  std::optional<SideMap> sides;  // built for the first triangle without area
   for (int rounds = 0; rounds < 8; ++rounds) {
     bool turned = false;
     for (std::size_t i = 0; i < s.triangles.size(); ++i) {
@@ -163,12 +164,12 @@ void remove_degenerate_triangles(Surface& s) {
   }
 }
 
-/// Middle of a side [m].
+/// Midpoint of a side [m].
 Vec3 middle(const Surface& s, const Side& side) {
   return 0.5 * (s.points[as_index(side.low)] + s.points[as_index(side.high)]);
 }
 
-/// A number for each triangle, the same for those that hang together.
+/// Shell number of each triangle: connected components, by union-find.
 std::vector<std::int32_t> shells(const Surface& s, const std::vector<Side>& sides) {
   std::vector<std::int32_t> of(s.triangles.size());
   std::iota(of.begin(), of.end(), 0);
@@ -210,7 +211,7 @@ Extent extent_of(std::span<const Vec3> points) {
 }
 
 double volume_of(const Surface& s) {
-  const Vec3 origin = extent_of(s.points).middle();  // where differences are smallest
+  const Vec3 origin = extent_of(s.points).middle();  // keeps rounding of the differences small
   double sixfold = 0;
   for (const Triangle& t : s.triangles)
     sixfold += dot(s.points[as_index(t[0])] - origin,

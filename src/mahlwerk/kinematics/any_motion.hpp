@@ -8,22 +8,22 @@
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 
-// A mill's motion chosen at run time, for those who do not look into it; kinematics/motions.hpp
-// lists what it can be, and kinematics/chosen_motion.hpp has it as a motion.
+// Type-erased motion of a mill, chosen at run time. kinematics/motions.hpp lists the types it can
+// hold; kinematics/chosen_motion.hpp wraps it as a Motion.
 namespace mahlwerk::kinematics {
 
 struct AnyMotion;
 
-/// Where a jar is at an instant, and how it turns.
+/// Position and rotation of a jar at an instant.
 struct Pose {
   FrameMotion frame;
-  Rotation rotation;          ///< since it was mounted
+  Rotation rotation;          ///< since mounting
   Vec3 spin;                  ///< [rad/s]
   Vec3 angular_acceleration;  ///< [rad/s2]
 };
 
 std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
-Pose pose(const AnyMotion& motion, double t);       ///< all of the next four at once
+Pose pose(const AnyMotion& motion, double t);       ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);
 Rotation rotation(const AnyMotion& motion, double t);
 Vec3 spin(const AnyMotion& motion, double t);
@@ -32,7 +32,7 @@ Bounds bounds(const AnyMotion& motion);
 double period(const AnyMotion& motion);
 Vec3 fixed_axis(const AnyMotion& motion);
 
-/// What is held if it is of this type, else null.
+/// Pointer to the motion held if it is of this type, else null.
 const void* held(const AnyMotion& motion, const std::type_info& type);
 /// The motion if it is an M, else null.
 template <Motion M>

@@ -8,7 +8,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A jar at the end of an arm that swings in a horizontal arc, turning with it: mixer mills
+/// A jar at the end of an arm that swings in a horizontal arc and rotates with the arm: mixer mills
 /// (kin.6).
 struct ArcShaker {
   double frequency = 0;  // [Hz]

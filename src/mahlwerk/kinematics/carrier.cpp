@@ -8,8 +8,8 @@
 namespace mahlwerk::kinematics {
 namespace {
 
-/// [rad/s] about the vertical; 0 without a carrier. The force field of a circular motion goes round
-/// with the circle.
+/// Angular speed of the carrier about the vertical [rad/s]; 0 without a carrier. The force field of
+/// a circular motion rotates at the speed of the circle, so that motion has a carrier, too.
 double speed_of_carrier(const AnyMotion& motion) {
   if (const auto* planetary = as<Planetary>(motion)) return planetary->speed;
   if (const auto* circular = as<Circular>(motion)) return circular->speed;

@@ -9,8 +9,8 @@
 
 namespace mahlwerk::kinematics {
 
-/// A motion chosen at run time, itself a motion but for its name: engines know the jar's shape when
-/// they are compiled, and its motion by this.
+/// A motion chosen at run time that has the interface of a Motion except for its name. Engines know
+/// the jar's shape at compile time, and its motion through this class.
 class ChosenMotion {
  public:
   explicit ChosenMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}
@@ -30,8 +30,8 @@ class ChosenMotion {
   Indirect<AnyMotion> motion_;
 };
 
-/// The same, that remembers the last instant: a search asks several times of one. Not for several
-/// threads at a time.
+/// A ChosenMotion that caches the pose of the last instant, because a search queries the same
+/// instant several times. Not thread-safe.
 class CachedMotion {
  public:
   explicit CachedMotion(Indirect<AnyMotion> motion) : motion_(std::move(motion)) {}

@@ -8,7 +8,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A jar moved on a circle without turning (kin.5).
+/// A jar moved on a horizontal circle without rotation (kin.5).
 struct Circular : NonRotating {
   double radius = 0;  // [m]
   double speed = 0;   // [rad/s]

@@ -8,7 +8,8 @@
 
 namespace mahlwerk::kinematics {
 
-/// A shaker whose jar swings at f along its axis and at 2 f across while its axis rocks (kin.7).
+/// A shaker whose jar oscillates at the frequency f along its axis and at 2 f across it while the
+/// axis rocks (kin.7).
 struct FigureEight {
   double frequency = 0;      // [Hz]
   double stroke_along = 0;   // [m]

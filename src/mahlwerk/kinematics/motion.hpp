@@ -11,18 +11,18 @@
 #include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
-// A mill is one rigid motion of the jar, in laboratory axes with z up: where the jar's centre is
-// and how the jar has turned since it was mounted (kin.1).
+// A mill is one rigid motion of the jar, in laboratory axes with z up: the position of the jar's
+// centre and the rotation of the jar since mounting (kin.1).
 namespace mahlwerk::kinematics {
 
-/// The jar's centre at an instant.
+/// Motion of the jar's centre at an instant.
 struct FrameMotion {
   Vec3 centre;        ///< [m]
   Vec3 velocity;      ///< [m/s]
   Vec3 acceleration;  ///< [m/s2]
 };
 
-/// What is never exceeded at any time.
+/// Upper bounds on magnitudes that hold at all times.
 struct Bounds {
   double speed = 0;                 ///< [m/s] of the centre
   Vec3 acceleration{};              ///< [m/s2] of the centre, component by component
@@ -34,8 +34,8 @@ struct Bounds {
 /// A motion. `rotation(t)` is the rotation since mounting, `spin(t)` the angular velocity,
 /// `angular_acceleration(t)` its derivative. `period()` [s] is that of the frame motion and spin,
 /// infinite if there is none. `fixed_axis()` is the constant unit direction of the spin, zero if
-/// the jar does not turn or its axis wanders. `jar_axis` is how the jar is mounted unless the case
-/// says otherwise.
+/// the jar does not rotate or its axis changes. `jar_axis` is the direction of the mounted jar's
+/// axis unless the case says otherwise.
 template <class M>
 concept Motion = requires(const M m, double t) {
   { M::name } -> std::convertible_to<std::string_view>;
@@ -53,7 +53,7 @@ concept Motion = requires(const M m, double t) {
 constexpr double no_period = std::numeric_limits<double>::infinity();
 constexpr Vec3 upright{0, 0, 1}, lying{1, 0, 0};
 
-/// What a jar that never turns has in common with others of its kind.
+/// Base of all motions without rotation.
 struct NonRotating {
   static constexpr Rotation rotation(double) { return {}; }
   static constexpr Vec3 spin(double) { return {}; }

@@ -16,10 +16,10 @@
 
 namespace mahlwerk::kinematics {
 
-/// The register: every motion there is. A new one is its file and its name here.
+/// The register of all motions. To add one, write its file and add its name here.
 using Motions = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, FigureEight,
                              Circular, Tabulated>;
-/// A class of its own, so that any_motion.hpp can name it.
+/// A class rather than an alias, so that any_motion.hpp can declare it.
 struct AnyMotion : Motions {
   using Models = Motions;
   using Models::Models;

@@ -9,10 +9,10 @@
 
 namespace mahlwerk::kinematics {
 
-/// The most that |g - c''| gets to in a period of the mill [m/s2], or its bound where there is no
-/// period; never so little that bounces could collapse where nothing presses bodies together
-/// (man.4). `frame_motion(t)` is the motion of the jar's centre, `bound` [m/s2] of its
-/// acceleration.
+/// Largest |g - c''| in a period of the mill [m/s2], or its bound where there is no period. A
+/// positive minimum keeps bounces from collapsing where nothing presses bodies together (man.4).
+/// `frame_motion(t)` is the motion of the jar's centre, `bound` [m/s2] the bound on the components
+/// of its acceleration, `period` [s].
 template <class FrameMotionAt>
 double strongest_field(const Vec3& gravity, const Vec3& bound, double period,
                        const FrameMotionAt& frame_motion) {

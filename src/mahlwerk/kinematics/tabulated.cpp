@@ -12,10 +12,11 @@ namespace {
 
 using Column = std::vector<double>;
 
-/// Second derivatives at the knots of the periodic cubic spline through `y` (the last equals the
-/// first but for a linear trend): the cyclic tridiagonal system, by Sherman and Morrison.
+/// Second derivatives at the knots of the periodic cubic spline through `y` (the last value equals
+/// the first except for a linear trend). Solves the cyclic tridiagonal system by the
+/// Sherman-Morrison formula (kin.8).
 Column periodic_curvature(const Column& step, const Column& y) {
-  const std::size_t n = step.size();  // pieces, and unknowns
+  const std::size_t n = step.size();  // number of pieces and of unknowns
   Column low(n), mid(n), high(n), right(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
@@ -103,8 +104,8 @@ Tabulated::Tabulated(std::vector<Sample> samples, Vec3 axis)
   compute_bounds();
 }
 
-/// Accelerations are linear between knots, so their bounds lie at the knots; a speed is bounded by
-/// its value at both ends and the acceleration between.
+/// Accelerations are linear between knots, so their extremes lie at the knots. A speed is bounded
+/// by its value at a knot plus the largest acceleration up to the next knot times the time between.
 void Tabulated::compute_bounds() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece &p = pieces_[i], &next = pieces_[(i + 1) % pieces_.size()];

@@ -9,17 +9,17 @@
 
 namespace mahlwerk::kinematics {
 
-/// One line of a measured motion.
+/// One sample of a measured motion.
 struct Sample {
   double time = 0;   ///< [s]
   Vec3 centre;       ///< [m]
-  double angle = 0;  ///< [rad] turned about the jar's axis
+  double angle = 0;  ///< [rad] rotation about the jar's axis
   bool operator==(const Sample&) const = default;
 };
 
-/// A measured motion, repeated for ever: the twice continuously differentiable periodic cubic
-/// spline through its samples. The last sample closes the period and equals the first, but for
-/// whole turns of the angle (kin.8).
+/// A measured motion, repeated periodically: the twice continuously differentiable periodic cubic
+/// spline through its samples. The last sample closes the period; its centre equals that of the
+/// first, its angle may differ (kin.8).
 class Tabulated {
  public:
   static constexpr std::string_view name = "tabulated";
@@ -28,8 +28,8 @@ class Tabulated {
   static constexpr auto fields() { return std::array<Field<Tabulated>, 0>{}; }
 
   Tabulated() = default;
-  /// At least four samples, times rising; throws std::invalid_argument naming the sample that is
-  /// wrong. The angle turns the jar about its mounted axis `axis` (unit vector).
+  /// Needs at least four samples with increasing times. Throws std::invalid_argument that names the
+  /// faulty sample. The angle turns the jar about its mounted axis `axis` (unit vector).
   explicit Tabulated(std::vector<Sample> samples, Vec3 axis = upright);
 
   FrameMotion frame_motion(double t) const;
@@ -44,13 +44,13 @@ class Tabulated {
 
  private:
   static constexpr int channels = 4;  // x, y, z, angle
-  struct Piece {                      // value + slope s + second s^2/2 + third s^3/6 from its knot
+  struct Piece {  // value + slope s + second s^2/2 + third s^3/6, s since its knot
     std::array<double, channels> value, slope, second, third;
   };
   struct SplinePoint {
     const Piece* piece;
-    double since;  // [s] of its knot
-    double cycle;  // periods gone by
+    double since;  // [s] since the knot of the piece
+    double cycle;  // number of whole periods before
   };
   SplinePoint find(double t) const;
   double at(const SplinePoint& p, int channel, int order) const;

@@ -8,7 +8,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A drum that turns about its own horizontal axis (kin.4).
+/// A drum that rotates about its own horizontal axis (kin.4).
 struct Tumbling {
   double speed = 0;  // [rad/s]
 

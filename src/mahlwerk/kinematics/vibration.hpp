@@ -8,7 +8,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A jar shaken to and fro along a straight line (paper A, eq. 1) (kin.2).
+/// A jar that vibrates sinusoidally along a straight line (paper A, eq. 1) (kin.2).
 struct Vibration : NonRotating {
   double frequency = 0;  // [Hz]
   double amplitude = 0;  // [m]
@@ -36,7 +36,7 @@ struct Vibration : NonRotating {
   }
 
   Vec3 line() const {
-    if (tilt == 0) return upright;  // the usual case, and it is asked for at every step of a search
+    if (tilt == 0) return upright;  // the usual case, evaluated at every search step
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
   }
   FrameMotion frame_motion(double t) const {

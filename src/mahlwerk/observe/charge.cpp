@@ -14,7 +14,7 @@ namespace mahlwerk::observe {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double near_wall = 0.01;  // of a ball's radius: it is at the wall
+constexpr double near_wall = 0.01;  // gap over a ball's radius below which it is at the wall
 
 int angle_slot(double x, double y) {
   const double angle = std::atan2(y, x);
@@ -26,11 +26,12 @@ int angle_slot(double x, double y) {
 
 Charge::Charge(const scene::Chamber& mill, double radius) : mass_by_angle(angles), mill_(mill) {
   const Vec3 normal = kinematics::plane_normal(*mill.motion);
-  const bool along = norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane cuts the jar across
+  const bool along =
+      norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane is normal to the jar's axis
   const double reach = geometry::reach(*mill.shape);
   in_jar = in_carrier = PlaneField(along ? radius : reach);
   const Vec3 z{0, 0, 1}, x{1, 0, 0};
-  const bool flat = std::abs(normal.z) > 0.9;  // the plane is seen from above, else upright
+  const bool flat = std::abs(normal.z) > 0.9;  // horizontal plane, else upright
   right_ = flat ? x : cross(z, normal) * (1 / norm(cross(z, normal)));
   if (flat && normal.z < 0) right_ = -x;
   up_ = cross(normal, right_);
@@ -61,7 +62,7 @@ void Charge::sample(double time, const std::vector<scene::Ball>& balls, double w
   in_carrier.add_time(weight);
 }
 
-/// A mesh of many faces would take too long to ask.
+/// Does nothing for a mesh, whose many faces take too long to test, and for an attritor.
 void Charge::add_wall_contact(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
                               double weight) {
   std::visit(

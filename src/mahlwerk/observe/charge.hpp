@@ -10,32 +10,31 @@
 
 namespace mahlwerk::observe {
 
-/// How the charge lies and moves in the jar, from looks at all balls now and then: fields in the
-/// plane in which the motion shows, mass by angle about the jar's axis, slip at the wall. In fixed
-/// memory.
+/// Density and motion of the charge in the jar, from samples of all balls at intervals: fields in
+/// the plane of motion, mass by angle about the jar's axis, slip at the wall. Uses fixed memory.
 class Charge {
  public:
   static constexpr int angles = 180;  ///< of two degrees
 
-  Charge() = default;  ///< sees nothing
+  Charge() = default;  ///< ignores samples
   /// `radius` [m] is the largest distance of the wall from the jar's own axis.
   Charge(const scene::Chamber& mill, double radius);
 
-  /// The balls in the jar frame at `time` [s]; they stand for `weight` [s].
+  /// Adds a sample: the balls in the jar frame at `time` [s], for a duration of `weight` [s].
   void sample(double time, const std::vector<scene::Ball>& balls, double weight);
 
-  /// The plane's axes: to the right and up, seen from where its normal points to, at time 0.
+  /// The plane's axes at time 0, to the right and up, seen against its normal.
   const Vec3& right() const { return right_; }
   const Vec3& up() const { return up_; }
 
-  PlaneField in_jar;      ///< seen from the turning jar
-  PlaneField in_carrier;  ///< seen from what carries it: the disc, or the laboratory's axes
-  /// [kg s] at each angle about the jar's axis in the plane, from `right` on, seen from the
-  /// carrier.
+  PlaneField in_jar;      ///< in the frame of the rotating jar
+  PlaneField in_carrier;  ///< in the carrier's frame: the disc, or the laboratory's axes
+  /// [kg s] Mass times time by angle about the jar's axis in the plane, from `right`, in the
+  /// carrier's frame.
   std::vector<double> mass_by_angle;
   double mass_at_wall = 0;  ///< [kg s] of balls within a hundredth of their radius from the wall
-  double wall_slip = 0;     ///< [kg m] of those, times the speed at which they slip
-  double mass_total = 0;    ///< [kg s]
+  double wall_slip = 0;     ///< [kg m] mass of balls at the wall times slip speed and time
+  double mass_total = 0;    ///< [kg s] of all balls
 
   void merge(const Charge& other);
   void serialize(Archive& archive);

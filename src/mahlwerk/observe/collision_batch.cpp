@@ -10,8 +10,8 @@
 namespace mahlwerk::observe {
 namespace {
 
-/// atan of 0 <= x <= 1 within 2e-8 rad (Abramowitz & Stegun 4.4.49): half the time of std::atan2,
-/// and the same to the bit on every machine, which the C library's is not.
+/// atan of 0 <= x <= 1 within 2e-8 rad (Abramowitz & Stegun 4.4.49). Takes half the time of
+/// std::atan2 and, unlike the C library's, gives the same bits on every machine.
 template <class V>
 [[gnu::always_inline]] inline V arc_tangent(V x) {
   const V s = x * x;
@@ -25,7 +25,7 @@ template <class V>
   return x * (p * s + 1.0);
 }
 
-/// atan2(a, b) of two that are not negative; 0 if both are 0.
+/// atan2(a, b) for a, b >= 0; 0 if both are 0.
 template <class V>
 [[gnu::always_inline]] inline V angle_between(V a, V b) {
   const V large = max(a, b), small = min(a, b), none{};
@@ -56,7 +56,7 @@ template <class T, class V>
          less(m, none + H::edges[3]);
 }
 
-/// Where on a circle (x, y) is, as 0 <= share < 1 of a turn.
+/// Angle of (x, y) as a share of a turn, 0 <= share < 1.
 template <class V>
 [[gnu::always_inline]] inline V share_of_turn(V x, V y) {
   const V none{}, first = angle_between(abs(y), abs(x)) * (0.5 / std::numbers::pi);
@@ -65,7 +65,7 @@ template <class V>
   return select(less(share, none + 1.0), share, none);
 }
 
-/// `share` of `many` slots, the first and the last holding what lies beyond.
+/// Index of the slot, of `many`, that `share` falls into, clamped to the first and last.
 template <class V>
 [[gnu::always_inline]] inline V slot(V share, int many) {
   const V none{};
@@ -75,13 +75,13 @@ template <class V>
   return select(less(at, near), near - 1.0, near);
 }
 
-/// Small whole numbers as integers.
+/// Converts small whole numbers to integers.
 [[gnu::always_inline]] inline LaneMask whole(Lanes a) {
   constexpr double shift = 0x1p52;
   return (LaneMask)(a + shift) & ((std::int64_t{1} << 32) - 1);
 }
 
-/// WallGrid's cells, as whole numbers.
+/// Indices of WallGrid cells, as floating-point whole numbers.
 template <class V>
 [[gnu::always_inline]] inline V cells_of(const WallGrid& g, V x, V y, V z, V axial) {
   constexpr double level = std::numbers::sqrt2 / 2;

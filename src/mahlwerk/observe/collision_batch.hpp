@@ -11,15 +11,15 @@
 
 namespace mahlwerk::observe {
 
-/// Impact angle [rad] of `approach` u_n > 0 and `slip` |u_t|: 0 head-on, pi/2 grazing; within 2e-8
-/// rad.
+/// Impact angle [rad] for `approach` u_n > 0 and `slip` |u_t|: 0 head-on, pi/2 grazing (obs.1).
+/// Accurate within 2e-8 rad.
 double impact_angle(double approach, double slip);
 
-/// The cell of WallGrid that a place on the wall belongs to: `where` in the jar's own axes, `axial`
-/// the component of the normal along its axis.
+/// The cell of WallGrid of a point on the wall. `where` [m]: the point in the jar's own axes.
+/// `axial`: component of the normal along the jar's axis.
 int cell_of(const WallGrid& grid, const Vec3& where, double axial);
 
-/// One number of some records, side by side.
+/// One number of several records in contiguous memory (structure of arrays).
 template <class T>
 struct alignas(64) Column {
   static constexpr std::size_t most = 64;
@@ -27,15 +27,15 @@ struct alignas(64) Column {
   T operator[](std::size_t i) const { return values[i]; }
 };
 
-/// Some records side by side, and what follows from each, eight at a time: this is most of the work
-/// of counting.
+/// Collision records as a structure of arrays, and numbers derived from them by SIMD, eight at a
+/// time. This is most of the work of collision statistics.
 struct CollisionBatch {
   static constexpr std::size_t most = Column<double>::most;
 
   std::size_t count = 0;
   Column<double> mass, approach, slip, glide, lost_normal, lost_tangential, duration;
-  Column<double> x, y, z, axial;  // [m] where; component of the normal along the jar's axis
-  // What follows.
+  Column<double> x, y, z, axial;  // [m] contact point; axial component of the normal
+  // Derived numbers:
   Column<double> energy_normal, energy_tangential;           // [J] m u_n^2/2, m u_t^2/2
   Column<double> energy_contact_point, energy_centre, lost;  // [J]
   Column<double> angle;                                      // [rad]
@@ -45,7 +45,7 @@ struct CollisionBatch {
       bin_lost_normal, bin_lost_tangential, bin_approach;
   Column<std::int64_t> cell;  // of WallGrid
 
-  /// `records`: at most `most`; none of them counts for what the columns held before.
+  /// Replaces the content by `records`, at most `most`.
   void load(std::span<const scene::Collision> records, const WallGrid& wall);
 
  private:

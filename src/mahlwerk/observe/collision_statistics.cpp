@@ -7,7 +7,7 @@
 namespace mahlwerk::observe {
 namespace {
 
-/// One after the other, whatever the pieces they come in.
+/// Adds one collision. Sums run in the order of collisions, independent of their batches.
 void add(CollisionSums& sums, const CollisionBatch& c, std::size_t i, bool counts) {
   const double one = counts ? 1 : 0;
   sums.count += counts ? 1 : 0;

@@ -14,7 +14,7 @@ namespace mahlwerk::observe {
 /// Sums over collisions; divide by `count` for means.
 struct CollisionSums {
   std::int64_t count = 0;
-  std::int64_t between_balls = 0;  ///< the others are with the jar
+  std::int64_t between_balls = 0;  ///< the other collisions are with the jar
   double energy_normal = 0, energy_contact_point = 0, energy_centre = 0, lost = 0;  // [J]
   double approach = 0, slip = 0;                                                    // [m/s]
   double angle = 0;                                                                 // [rad]
@@ -22,7 +22,7 @@ struct CollisionSums {
   void merge(const CollisionSums& o);
 };
 
-/// What one replicate's collisions add up to, in fixed memory.
+/// Collision statistics of one replicate, in fixed memory.
 class CollisionStatistics : public scene::Observer {
  public:
   explicit CollisionStatistics(double threshold, BallKinds kinds = {}, const WallGrid& wall = {})
@@ -35,7 +35,7 @@ class CollisionStatistics : public scene::Observer {
   double threshold() const { return threshold_; }  // [m/s] on u_n
   Spectra total_spectra() const;                   ///< of all kinds of pairs together
 
-  CollisionSums all, above;  // above: u_n >= threshold
+  CollisionSums all, above;  // above: collisions with u_n >= threshold
   StatisticsByPair by_pair;
   WallMap wall_map;
 

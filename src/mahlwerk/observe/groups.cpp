@@ -18,7 +18,7 @@ struct Split {
   double rest = 1;      ///< [1] squares within the groups over all squares (sta.6)
 };
 
-/// Sums of squares about a mean come from sums about the mean of all, so that nothing cancels.
+/// Finds the sharpest split. Uses deviations from the overall mean to avoid cancellation.
 Split sharpest(const std::vector<double>& sorted) {
   const auto n = static_cast<double>(sorted.size());
   double mean = 0;
@@ -27,7 +27,7 @@ Split sharpest(const std::vector<double>& sorted) {
   double squares = 0;
   for (const double v : sorted) squares += (v - mean) * (v - mean);
   Split best;
-  double below = 0;  // sum of the lower group, about the mean of all
+  double below = 0;  // sum of deviations of the lower group from the overall mean
   for (std::size_t k = 1; k < sorted.size(); ++k) {
     below += sorted[k - 1] - mean;
     const auto low = static_cast<double>(k);
@@ -38,7 +38,7 @@ Split sharpest(const std::vector<double>& sorted) {
   return best;
 }
 
-/// Sorted normal numbers, two at a time (Box and Muller 1958).
+/// Draws sorted standard normal numbers, two at a time (Box and Muller 1958).
 void draw(Random& random, std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); i += 2) {
     const double r = std::sqrt(-2 * std::log(random.uniform()));
@@ -52,8 +52,8 @@ void draw(Random& random, std::vector<double>& values) {
 }  // namespace
 
 std::optional<TwoGroups> two_groups(std::vector<double> values, double level) {
-  constexpr int samples = 1999;      // of a normal distribution
-  constexpr double rounding = 1e-9;  // of the size of the values
+  constexpr int samples = 1999;      // from a normal distribution
+  constexpr double rounding = 1e-9;  // relative to the largest value
   if (values.size() < fewest_for_groups) return std::nullopt;
   std::ranges::sort(values);
   const double size = std::max(std::abs(values.front()), std::abs(values.back()));
@@ -65,7 +65,7 @@ std::optional<TwoGroups> two_groups(std::vector<double> values, double level) {
   for (int i = 0; i < samples; ++i) {
     draw(random, drawn);
     if (sharpest(drawn).rest > found.rest) continue;
-    if (++as_sharp > level * (samples + 1)) return std::nullopt;  // no need to go on
+    if (++as_sharp > level * (samples + 1)) return std::nullopt;  // already too probable
   }
   return TwoGroups{.between = std::midpoint(values[found.low - 1], values[found.low]),
                    .p_value = as_sharp / (samples + 1.0)};  // (sta.7)

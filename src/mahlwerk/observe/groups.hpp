@@ -10,15 +10,16 @@ namespace mahlwerk::observe {
 
 /// Values that fall into two groups.
 struct TwoGroups {
-  double between = 0;  ///< values of the lower group are below, those of the upper one above
-  double p_value = 1;  ///< that a sample of one normal distribution is split as sharply (sta.7)
+  double between = 0;  ///< value between the lower and the upper group
+  double p_value = 1;  ///< of the test that the values are from one normal distribution (sta.7)
 };
 
-/// Fewer values never show two groups.
+/// Least number of values that can show two groups.
 constexpr std::size_t fewest_for_groups = 4;
 
-/// Two groups, if one normal distribution splits as sharply with a chance of `level` at most;
-/// nothing for fewer than four values. The same for the same values in any order.
+/// The two groups of `values`, if samples of one normal distribution split as sharply with a
+/// probability of at most `level`; nothing otherwise, and for fewer than four values. Independent
+/// of the order of values.
 std::optional<TwoGroups> two_groups(std::vector<double> values, double level = 0.01);
 
 }  // namespace mahlwerk::observe

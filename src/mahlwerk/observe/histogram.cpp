@@ -20,8 +20,8 @@ double LogHistogram::lower(int bin) {
 }
 
 double LogHistogram::unit(std::int64_t bin) {
-  // Whatever is negative is in the first bin, too, and may be as large as others: 1e-30 J is exact
-  // enough there, and leaves room.
+  // The first bin also holds negative values, which may be as large as others. A unit of 1e-30 J is
+  // accurate enough there and leaves room for large sums.
   constexpr int first_bits = 20;
   const int octave = static_cast<int>(bin) / per_octave + lowest_octave;
   return std::ldexp(1.0, octave - (bin == 0 ? first_bits : mantissa_bits));

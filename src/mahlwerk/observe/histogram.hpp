@@ -13,9 +13,9 @@
 
 namespace mahlwerk::observe {
 
-/// Counts and sums in logarithmic bins, four per octave, edges 2^(k/4), in fixed memory. A bin adds
-/// its values up as whole numbers of the last place they have, so that sums, too, do not depend on
-/// the order: merging is exact.
+/// Histogram of counts and sums in logarithmic bins, four per octave, with edges 2^(k/4), in fixed
+/// memory. Sums are in fixed point, in units of the last place of the bin's octave, so that they do
+/// not depend on the order of values: merging is exact.
 class LogHistogram {
  public:
   static constexpr int per_octave = 4;
@@ -25,15 +25,15 @@ class LogHistogram {
   /// 2^(k/4), k = 0 ... 3.
   static constexpr std::array<double, per_octave> edges{1, 1.189207115002721, std::numbers::sqrt2,
                                                         1.681792830507429};
-  /// What lies beyond these is counted as these are.
+  /// Values beyond these go into the first or last bin.
   static constexpr double least = 0x1p-80, most = 0x1.fffffffffffffp39;
 
   LogHistogram() : inner_(bins) {}
 
-  /// What lies beyond the ends goes into the first or last bin; into the first goes all that is not
-  /// above 0, a loss that rounding, or a rule that makes energy, has made negative.
+  /// Adds a value. Values beyond the ends go into the first or last bin. Values <= 0 (losses made
+  /// negative by rounding or by a contact law that gains energy) go into the first bin.
   void add(double value) { add(value, bin_of(value)); }
-  /// The same where its bin is known.
+  /// Adds a value whose bin is known.
   void add(double value, std::int64_t at) {
     if (at > 0 && at < bins - 1)
       inner_[static_cast<std::size_t>(at)] += one | Whole(mantissa_of(value) | implicit_bit);
@@ -43,8 +43,8 @@ class LogHistogram {
   void merge(const LogHistogram& other);
   void serialize(Archive& archive) { archive(inner_)(ends_); }
 
-  /// The bin `value` goes into. No logarithm: the octave is the exponent of the double, the quarter
-  /// is found by comparing its mantissa with the three edges inside an octave.
+  /// The bin of `value`. Without a logarithm: the octave is the exponent of the double, the quarter
+  /// follows from comparing its mantissa with the three edges inside an octave.
   static int bin_of(double value) {
     const auto bits =
         std::bit_cast<std::int64_t>(value);  // negative numbers: negative, so first bin
@@ -56,25 +56,25 @@ class LogHistogram {
     return std::clamp((octave - lowest_octave) * per_octave + quarter, 0, bins - 1);
   }
 
-  static double lower(int bin);  ///< edge, in the unit of the values; upper(bin) == lower(bin + 1)
+  static double lower(int bin);  ///< lower edge, in the unit of the values (obs.2)
   std::int64_t count(int bin) const;
-  double sum(int bin) const;   ///< of the values
-  std::int64_t total() const;  ///< of the counts
-  double sum() const;          ///< of all values
-  /// First and one past the last bin that is not empty; {0, 0} if all are.
+  double sum(int bin) const;   ///< sum of the bin's values
+  std::int64_t total() const;  ///< sum of all counts
+  double sum() const;          ///< sum of all values
+  /// First and one past the last non-empty bin; {0, 0} if all are empty.
   std::array<int, 2> occupied_range() const;
 
  private:
   __extension__ using Whole = unsigned __int128;
   __extension__ using Signed = __int128;
-  /// A bin inside is one number, for speed: how many in its upper 38 bits, below them their sum in
-  /// units of the last place of its octave. It holds 1e11 of them.
+  /// An inner bin is one 128-bit number, for speed: the count in its upper 38 bits, the sum below
+  /// in units of the last place of the bin's octave. It holds up to 1e11 values.
   static constexpr int count_place = 90;
   static constexpr Whole one = Whole{1} << count_place;
-  /// Of the first and last bin, where octaves are mixed and values may be negative.
+  /// First or last bin, where octaves are mixed and values may be negative.
   struct End {
     std::int64_t count = 0;
-    Signed sum = 0;  // each within half a unit, and no more than can be held
+    Signed sum = 0;  // each value rounded to a unit and clamped
   };
   void add_to_end(double value, std::int64_t at);
   const End& end(int bin) const { return ends_[bin == 0 ? 0 : 1]; }

@@ -32,7 +32,7 @@ void PairStatistics::add(const CollisionBatch& c, std::size_t i, bool is_above,
   load_distance += factors.load_distance_per_loss * c.lost_tangential[i];
   erosion += c.erosion[i];
   if (!factors.flash_per_loss.empty()) {
-    // What a contact loses that outlasts its collision is spread over its own time (hea.7).
+    // The loss of a contact longer than Hertz's contact time is spread over its duration (hea.7).
     const auto bin = static_cast<std::size_t>(c.bin_normal[i]);
     const double longer = std::max(1.0, c.duration[i] / factors.hertz_time[bin]);
     const double rise = factors.flash_per_loss[bin] * c.lost[i] / std::sqrt(longer);

@@ -13,12 +13,11 @@
 
 namespace mahlwerk::observe {
 
-/// Which kind each ball is of, and how many faces of the jar are told apart; shared by all who
-/// count.
+/// Kind of each ball, and number of distinguished faces of the jar. Copies share the table.
 class BallKinds {
  public:
   BallKinds() : BallKinds({}, 1, 1) {}  ///< all of one kind, in a jar of one face
-  /// `of_ball`: empty if all are of kind 0. Faces from `faces` - 1 on count as one.
+  /// `of_ball`: kind of each ball; empty if all are of kind 0. Faces from `faces` - 1 count as one.
   BallKinds(std::vector<std::int32_t> of_ball, int kinds, int faces)
       : of_ball_(std::make_shared<const std::vector<std::int32_t>>(std::move(of_ball))),
         kinds_(kinds),
@@ -49,22 +48,22 @@ struct PairSums {
   }
 };
 
-/// What turns a pair's losses into wear and heat.
+/// Factors from a pair's losses to wear and flash temperature.
 struct PairFactors {
-  double load_distance_per_loss = 0;  ///< [1] force times way slid over tangential loss (wea.3)
-  /// [K/J] rise of the temperature over energy lost, by bin of the normal energy (hea.7); empty:
-  /// flashes are not counted.
+  double load_distance_per_loss = 0;  ///< [1] load times distance over tangential loss (wea.3)
+  /// [K/J] Flash temperature rise over energy lost, by bin of normal energy (hea.7). If empty,
+  /// flash temperatures are not computed.
   std::vector<double> flash_per_loss;
-  std::vector<double> hertz_time;  ///< [s] of such a collision, by the same bins
+  std::vector<double> hertz_time;  ///< [s] Hertz's contact time, by the same bins (hea.9)
 };
 
-/// What one kind of pair's collisions add up to.
+/// Collision statistics of one kind of pair.
 struct PairStatistics {
-  PairSums above;  ///< u_n >= threshold
+  PairSums above;  ///< collisions with u_n >= threshold
   Spectra spectra;
-  double load_distance = 0;  ///< [N m] integral of normal force times way slid
+  double load_distance = 0;  ///< [N m] integral of normal force over sliding distance
   double erosion = 0;        ///< [J] sum of m u^2 f(alpha) (wea.4)
-  double flash = 0;          ///< [K J] sum of the temperature's rise times the energy lost
+  double flash = 0;          ///< [K J] sum of flash temperature rise times energy lost
 
   PairSums all() const;
   void add(const CollisionBatch& c, std::size_t i, bool above, const PairFactors& factors);
@@ -72,8 +71,8 @@ struct PairStatistics {
   void serialize(Archive& archive);
 };
 
-/// A tally for each two kinds of balls, and for each kind with each face of the jar, in fixed
-/// memory: made when the first such collision comes.
+/// Statistics for each pair of ball kinds, and for each kind with each face of the jar. Memory for
+/// a pair is allocated at its first collision.
 class StatisticsByPair {
  public:
   explicit StatisticsByPair(BallKinds kinds = {});
@@ -84,7 +83,7 @@ class StatisticsByPair {
         c.other < 0 ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1) : kinds_.of(c.other);
     return number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
   }
-  /// Where a collision of that kind of pair is counted.
+  /// The statistics of a pair, for counting.
   PairStatistics& at(int pair);
   const PairFactors& factors(int pair) const { return factors_[static_cast<std::size_t>(pair)]; }
   void set_factors(int pair, PairFactors factors) {
@@ -96,21 +95,21 @@ class StatisticsByPair {
   int kinds() const { return kinds_.kinds(); }
   int faces() const { return kinds_.faces(); }
   int pairs() const { return static_cast<int>(statistics_.size()); }
-  /// Kinds of a pair: the first, and the other, which is not below it, or ~face of the jar.
+  /// Kinds of a pair: `one`, and `other` >= `one` or, with the jar, `other` = ~face.
   struct Kinds {
     int one = 0, other = 0;
     bool with_jar() const { return other < 0; }
     int face() const { return ~other; }
   };
   Kinds kinds_of(int pair) const;
-  /// One without collisions is that of a fresh tally.
+  /// The statistics of a pair; empty statistics for a pair without collisions.
   const PairStatistics& operator[](int pair) const;
 
  private:
   BallKinds kinds_;
-  std::vector<std::vector<PairStatistics>> statistics_;  // each pair once: one, or none yet
+  std::vector<std::vector<PairStatistics>> statistics_;  // by pair: one element, or none yet
   std::vector<PairFactors> factors_;
-  std::vector<std::int32_t> number_;  // of a pair: a row for each kind, faces at its end
+  std::vector<std::int32_t> number_;  // pair index by kinds: a row per kind, faces at its end
 };
 
 }  // namespace mahlwerk::observe

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_frames = 360, fewest_frames = 16;
 
-/// What a film should last to show the motion [s].
+/// [s] Duration of a replay that shows the motion.
 double film_duration(const kinematics::AnyMotion& motion) {
   constexpr double periods = 3, otherwise = 0.5;
   const double spin = kinematics::bounds(motion).spin;

@@ -11,14 +11,15 @@
 
 namespace mahlwerk::observe {
 
-/// Counts over two energies, E_n = m u_n^2/2 and E_t = m u_t^2/2, a bin an octave.
+/// Joint histogram of two energies, E_n = m u_n^2/2 and E_t = m u_t^2/2, with one bin per octave.
 class JointHistogram {
  public:
   static constexpr int lowest_octave = -56, octaves = 64;  ///< 1.4e-17 J to 256 J
   static constexpr int bins = octaves;
 
   JointHistogram() : counts_(static_cast<std::size_t>(bins) * bins) {}
-  /// Bins as LogHistogram::bin_of() tells them; what lies beyond the ends goes into the outermost.
+  /// Adds a collision, by its bins of LogHistogram::bin_of(). Values beyond the ends go into the
+  /// outermost bins.
   void add(std::int64_t normal, std::int64_t tangential) {
     ++counts_[index(octave(normal), octave(tangential))];
   }
@@ -27,7 +28,7 @@ class JointHistogram {
   std::int64_t count(int normal, int tangential) const {
     return counts_[index(normal, tangential)];
   }
-  static double lower(int bin);  ///< [J] edge; that of the first is 0
+  static double lower(int bin);  ///< [J] lower edge; 0 for the first bin
 
  private:
   static std::int64_t octave(std::int64_t bin) {
@@ -43,13 +44,13 @@ class JointHistogram {
 constexpr int angle_bins = 90;  ///< of one degree, 0 head-on, 90 grazing
 using Angles = std::array<std::int64_t, angle_bins>;
 
-/// How the collisions of one kind of pair are distributed, in fixed memory: 0.1 MB.
+/// Distributions of the collisions of one kind of pair, in fixed memory of 0.1 MB.
 struct Spectra {
   LogHistogram energy_normal, energy_contact_point, energy_centre;  ///< [J] (evt.9) to (evt.11)
   LogHistogram energy_lost, lost_normal, lost_tangential;           ///< [J]
   LogHistogram approach;                                            ///< [m/s]
   LogHistogram duration;                                            ///< [s]
-  LogHistogram flash;                                               ///< [K] rise of the temperature
+  LogHistogram flash;                                               ///< [K] flash temperature rise
   JointHistogram normal_tangential;
   Angles angle_all{}, angle_above{};
 

@@ -10,7 +10,7 @@
 namespace mahlwerk::observe {
 namespace {
 
-/// Probability that |t| stays below sqrt(n) tan(theta), for n degrees of freedom: the finite series
+/// Probability that |t| is below sqrt(n) tan(theta), for n degrees of freedom: the finite series
 /// of Abramowitz & Stegun 26.7.3 and 26.7.4.
 double within(double theta, int n) {
   const double c = std::cos(theta), s = std::sin(theta);
@@ -32,8 +32,7 @@ double by_bisection(int n) {
   return std::sqrt(n) * std::tan(0.5 * (low + high));
 }
 
-/// Expansion about the normal quantile, Abramowitz & Stegun 26.7.5; beyond n = 30 it is good to
-/// 1e-6.
+/// Expansion about the normal quantile, Abramowitz & Stegun 26.7.5; accurate to 1e-6 beyond n = 30.
 double by_expansion(int n) {
   constexpr double z = 1.959963984540054, z2 = z * z;
   constexpr double g1 = z * (z2 + 1) / 4;
@@ -45,7 +44,7 @@ double by_expansion(int n) {
 }
 
 double mean_of(const std::vector<double>& values) {
-  double mean = values.empty() ? 0 : values.front();  // so that equal values have no width
+  double mean = values.empty() ? 0 : values.front();  // shifted: equal values give a width of 0
   for (const double v : values) mean += (v - values.front()) / static_cast<double>(values.size());
   return mean;
 }
@@ -56,7 +55,7 @@ double squares_about(const std::vector<double>& values, double mean) {
   return sum;
 }
 
-/// Correlation of neighbours, its bias of -1/n taken off.
+/// Lag-one autocorrelation, corrected for its bias of -1/n.
 double lag_one_autocorrelation(const std::vector<double>& values) {
   const double mean = mean_of(values), squares = squares_about(values, mean);
   double sum = 0;

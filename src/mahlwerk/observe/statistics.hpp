@@ -10,21 +10,20 @@ namespace mahlwerk::observe {
 /// A mean and its 95 % confidence half-width.
 struct Estimate {
   double mean = 0;
-  double ci95 = 0;  ///< Student's t; NaN where there is none
+  double ci95 = 0;  ///< by Student's t; NaN for a single value
 };
 
-/// `values`: one per replicate, at least one (sta.1).
+/// Mean and half-width of `values`, one per replicate, at least one (sta.1).
 Estimate estimate(const std::vector<double>& values);
 
-/// The mean of a series that keeps its character while it goes on, values evenly spaced in time,
-/// and the half-width that its own scatter gives: values are put into batches, twice as many a
-/// batch until neighbouring batches hardly know of each other, and what is left of that is allowed
-/// for (sta.3), (sta.4). NaN for fewer than ten values.
+/// Mean of a stationary series of equidistant values, and its half-width by batch means: the batch
+/// size doubles until neighbouring batches are almost uncorrelated (sta.3), and the remaining
+/// correlation widens the interval (sta.4). The half-width is NaN for fewer than ten values.
 Estimate time_series_estimate(const std::vector<double>& values);
 
-/// How many of the first values belong to a start that the rest does not remember: those whose
-/// leaving out makes the mean of the others surest (MSER-5, sta.5). At most half of them; that many
-/// means that it has not settled.
+/// Length of the initial transient by MSER-5 (sta.5): the number of first values whose removal
+/// minimises the standard error of the mean of the rest. At most half of the values; half of them
+/// means that the series has not settled.
 std::size_t transient_length(const std::vector<double>& values);
 
 /// Two-sided 95 % quantile of Student's t for `freedom` >= 1 degrees of freedom (sta.2).

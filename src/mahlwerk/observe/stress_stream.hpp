@@ -13,15 +13,15 @@
 
 namespace mahlwerk::observe {
 
-/// Energies of collisions in the order of time, in fixed memory: 8 MB. When it is full every second
-/// is dropped, and from then on one of twice as many is kept.
+/// Energies of collisions in order of time, in fixed memory of 8 MB. When the memory is full, every
+/// second record is dropped, and the stride between kept collisions doubles.
 class StressStream {
  public:
   enum class Energy { normal, contact_point, lost };
   static constexpr std::size_t most = std::size_t{1} << 20U;
   struct Hit {
     float energy = 0;       ///< [J]
-    std::int32_t pair = 0;  ///< as StatisticsByPair numbers them
+    std::int32_t pair = 0;  ///< index of the pair in StatisticsByPair
   };
 
   void collisions(std::span<const scene::Collision> finished, const StatisticsByPair& pairs,

@@ -11,11 +11,11 @@
 
 namespace mahlwerk::observe {
 
-/// How a jar's wall is cut into cells (obs.4): its own z axis is that of an unrolled cylinder, and
-/// what faces along that axis belongs to one of two discs. Every place is in exactly one cell.
+/// Division of a jar's wall into cells (obs.4): an unrolled cylinder about the jar's own z axis,
+/// and two discs for the parts that face along this axis. Every point is in exactly one cell.
 struct WallGrid {
-  static constexpr int around = 60, along = 30;  ///< of the unrolled side
-  static constexpr int rings = 6, sectors = 30;  ///< of each disc; rings have equal areas
+  static constexpr int around = 60, along = 30;  ///< cells of the unrolled side
+  static constexpr int rings = 6, sectors = 30;  ///< cells of each disc; rings have equal areas
   static constexpr int side_cells = around * along, disc_cells = rings * sectors;
   static constexpr int cells = side_cells + 2 * disc_cells;
 
@@ -24,23 +24,22 @@ struct WallGrid {
 
   enum class Part { side, bottom, top };
   static Part part(int cell);
-  /// Ranges of a cell: angle about the axis [rad], and height [m] of the side or radius [m] of a
-  /// disc.
+  /// Ranges of a cell: angle about the axis [rad]; height (side) or radius (disc) [m].
   struct Bounds {
     std::array<double, 2> angle, across;
   };
   Bounds bounds(int cell) const;
 };
 
-/// What hits on one cell of the wall add up to.
+/// Sums over the hits on one cell of the wall.
 struct WallSums {
   std::int64_t count = 0;
   double energy_normal = 0, lost = 0;  ///< [J]
-  double load_distance = 0;            ///< [N m] integral of normal force times way slid
+  double load_distance = 0;            ///< [N m] integral of normal force over sliding distance
   double erosion = 0;                  ///< [J] sum of m u^2 f(alpha) (wea.4)
 };
 
-/// Where the jar is hit, and what that does to it, in fixed memory: 0.1 MB.
+/// Map of hits on the jar's wall and their effects, in fixed memory of 0.1 MB.
 class WallMap {
  public:
   explicit WallMap(const WallGrid& grid = {}) : grid_(grid), cells_(WallGrid::cells) {}

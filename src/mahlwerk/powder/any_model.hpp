@@ -6,8 +6,8 @@
 
 #include "mahlwerk/base/indirect.hpp"
 
-// Models of capture, breakage and fragments chosen at run time, for those who do not look into
-// them; powder/models.hpp lists what they can be.
+// Models of capture, breakage and fragments chosen at run time, as incomplete types;
+// powder/models.hpp lists the models.
 namespace mahlwerk::powder {
 
 struct AnyCapture;
@@ -17,16 +17,16 @@ struct AnyFragments;
 std::string_view name_of(const AnyCapture& capture);      ///< "barrios"
 std::string_view name_of(const AnyBreakage& breakage);    ///< "tavares"
 std::string_view name_of(const AnyFragments& fragments);  ///< "austin"
-std::string_view about(const AnyCapture& capture);        ///< what it is, in a few words
-/// Whether it knows the strength of grains that [capture] leaves to it.
+std::string_view about(const AnyCapture& capture);        ///< short description
+/// Whether the model has a median strength, which [capture] may use.
 bool has_median_strength(const AnyBreakage& breakage);
-/// Whether it keeps a strength for each grain.
+/// Whether the model keeps a strength for each grain.
 bool tracks_strength(const AnyBreakage& breakage);
 
-/// What a bed is made of.
+/// Composition of a captured bed.
 enum class Bed {
-  by_size,  ///< each hit meets grains of one size, which it meets as often as there is mass of them
-  mixed     ///< each hit meets the powder as it is, in a bed as high as its mean size
+  by_size,  ///< each hit captures grains of one size, chosen in proportion to their mass
+  mixed     ///< each hit captures the mixed powder, in a bed as high as its mean size
 };
 
 }  // namespace mahlwerk::powder

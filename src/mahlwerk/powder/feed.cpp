@@ -31,7 +31,7 @@ double normal_cdf(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// Standard deviations below which a share, in (0, 1), of a normal distribution lies.
+/// Quantile of the standard normal distribution for a share in (0, 1).
 double normal_quantile(double share) {
   double low = -40, high = 40;
   for (int i = 0; i < 100 && high - low > 1e-14 * (1 + std::abs(low)); ++i) {

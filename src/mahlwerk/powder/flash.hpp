@@ -5,26 +5,26 @@
 #include <cmath>
 #include <numbers>
 
-// How hot two bodies get where they collide.
+// Flash temperature at the contact of two colliding bodies.
 namespace mahlwerk::powder {
 
-/// Two bodies that collide. All above 0.
+/// Properties of two colliding bodies, all > 0.
 struct FlashPair {
-  double radius = 0;            ///< [m] effective, R*
-  double mass = 0;              ///< [kg] effective, m*
-  double modulus = 0;           ///< [Pa] effective, E*
+  double radius = 0;            ///< [m] effective radius R*
+  double mass = 0;              ///< [kg] effective mass m*
+  double modulus = 0;           ///< [Pa] effective modulus E*
   double effusivity = 0;        ///< [J/(m2 K s^0.5)] of one
   double other_effusivity = 0;  ///< [J/(m2 K s^0.5)] of the other
 };
 
-/// [J/(m2 K s^0.5)] From conductivity [W/(m K)], density [kg/m3], heat capacity [J/(kg K)]
-/// (hea.10).
+/// [J/(m2 K s^0.5)] Thermal effusivity from conductivity [W/(m K)], density [kg/m3] and heat
+/// capacity [J/(kg K)] (hea.10).
 inline double effusivity(double conductivity, double density, double heat_capacity) {
   return std::sqrt(conductivity * density * heat_capacity);
 }
 
-/// [K/J] Rise of the temperature where two bodies touch, over what the collision loses (hea.7).
-/// `energy_normal` [J] is 1/2 m* u_n^2. 0 where that is 0: nothing was pressed, no spot is known.
+/// [K/J] Flash temperature rise over the energy lost in a collision (hea.7). `energy_normal` [J] is
+/// 1/2 m* u_n^2. Returns 0 if it is 0, as there is no contact area then.
 inline double flash_factor(double energy_normal, const FlashPair& p) {
   if (!(energy_normal > 0)) return 0;
   constexpr double hertz_time = 2.943275184324706;  // 2 sqrt(pi) Gamma(7/5)/Gamma(9/10) (dem.9)
@@ -35,7 +35,7 @@ inline double flash_factor(double energy_normal, const FlashPair& p) {
   return 2 / (area * std::sqrt(std::numbers::pi * time) * (p.effusivity + p.other_effusivity));
 }
 
-/// [s] Hertz's time of a collision of `energy_normal` [J] > 0 (hea.9).
+/// [s] Hertz's contact time of a collision of `energy_normal` [J] > 0 (hea.9).
 inline double hertz_time(double energy_normal, const FlashPair& p) {
   constexpr double factor = 2.943275184324706;  // as above
   const double depth = std::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);

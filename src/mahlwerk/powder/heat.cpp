@@ -8,7 +8,7 @@
 namespace mahlwerk::powder {
 namespace {
 
-/// y' = push - rate y after a time (hea.4).
+/// Solution of y' = push - rate y after a time (hea.4).
 double relax(double y, double push, double rate, double time) {
   const double z = -rate * time;
   return y * std::exp(z) + push * time * (z == 0 ? 1 : std::expm1(z) / z);
@@ -29,8 +29,8 @@ void append_phase(std::vector<HeatPoint>& points, const HeatNodes& nodes, const 
 
 }  // namespace
 
-// Temperatures times the root of their capacity obey a symmetric matrix, which a rotation takes
-// apart into two modes that know nothing of each other, however near or small their rates are.
+// Temperatures times the square root of their capacities have a symmetric matrix. A rotation
+// diagonalises it into two independent modes, also for nearly equal or very small rates.
 Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, double ambient,
                                 const Temperatures& start, double duration) {
   const double b = std::sqrt(nodes.balls_capacity), j = std::sqrt(nodes.jar_capacity);
@@ -38,7 +38,8 @@ Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, 
   const double jj = (nodes.exchange + nodes.cooling) / (j * j);
   const double turn = 0.5 * std::atan2(2 * bj, bb - jj), c = std::cos(turn), s = std::sin(turn);
   const double fast = 0.5 * (bb + jj + std::hypot(bb - jj, 2 * bj));
-  const double product = bb * (nodes.cooling / (j * j));  // of both rates, free of cancellation
+  const double product =
+      bb * (nodes.cooling / (j * j));  // product of both rates, without cancellation
   const double slow = fast > 0 ? product / fast : 0;
 
   const double balls = b * (start.balls - ambient), jar = j * (start.jar - ambient);
@@ -59,10 +60,10 @@ Temperatures steady_temperatures(const HeatNodes& nodes, const Heating& heating,
 std::vector<HeatPoint> temperature_history(const HeatNodes& nodes, const MillCycles& mill,
                                            int points) {
   const double cycle = mill.milling + mill.pause;
-  const double steps = points / static_cast<double>(mill.cycles);  // of one cycle
+  const double steps = points / static_cast<double>(mill.cycles);  // points per cycle
   std::vector<HeatPoint> found{{0, mill.ambient, mill.ambient}};
   for (std::int64_t i = 0; i < mill.cycles; ++i) {
-    found.back().time = cycle * static_cast<double>(i);  // no sum of rounded times
+    found.back().time = cycle * static_cast<double>(i);  // avoids accumulated rounding
     append_phase(found, nodes, mill.heating(), mill.ambient, mill.milling,
                  steps * mill.milling / cycle);
     if (mill.pause > 0)

@@ -21,26 +21,27 @@
 
 namespace mahlwerk::powder {
 
-/// The registers. A new model is its file and its name here. What is chosen of each is a class of
-/// its own, so that any_model.hpp can name it.
+/// Registers of models. To add a model, write its file and add its name here. Each chosen model is
+/// a class derived from the variant, so that any_model.hpp can forward-declare it.
 
-/// `capture(nip, energy [J], grain)` is what a collision catches.
+/// `capture(nip, energy [J], grain)` returns the capture of one collision.
 using CaptureModels = std::variant<Barrios, TrappedVolume, SurfaceLayer, FixedMass>;
 struct AnyCapture : CaptureModels {
   using Models = CaptureModels;
   using Models::Models;
 };
 
-/// `breakage_probability(size [m], energy [J/kg])` that a hit breaks a fresh grain. Those that
-/// `predicts_t10` have `t10(size, energy)`; those that `tracks_strength` keep a strength for each
-/// grain.
+/// `breakage_probability(size [m], energy [J/kg])`: probability that a hit breaks a fresh grain.
+/// Models with `predicts_t10` have `t10(size, energy)`; models with `tracks_strength` keep a
+/// strength for each grain.
 using BreakageModels = std::variant<VogelPeukert, ShiKojovic, Tavares, Threshold>;
 struct AnyBreakage : BreakageModels {
   using Models = BreakageModels;
   using Models::Models;
 };
 
-/// Whether M is the one breakage model that remembers: what looks after its grains knows no other.
+/// Whether M is the only breakage model that tracks strength, as the code of Sample and of
+/// strength_levels assumes.
 template <class M, class... Models>
 constexpr bool only_one_tracks_strength(std::type_identity<std::variant<Models...>>) {
   return ((Models::tracks_strength == std::is_same_v<Models, M>)&&...);
@@ -49,8 +50,8 @@ template <class M>
 constexpr bool only_strength_model =
     only_one_tracks_strength<M>(std::type_identity<BreakageModels>{});
 
-/// `breakage_function(x/y, y [m], t10)` of the mass of a broken grain of size y; `draw_fragment(y,
-/// t10, uniform)` is the size of a piece that a random bit of that mass finds itself in.
+/// `breakage_function(x/y, y [m], t10)`: mass share of a broken grain of size y in fragments finer
+/// than x. `draw_fragment(y, t10, uniform)`: size [m] of a fragment drawn by mass.
 using FragmentsModels =
     std::variant<VogelFragments, AustinFragments, T10Fragments, BinaryFragments, Halves>;
 struct AnyFragments : FragmentsModels {

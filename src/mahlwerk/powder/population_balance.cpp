@@ -43,7 +43,9 @@ void PopulationBalance::advance(double time) {
   states_ = product(transition_->second, states_);
 }
 
-// The midpoint rule: rates at the size half way, which a first guess of the step finds.
+// Midpoint rule: a trial step gives the mean size at its end; the step uses the rates at the
+// geometric mean of both sizes. Steps are halved until the mean size changes by at most 5 %
+// (pbm.5).
 void PopulationBalance::advance_mixed(double time) {
   constexpr double most_change = 0.05;
   double left = time, next = time;

@@ -11,17 +11,18 @@
 
 namespace mahlwerk::powder {
 
-/// The population balance: the mass in each class of size as collisions break it down. Exact in
-/// time where rates do not hang on the powder, as in beds by size; in a mixed bed they are taken
-/// anew whenever its mean size has changed by 5 % (pbm.5).
+/// Population balance: the mass in each size class under breakage by collisions. Exact in time
+/// where rates do not depend on the powder, as in beds by size. In a mixed bed, steps change the
+/// mean size by at most 5 %, and rates are recomputed in each step (pbm.5).
 class PopulationBalance {
  public:
-  /// `feed`: shares of each class of the grid. `known`: its beds by size, where they are at hand.
+  /// `feed`: mass share of each class of the grid. `known`: capture table of beds by size, if
+  /// available.
   PopulationBalance(Process process, StressSpectrum stresses, SizeGrid grid,
                     const std::vector<double>& feed, const CaptureTable* known = nullptr);
 
-  void advance(double time);           ///< [s] >= 0 further
-  std::vector<double> shares() const;  ///< of each class of size
+  void advance(double time);           ///< by `time` [s] >= 0
+  std::vector<double> shares() const;  ///< mass share of each size class
   const SizeGrid& grid() const { return grid_; }
 
  private:
@@ -33,9 +34,9 @@ class PopulationBalance {
   SizeGrid grid_;
   StrengthLevels levels_;
   std::vector<double> states_;
-  std::optional<RateMatrix> rates_;  // where they stay as they are
+  std::optional<RateMatrix> rates_;  // if they are constant
   std::optional<std::pair<double, Matrix>>
-      transition_;  // the last time asked for [s], and its step
+      transition_;  // last time step [s] and its transition matrix
 };
 
 }  // namespace mahlwerk::powder

@@ -13,10 +13,11 @@
 namespace mahlwerk::powder {
 namespace {
 
-/// Values of t10 between which what breaks is shared out, so that pieces are found once for each.
+/// Bins of t10. Breakage rates are interpolated between them, so that fragments are computed once
+/// per bin.
 constexpr int t10_bins = 33;
 
-/// What breaks of one class [1/s], by fineness; only the first where the model tells none.
+/// Breakage rates [1/s] of one class by t10 bin. Models without t10 use only the first bin.
 using BreakageRates = std::array<double, t10_bins>;
 
 void add(BreakageRates& broken, double rate, double t10) {
@@ -27,13 +28,13 @@ void add(BreakageRates& broken, double rate, double t10) {
   broken[static_cast<std::size_t>(low) + 1] += rate * high_share;
 }
 
-/// One kind of hit on one class of size.
+/// One stress on one size class.
 struct Hit {
-  double rate = 0;    ///< [1/s] of a grain of it
-  double energy = 0;  ///< [J/kg]
+  double rate = 0;    ///< [1/s] hits on a grain of the class
+  double energy = 0;  ///< [J/kg] specific energy of the hit grain
 };
 
-/// Fills the columns of the matrix, a class at a time.
+/// Fills the columns of the matrix, class by class.
 class RateMatrixBuilder {
  public:
   RateMatrixBuilder(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
@@ -78,7 +79,7 @@ class RateMatrixBuilder {
       distribute_fragments(i, level, broken[static_cast<std::size_t>(level)]);
   }
 
-  /// On grains that are all alike.
+  /// Hits on grains of a model without individual strengths.
   template <class Model>
   void apply_hit(int i, const Hit& h, const Model& model, BreakageRates& broken) {
     const double size = grid_.middle(i), chance = model.breakage_probability(size, h.energy);
@@ -89,7 +90,7 @@ class RateMatrixBuilder {
     weld(i, 0, h, 1 - chance);
   }
 
-  /// On grains of one strength.
+  /// Hits on grains of one strength level.
   template <class Model>
   void apply_hit(int i, int level, const Hit& h, const Model& model,
                  std::vector<BreakageRates>& broken) {
@@ -104,7 +105,7 @@ class RateMatrixBuilder {
     weaken(i, level, h.rate * (1 - welded), strength * (1 - model.damage(load)));
   }
 
-  /// To a strength that lies between two levels: to both, so that its mean logarithm is right.
+  /// Moves grains to a strength between two levels, split so that the mean logarithm is conserved.
   void weaken(int i, int level, double rate, double strength) {
     const std::vector<double>& all = levels_.strength;
     int below = level;
@@ -117,7 +118,7 @@ class RateMatrixBuilder {
     if (below - 1 != level) rates_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
   }
 
-  /// Two like grains become one of twice the volume (pbm.6). Returns the share that does.
+  /// Welds two like grains to one of twice the volume (pbm.6). Returns the share that welds.
   double weld(int i, int level, const Hit& h, double survivors) {
     const int to = i - grid_.per_octave() / 3;
     if (!(process_.welding > 0) || h.energy < process_.welding_energy || to < 0) return 0;
@@ -125,7 +126,7 @@ class RateMatrixBuilder {
     return process_.welding;
   }
 
-  /// Pieces go where the fragments say; those that are as large as their class stay there.
+  /// Distributes fragments over the classes. Fragments in the parent's own state stay there.
   void distribute_fragments(int i, int level, const BreakageRates& broken) {
     const int last = grid_.classes() - 1;
     if (i == last) return;
@@ -168,8 +169,8 @@ StrengthLevels strength_levels(const AnyBreakage& breakage, int count) {
   static_assert(only_strength_model<Tavares>);
   const auto* model = std::get_if<Tavares>(&breakage);
   if (model == nullptr) return {};
-  // Evenly in the logarithm, from what a thousandth of fresh grains exceed to a sixth of what as
-  // many fall short of: below that a grain breaks as good as always.
+  // Equidistant in the logarithm, from the strength that a thousandth of fresh grains exceed to a
+  // sixth of that which a thousandth fall short of. Weaker grains break at almost every hit.
   constexpr double deviations = 3, weakest = 6;
   const double high = std::log(model->relative_strength(deviations));
   const double low = std::log(model->relative_strength(-deviations) / weakest);

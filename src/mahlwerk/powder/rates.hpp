@@ -14,26 +14,26 @@ namespace mahlwerk::powder {
 
 struct Process;
 
-/// Levels of strength within a class of size, strongest first, for models that remember: strength
-/// over median, and the share of fresh grains at each. One level for all others.
+/// Levels of strength within a size class, strongest first, for models that track strength:
+/// strength over median, and the share of fresh grains at each level. Other models have one level.
 struct StrengthLevels {
   std::vector<double> strength{1}, fresh{1};
   int count() const { return static_cast<int>(strength.size()); }
 };
 StrengthLevels strength_levels(const AnyBreakage& breakage, int count = 20);
 
-/// The beds that grains are caught in, and what each stress catches in each. They do not hang on
-/// how grains break, so a fit makes them once.
+/// Captures by each stress in each bed. They do not depend on breakage, so that a fit computes them
+/// once.
 struct CaptureTable {
-  std::vector<double> size;  ///< [m] of the grains: for each class, or one for all in a mixed bed
-  std::vector<Capture> captures;  ///< `bed * stresses + stress`
+  std::vector<double> size;  ///< [m] grain size of each bed: one per class, or one for a mixed bed
+  std::vector<Capture> captures;  ///< at index `bed * stresses + stress`
 };
-/// `mean_size` [m] of the powder matters to a mixed bed only.
+/// Computes the captures. `mean_size` [m] of the powder is used for a mixed bed only.
 CaptureTable capture_table(const Process& process, const StressSpectrum& stresses,
                            const SizeGrid& grid, double mean_size);
 
-/// What collisions do to the mass of each state (pbm.1), (pbm.2): state `class * levels + level`.
-/// Grains of the last class do not break.
+/// Rate matrix [1/s] of the population balance (pbm.1), (pbm.2), for states `class * levels +
+/// level`. Grains of the last class do not break.
 RateMatrix rate_matrix(const Process& process, const StressSpectrum& stresses, const SizeGrid& grid,
                        const StrengthLevels& levels, const CaptureTable& table);
 

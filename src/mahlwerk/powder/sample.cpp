@@ -11,10 +11,10 @@
 namespace mahlwerk::powder {
 namespace {
 
-constexpr int steps_per_octave = 8;  // of energy, in rows
+constexpr int steps_per_octave = 8;  // of the energies of kinds of collisions
 constexpr int damage_steps = 512;
 
-/// [1] Standard deviations of a random grain's strength.
+/// [1] A standard normal random number (Box-Muller), for a grain's strength.
 double normal(SplitMix64& draw) {
   const double radius = std::sqrt(-2 * std::log(draw()));
   return radius * std::cos(2 * std::numbers::pi * draw());
@@ -32,12 +32,12 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
       grains_(grains) {
   static_assert(only_strength_model<Tavares>);
   const auto* tavares = std::get_if<Tavares>(&*process_.breakage);
-  if (tavares != nullptr)  // small damage goes as this power of the load: smooth in it
+  if (tavares != nullptr)  // equidistant in the power of the load to which small damage is linear
     for (int i = 0; i <= damage_steps; ++i)
       damage_.push_back(
           tavares->damage(std::pow(static_cast<double>(i) / damage_steps, 2.5 / tavares->gamma)));
   for (int i = 0; i < grains; ++i) {
-    // One from each equal share of the feed: it is met as closely as so many grains can.
+    // Stratified sampling: one grain from each equal share of the feed.
     const double size = feed.quantile((i + draw_()) / grains);
     const double strength =
         tavares == nullptr ? 0 : tavares->median(size) * tavares->relative_strength(normal(draw_));
@@ -93,8 +93,8 @@ void Sample::compute_class_hits(CollisionKind& kind) const {
   }
 }
 
-// As many candidates as if all grains of a group were hit as often as the class of it that is hit
-// most, or one more; spread evenly over the groups. Each is then hit, or not.
+// Rejection sampling: candidates are drawn at the largest hit share of their group, spread evenly
+// over the groups, and accepted with the hit share of their class over that largest share.
 void Sample::hit(int of_kind, double energy, double times) {
   const CollisionKind& k = kinds_[static_cast<std::size_t>(of_kind)];
   if (k.no_effect) return;
@@ -105,8 +105,8 @@ void Sample::hit(int of_kind, double energy, double times) {
   const double apart = due / static_cast<double>(candidates);
   std::visit(
       [&](const auto& model) {
-        // Counts change as grains move: what was there at the start is what candidates are spread
-        // over, fine grains first, so that none is hit for what it has just come from.
+        // Counts change as grains move. Candidates are spread over the groups from fine to coarse,
+        // so that a fragment is not hit again in a finer group by the same collision.
         std::size_t g = groups_.size() - 1;
         double below = 0, here = count_[g] * k.most[g];
         for (std::int64_t i = 0; i < candidates; ++i) {
@@ -117,7 +117,7 @@ void Sample::hit(int of_kind, double energy, double times) {
             here = count_[g] * k.most[g];
           }
           const auto which = static_cast<std::size_t>((place - below) / k.most[g]);
-          if (which >= groups_[g].size()) continue;  // what has moved on since
+          if (which >= groups_[g].size()) continue;  // the grain has moved to another group
           const ClassHit class_hit =
               k.class_hits[static_cast<std::size_t>(groups_[g][which].size_class)];
           if (draw_() * k.most[g] < class_hit.share)
@@ -151,12 +151,13 @@ void Sample::hit_grain(const Model& model, int group, std::size_t which, double 
     breaks = draw_() < model.breakage_probability(grain.size, energy);
   }
   if (breaks) {
-    if (grain.size_class + 1 == grid_.classes()) return;  // as fine as is told apart
+    if (grain.size_class + 1 == grid_.classes()) return;  // the finest class does not break
     double t10 = 0;
     if constexpr (Model::predicts_t10) t10 = model.t10(grain.size, energy);
     grain.size = std::visit([&](const auto& f) { return f.draw_fragment(grain.size, t10, draw_); },
                             *process_.fragments);
-    grain.size = std::max(grain.size, grid_.middle(grid_.classes() - 1));  // as in the balance
+    grain.size =
+        std::max(grain.size, grid_.middle(grid_.classes() - 1));  // as in the population balance
     if constexpr (Model::tracks_strength)
       grain.strength =
           static_cast<float>(model.median(grain.size) * model.relative_strength(normal(draw_)));
@@ -166,7 +167,7 @@ void Sample::hit_grain(const Model& model, int group, std::size_t which, double 
       grain.size_class >= grid_.per_octave() / 3 && draw_() < process_.welding) {
     const double before = grain.size;
     grain.size *= std::cbrt(2.0);
-    if constexpr (Model::tracks_strength)  // as strong for its size as it was
+    if constexpr (Model::tracks_strength)  // keeps its strength relative to the median
       grain.strength *= static_cast<float>(model.median(grain.size) / model.median(before));
     move(group, which, grain);
   }
@@ -192,7 +193,7 @@ void Sample::move(int group, std::size_t which, GrainState grain) {
   ++count_[static_cast<std::size_t>(to)];
 }
 
-/// A mixed bed is as high as the powder's mean size, and what is caught goes with it (pbm.5).
+/// Recomputes captures of a mixed bed, whose height is the powder's mean size (pbm.5).
 void Sample::update_mixed_bed() {
   constexpr double much = 0.02;
   hits_at_update_ = grain_hits_;

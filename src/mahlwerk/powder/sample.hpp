@@ -13,8 +13,8 @@
 
 namespace mahlwerk::powder {
 
-/// Random numbers from a counter (SplitMix64; Steele, Lea and Flood 2014): the n-th hangs on the
-/// start and n alone. A tenth of the time of Random, which a hit draws three of.
+/// Counter-based random numbers (SplitMix64; Steele, Lea and Flood 2014): the n-th number depends
+/// on the seed and n only. Takes a tenth of the time of Random; a hit draws three numbers.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
@@ -29,48 +29,49 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// A sample of the powder, hit by hit: each of its grains stands for the same mass, so that mass is
-/// kept to the last bit and a piece of a grain is drawn by its mass. The mean of many samples is
-/// the balance (pbm.7).
+/// Monte Carlo sample of the powder, advanced hit by hit. Each grain stands for the same mass, so
+/// that mass is conserved exactly; a broken grain becomes one fragment drawn by mass. The mean of
+/// many samples is the population balance (pbm.7).
 class Sample {
  public:
-  /// `grains` sizes drawn from the feed; `start` of the random numbers. What a collision catches is
-  /// worked out for each class of the grid, and for energies an eighth of an octave apart.
+  /// Draws `grains` sizes from the feed. `start`: seed of the random numbers. Captures are computed
+  /// for each class of the grid and for energies an eighth of an octave apart.
   Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed& feed, int grains,
          std::uint64_t start);
 
-  /// Which kind of collision one in that nip and of that `energy` [J] > 0 is.
+  /// Index of the kind of a collision in this nip with this `energy` [J] > 0.
   int kind(int nip, double energy);
-  /// Whether such a collision can do anything to any grain of the grid.
+  /// Whether a collision of this kind can break, weaken or weld a grain of any class.
   bool has_effect(int kind) const { return !kinds_[static_cast<std::size_t>(kind)].no_effect; }
-  /// A collision of that kind and `energy` [J], which stands for `times` of its like.
+  /// Applies a collision of this kind and `energy` [J], which stands for `times` collisions.
   void hit(int kind, double energy, double times = 1);
 
-  std::vector<double> shares() const;  ///< of the mass, in each class of size
+  std::vector<double> shares() const;  ///< mass share of each size class
   std::int64_t grain_hits() const { return grain_hits_; }
-  /// Whether nothing can change any more: all grains are of the finest class, and none weld.
+  /// Whether the sample can no longer change: all grains are in the finest class, and none weld.
   bool finished() const { return finest_ == grains_ && !(process_.welding > 0); }
-  std::vector<double> sizes() const;  ///< [m] of all grains, in no order
+  std::vector<double> sizes() const;  ///< [m] sizes of all grains, unordered
 
  private:
   static constexpr int most_groups = 128;
   struct GrainState {
     double size = 0;
-    float strength = 0;  // [J/kg] of models that remember
+    float strength = 0;  // [J/kg] for models that track strength
     std::int32_t size_class = 0;
   };
-  /// Of a class: the share of its mass that a collision hits, and the energy that a caught grain
-  /// gets over that of the collision [1/kg]. In few bytes: reading them is much of a hit's time.
+  /// Hit of a collision on one class: the share of the class's mass that is hit, and the specific
+  /// energy of a captured grain over the collision's energy [1/kg]. In single precision, as reading
+  /// these numbers takes much of a hit's time.
   struct ClassHit {
     float share = 0, per_energy = 0;
   };
-  /// What a kind of collision does to the classes.
+  /// Hits of one kind of collision on all classes.
   struct CollisionKind {
-    std::array<double, most_groups> most{};  // largest share of each group of classes
-    std::vector<ClassHit> class_hits;        // of each class
+    std::array<double, most_groups> most{};  // largest hit share in each group of classes
+    std::vector<ClassHit> class_hits;        // by class
     int nip = 0;
     double energy = 0;      // [J]
-    bool no_effect = true;  // nothing that is hit breaks, is weakened or welds
+    bool no_effect = true;  // no grain breaks, is weakened or welds
   };
   void compute_class_hits(CollisionKind& kind) const;
   template <class Model>
@@ -82,16 +83,17 @@ class Sample {
   Process process_;
   std::vector<Nip> nips_;
   SizeGrid grid_;
-  /// Grains by octaves of size, of which a collision hits about the same share each.
+  /// Grains in groups of half an octave of size, whose classes have similar hit shares (for
+  /// rejection sampling).
   std::vector<std::vector<GrainState>> groups_;
-  std::array<double, most_groups> count_{};  // in each
+  std::array<double, most_groups> count_{};  // grains in each group
   std::vector<CollisionKind> kinds_;
-  std::map<std::pair<int, int>, int> known_;  // kinds by nip and step of energy
-  std::vector<double> damage_;                // by load, of models that remember
+  std::map<std::pair<int, int>, int> known_;  // kinds by nip and energy step
+  std::vector<double> damage_;                // table by load, for models that track strength
   SplitMix64 draw_;
   std::int64_t grains_ = 0, grain_hits_ = 0, hits_at_update_ = 0;
-  std::int64_t finest_ = 0;  // grains of the finest class
-  double mean_size_ = 0;     // [m] that a mixed bed was worked out for
+  std::int64_t finest_ = 0;  // grains in the finest class
+  double mean_size_ = 0;     // [m] mean size for which the mixed bed was computed
 };
 
 }  // namespace mahlwerk::powder

@@ -12,7 +12,7 @@
 namespace mahlwerk::powder {
 namespace {
 
-constexpr int doublings = 12, steps = 16;  // of the times told, and in each doubling
+constexpr int doublings = 12, steps = 16;  // of the output times, and within each doubling
 
 }  // namespace
 
@@ -31,7 +31,8 @@ SizeEvolution grind_by_balance(const Process& process, const StressSpectrum& str
                                const CaptureTable* known) {
   SizeEvolution evolution{grid, output_times(time), {}};
   PopulationBalance balance(process, stresses, grid, grid.shares(feed), known);
-  // Each step as a power of two of the first, whose matrix is squared from doubling to doubling.
+  // All steps are the first step times a power of two, so that the transition matrix of each
+  // doubling is the square of the previous one.
   const double first = std::ldexp(time, -doublings) / steps;
   evolution.shares.push_back(balance.shares());
   for (int k = -1; k < doublings; ++k)
@@ -63,7 +64,7 @@ SizeEvolution grind_sample(const Process& process, const std::vector<Nip>& nips,
     double time, energy;
     int kind;
   };
-  std::vector<Event> events;  // of one span, those that matter
+  std::vector<Event> events;  // events of one span that have an effect
   for (std::size_t i = 0; i < stream.hits.size(); ++i) {
     const StreamHit& h = stream.hits[i];
     const double when =
@@ -74,10 +75,11 @@ SizeEvolution grind_sample(const Process& process, const std::vector<Nip>& nips,
   constexpr double most = 1e7;
   const double wanted = static_cast<double>(events.size()) * time / stream.span;
   auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(wanted / most)));
-  while (!events.empty() && std::gcd(stride, events.size()) != 1) ++stride;  // meets them all
+  while (!events.empty() && std::gcd(stride, events.size()) != 1)
+    ++stride;  // coprime: every event is applied in turn
   evolution.shares.push_back(sample.shares());
   std::size_t recorded = 1, at = 0;
-  double began = 0;  // [s] when this turn of the stream did
+  double began = 0;  // [s] start of the current repetition of the stream
   while (recorded < evolution.time.size()) {
     const bool over = events.empty() || sample.finished();
     const double when = over ? time * 2 : began + events[at].time;

@@ -14,19 +14,19 @@ namespace mahlwerk::powder {
 
 struct Process;
 
-/// How fine the powder is over the time of milling.
+/// Size distribution of the powder over the milling time.
 struct SizeEvolution {
   SizeGrid grid;
-  std::vector<double> time;                 ///< [s] from 0 on, rising; closer at the start
-  std::vector<std::vector<double>> shares;  ///< of the mass in each class, at each time
+  std::vector<double> time;                 ///< [s] rising from 0; denser at the start
+  std::vector<std::vector<double>> shares;  ///< mass shares of the classes, at each time
 
-  std::vector<double> at(double time) const;  ///< shares then, between two times in proportion
+  std::vector<double> at(double time) const;  ///< shares at `time` [s], linearly interpolated
 };
 
-/// Times [s] at which it is told: 0, then twelve doublings up to `time`, 16 steps in each.
+/// Output times [s]: 0, then twelve doublings up to `time` with 16 steps in each.
 std::vector<double> output_times(double time);
 
-/// By the population balance. `known`: its beds by size, where they are at hand.
+/// Size evolution by the population balance. `known`: capture table of beds by size, if available.
 SizeEvolution grind_by_balance(const Process& process, const StressSpectrum& stresses,
                                const SizeGrid& grid, const Feed& feed, double time,
                                const CaptureTable* known = nullptr);
@@ -34,16 +34,18 @@ SizeEvolution grind_by_balance(const Process& process, const StressSpectrum& str
 /// A collision of the stream.
 struct StreamHit {
   float energy = 0;      ///< [J] > 0
-  std::int32_t nip = 0;  ///< of the spectrum's
+  std::int32_t nip = 0;  ///< index of the nip in the stress spectrum
 };
-/// Collisions in the order of time, each for `weight` of its like, over `span` [s]; then again.
+/// Collisions in order of time over `span` [s], repeated periodically. Each stands for `weight`
+/// collisions.
 struct Stream {
   std::vector<StreamHit> hits;
   double weight = 1, span = 0;
 };
 
-/// Hit by hit on a sample of so many grains; `start` of its random numbers. Hits that can do
-/// nothing are left out; where the others are more than some ten million, each stands for several.
+/// Size evolution by a Monte Carlo simulation: hit by hit on a sample of `grains` grains; `start`:
+/// seed of the random numbers. Hits without effect are skipped. If more than about ten million
+/// remain, only every n-th hit is applied, and stands for n.
 SizeEvolution grind_sample(const Process& process, const std::vector<Nip>& nips,
                            const Stream& stream, const SizeGrid& grid, const Feed& feed,
                            double time, int grains, std::uint64_t start);

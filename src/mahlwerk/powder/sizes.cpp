@@ -9,7 +9,7 @@ namespace mahlwerk::powder {
 
 SizeGrid::SizeGrid(double middle, double largest, double smallest, int per_octave)
     : per_octave_(per_octave) {
-  constexpr double rounding = 1e-9;  // an end that lies on an edge needs no further class
+  constexpr double rounding = 1e-9;  // an end on an edge needs no further class
   const double half = 0.5 / per_octave;
   const auto above = static_cast<int>(
       std::ceil(std::max(0.0, (std::log2(largest / middle) - half) * per_octave - rounding)));
@@ -38,7 +38,7 @@ std::vector<double> SizeGrid::shares(const Feed& feed) const {
     found[static_cast<std::size_t>(class_of(feed.size))] = 1;
     return found;
   }
-  double above = 1;  // share finer than the upper edge; what is coarser still is in the first
+  double above = 1;  // share finer than the upper edge; coarser mass is in the first class
   for (int i = 0; i < classes_; ++i) {
     const double below = i + 1 < classes_ ? feed.undersize(lower(i)) : 0;
     found[static_cast<std::size_t>(i)] = above - below;

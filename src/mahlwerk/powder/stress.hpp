@@ -6,7 +6,7 @@
 
 #include "mahlwerk/powder/nip.hpp"
 
-// Milling as the powder sees it: hits of given energies.
+// Stress spectrum of a mill: rates of hits on the powder by energy.
 namespace mahlwerk::powder {
 
 /// Collisions of one energy in one kind of nip.

@@ -15,8 +15,8 @@ MAHLWERK_CLONES void add_scaled(double* c, const double* a, double b, int count)
   for (int i = 0; i < count; ++i) c[i] += a[i] * b;
 }
 
-/// Share of the mass that stays, and where the rest goes, in one round of so short a time that no
-/// state loses more than it has (pbm.3).
+/// Matrix P = 1 + A/q of uniformization, with q = `pace` [1/s] at least the largest total rate out
+/// of a state, so that no entry is negative (pbm.3).
 Matrix uniformized_matrix(const RateMatrix& rates, double pace) {
   Matrix m(rates.size, rates.block);
   for (int j = 0; j < rates.size; ++j) {
@@ -28,7 +28,7 @@ Matrix uniformized_matrix(const RateMatrix& rates, double pace) {
   return m;
 }
 
-/// [1/s] The quickest state's.
+/// [1/s] Largest total rate out of a state.
 double uniformization_rate(const RateMatrix& rates) {
   double most = 0;
   for (int j = 0; j < rates.size; ++j) {
@@ -74,15 +74,15 @@ void normalize_columns(Matrix& m) {
   }
 }
 
-// exp(A t) = exp(-q t) sum (q t)^k/k! P^k with P = 1 + A/q, none of whose numbers is below 0; for a
-// time so short that few terms do, then squared as often as it takes (pbm.4).
+// Uniformization: exp(A t) = exp(-q t) sum (q t)^k/k! P^k with the non-negative matrix P = 1 + A/q.
+// Scaling and squaring: a few terms for a short time, then repeated squaring (pbm.4).
 Matrix transition_matrix(const RateMatrix& rates, double time) {
   const double pace = uniformization_rate(rates);
   Matrix result(rates.size, rates.block);
   for (int i = 0; i < rates.size; ++i) result.at(i, i) = 1;
   if (!(pace * time > 0)) return result;
   constexpr int terms = 9;
-  constexpr double short_time = 0.0625;  // its ninth power over 9! is 4e-17
+  constexpr double short_time = 0.0625;  // q t; its ninth power over 9! is 4e-17
   const int doublings =
       std::max(0, static_cast<int>(std::ceil(std::log2(pace * time / short_time))));
   const double x = std::ldexp(pace * time, -doublings);
@@ -95,7 +95,7 @@ Matrix transition_matrix(const RateMatrix& rates, double time) {
     for (std::size_t i = 0; i < power.values.size(); ++i)
       result.values[i] += weight * power.values[i];
   }
-  normalize_columns(result);  // stands for the factor exp(-x), too
+  normalize_columns(result);  // includes the factor exp(-x)
   for (int i = 0; i < doublings; ++i) {
     result = product(result, result);
     normalize_columns(result);

@@ -10,8 +10,8 @@
 
 namespace mahlwerk::report {
 
-/// Lines of as many cells each, as columns under each other for a terminal; the last as long as it
-/// is.
+/// Text table for the terminal: pads the cells of each line to columns. All lines have the same
+/// number of cells; trailing blanks are removed.
 template <class Cells>
 std::string aligned(const std::vector<Cells>& lines) {
   std::vector<std::size_t> widths(lines.empty() ? 0 : lines.front().size(), 0);

@@ -7,14 +7,13 @@
 
 #include "mahlwerk/results/files/csv.hpp"
 
-// Columns of tables, to be drawn.
+// Columns of tables, for plots.
 namespace mahlwerk::report {
 
-/// The numbers of the column of this name, in multiples of `factor`; none if there is no such
-/// column.
+/// The numbers of the column `name`, divided by `factor`; empty if there is no such column.
 std::vector<double> column(const results::Table& table, std::string_view name, double factor = 1);
 
-/// The largest, or 0 where none is above it.
+/// The largest value, or 0 if none is positive.
 double largest(const std::vector<double>& values);
 
 }  // namespace mahlwerk::report

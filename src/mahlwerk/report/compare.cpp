@@ -26,7 +26,7 @@ using results::Replicate;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// What says how well a run was computed, or means another thing in each engine.
+/// Quantities that describe the quality of a run, or mean different things in each engine.
 constexpr std::array<std::string_view, 7> left_out{
     "tc_collision_share", "lasting_contacts_rate", "energy_residual", "energy_balance",
     "deepest_overlap",    "simulated_time",        "replicates"};
@@ -43,7 +43,7 @@ std::vector<ComparedQuantity> quantities(const Outcome& event, const Outcome& so
   }
   list.push_back({"computing_time",
                   "s",
-                  "of all replicates, on one core",
+                  "CPU time of all replicates",
                   {{event.cpu_seconds, nothing}, {soft.cpu_seconds, nothing}}});
   return list;
 }
@@ -51,7 +51,7 @@ std::vector<ComparedQuantity> quantities(const Outcome& event, const Outcome& so
 using Chosen = std::vector<const Replicate*>;
 using results::HistogramMember;
 
-/// The whole spectra of each replicate.
+/// The total spectra of each replicate.
 struct Counted {
   explicit Counted(const Chosen& chosen) {
     for (const Replicate* r : chosen) {
@@ -73,7 +73,7 @@ struct Counted {
   std::vector<double> times;
 };
 
-/// What both engines filled, from the top bin down to a thousandth of the speed.
+/// Histograms of both engines over the common range of occupied bins.
 class Spectra {
  public:
   Spectra(const Outcome& event, const Outcome& soft, HistogramMember part)
@@ -89,7 +89,8 @@ class Spectra {
       }
   }
 
-  /// `wide` bins of the histogram in one; the first bin takes what lies below if `all`.
+  /// Rates in groups of `wide` bins, over the top `octaves`. With `all` the first group includes
+  /// all lower bins.
   std::vector<ComparedBin> bins(int wide, int octaves, bool all) const {
     std::vector<ComparedBin> list;
     if (first_ >= last_) return list;
@@ -111,7 +112,7 @@ class Spectra {
   int first_ = LogHistogram::bins, last_ = 0;
 };
 
-/// A bounce's rebound along the wall is a number to the event engine alone.
+/// Only the event engine uses the tangential restitution: a warning if the case sets it.
 std::string caution(const cases::Contact& contact) {
   std::vector<contact::BounceRule> rules{contact.rule};
   for (const cases::PairRule& pair : contact.pairs) rules.push_back(pair.rule);
@@ -120,8 +121,8 @@ std::string caution(const cases::Contact& contact) {
   });
   if (said == rules.end()) return "";
   return fmt::format(
-      "The case says tangential_restitution = {}. The event engine obeys it; the soft engine goes "
-      "by friction alone{}. Spins, tangential speeds, losses and powers differ for that reason.",
+      "The case sets tangential_restitution = {}. The event engine uses it; the soft engine uses "
+      "friction only{}. Spins, tangential speeds, losses and powers differ for that reason.",
       said->tangential_restitution,
       std::isfinite(said->friction) ? "" : ", here without a limit: surfaces stick");
 }
@@ -158,7 +159,7 @@ bool EnginePair::differs() const {
 }
 
 Comparison compare(const Outcome& event, const Outcome& soft) {
-  constexpr int octaves = 10;  // of speed: the top thousandfold
+  constexpr int octaves = 10;  // of speed: a factor of about 1000
   constexpr int octave = LogHistogram::per_octave;
   const Spectra speeds(event, soft, &observe::Spectra::approach),
       energies(event, soft, &observe::Spectra::energy_normal);
@@ -178,15 +179,15 @@ std::string how_to_read(const Comparison& c) {
   const double event = 100 * share_in_contact(c, &EnginePair::event);
   const double soft = 100 * share_in_contact(c, &EnginePair::soft);
   std::string text =
-      "How to read it: where balls fly freely most of the time the engines should agree in the "
-      "rates and energies above the threshold and in the power. Where balls stay in touch or lie "
-      "in a bed they should not: the event engine makes many small bounces, or one ball that "
-      "rolls, of what the soft engine counts as one long contact, so that counts of all "
-      "collisions, and of slow ones, and their means differ.";
+      "How to read it: if balls fly freely most of the time, the engines should agree in the rates "
+      "and energies above the threshold and in the power. If balls stay in contact or lie in a "
+      "bed, they should not: where the soft engine counts one long contact, the event engine makes "
+      "many small bounces, or one rolling ball. Counts of all collisions and of slow ones, and "
+      "their means, then differ.";
   if (std::isfinite(event) && std::isfinite(soft))
     text += fmt::format(" Here balls were in contact {} % (event) and {} % (soft) of the time.",
                         two_digits(event), two_digits(soft));
-  return text + " ≠ marks numbers whose 95 % intervals do not overlap, which by chance is rare.";
+  return text + " ≠ marks numbers whose 95 % intervals do not overlap, which is rare by chance.";
 }
 
 std::string compare_csv(const Comparison& c) {

@@ -11,13 +11,15 @@
 
 namespace mahlwerk::report {
 
-/// One number by both engines.
+/// Estimates of one quantity by both engines.
 struct EnginePair {
   observe::Estimate event, soft;
 
-  double ratio() const { return soft.mean / event.mean; }  ///< NaN or infinite where event is 0
-  double ratio_ci95() const;                               ///< half-width, to first order
-  /// The 95 % intervals do not overlap; never without intervals.
+  double ratio() const {
+    return soft.mean / event.mean;
+  }                           ///< soft/event; NaN or infinite if event is 0
+  double ratio_ci95() const;  ///< half-width, by first-order error propagation
+  /// Whether the 95 % intervals do not overlap; false without intervals.
   bool differs() const;
 };
 
@@ -32,33 +34,33 @@ struct ComparedBin {
   EnginePair rate;
 };
 
-/// What one engine has to say besides its numbers.
+/// Computing time and notices of one engine.
 struct EngineDiagnostics {
   double cpu_seconds = 0;
   Notices notices;
 };
 
-/// One case as both engines ran it.
+/// Results of one case by both engines.
 struct Comparison {
   std::string title;
   double threshold = 0;  ///< [m/s]
   EngineDiagnostics event, soft;
-  std::string caution;  ///< where the case means another thing to each engine; may be empty
+  std::string caution;  ///< input that the engines interpret differently; may be empty
   std::vector<ComparedQuantity> quantities;
-  /// By normal speed [m/s], an octave each, and by normal energy [J], two octaves each; the first
-  /// bin holds all below it, too.
+  /// By normal speed [m/s] in bins of one octave, and by normal energy [J] in bins of two octaves.
+  /// The first bin includes everything below it.
   std::vector<ComparedBin> speeds, energies;
-  /// The same, four bins an octave, without those far below.
+  /// The same with four bins per octave, without the values far below.
   std::vector<ComparedBin> speed_curve, energy_curve;
 };
 Comparison compare(const results::Outcome& event, const results::Outcome& soft);
 
-/// How to read it: where the engines should agree, and where not.
+/// Guidance for the reader: where the engines should agree, and where not.
 std::string how_to_read(const Comparison& comparison);
 
 std::string compare_table(const Comparison& comparison);  ///< for the terminal
 std::string compare_csv(const Comparison& comparison);    ///< compare.csv (docs/formats.md)
-/// compare.html, one page that loads nothing; results of each engine are in event/ and soft/.
+/// compare.html, a self-contained page; results of each engine are in event/ and soft/.
 std::string compare_page(const Comparison& comparison, std::string_view version);
 
 }  // namespace mahlwerk::report

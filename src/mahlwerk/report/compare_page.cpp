@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A comparison as people read it: on the terminal and as a page.
+// A comparison as text for the terminal and as page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Both numbers in the same multiple of the unit, the ratio, and the sign.
+/// A row: both values in the same multiple of the unit, the ratio, and "≠" if they differ.
 using CompareLine = std::array<std::string, 5>;
 CompareLine line_of(std::string title, const EnginePair& b, std::string_view unit) {
   const double size = std::fmax(std::abs(b.event.mean), std::abs(b.soft.mean));
@@ -34,12 +34,12 @@ std::string bin_text(const ComparedBin& b, std::string_view unit) {
 
 std::vector<CompareLine> lines_of(const std::vector<ComparedBin>& bins, std::string_view unit) {
   std::vector<CompareLine> lines;
-  for (auto b = bins.rbegin(); b != bins.rend(); ++b)  // the hardest first
+  for (auto b = bins.rbegin(); b != bins.rend(); ++b)  // highest bin first
     lines.push_back(line_of(bin_text(*b, unit), b->rate, "1/s"));
   return lines;
 }
 
-/// Columns under their heads, numbers to the right.
+/// Aligned text table; numbers are right-aligned.
 std::string aligned_lines(std::vector<CompareLine> lines, const char* title) {
   lines.insert(lines.begin(), {title, "event", "soft", "soft/event", ""});
   std::array<std::size_t, 5> widths{};
@@ -83,7 +83,7 @@ std::string html_table(std::string_view title, const std::vector<CompareLine>& l
       title, html_rows(lines, abouts));
 }
 
-/// Rates per bin of both engines over the edges of the bins.
+/// Rates per bin of both engines over the bin edges.
 Plot curves(const std::vector<ComparedBin>& bins, const char* title, const char* what,
             std::string_view unit) {
   const Multiple m = multiple(bins.empty() ? 1 : bins.back().high, unit);
@@ -160,11 +160,12 @@ std::string compare_table(const Comparison& c) {
 }
 
 std::string compare_page(const Comparison& c, std::string_view version) {
-  std::vector<std::string> abouts;  // those above the threshold are the rows over them again
+  std::vector<std::string> abouts;  // none for "_above_threshold": the row before has it
   for (const ComparedQuantity& q : c.quantities)
     abouts.push_back(q.name.ends_with("_above_threshold") ? "" : q.about);
   std::string body = fmt::format(
-      "<p class=\"lead\">One case by both engines: <a href=\"event/report.html\">event</a> and <a "
+      "<p class=\"lead\">One case run with both engines: <a href=\"event/report.html\">event</a> "
+      "and <a "
       "href=\"soft/report.html\">soft</a>. The threshold is a normal speed of {}.</p>\n"
       "<section class=\"box\"><p>{}</p></section>\n",
       escaped(threshold_text(c.threshold)), escaped(how_to_read(c)));
@@ -174,18 +175,19 @@ std::string compare_page(const Comparison& c, std::string_view version) {
   body += html_table("Side by side", quantity_lines(c), abouts);
   body +=
       "<p><small>± is the 95 % confidence half-width over independent replicates (Student's t); "
-      "that of a ratio follows from both. ≠ : the intervals do not overlap.</small></p>\n";
+      "that of a ratio follows by error propagation. ≠: the intervals do not "
+      "overlap.</small></p>\n";
   body +=
       figure(curves(c.speed_curve, "Spectrum of normal speeds", "normal speed of impact", "m/s"),
-             "Collisions per second in each bin of speed, four bins an octave.");
-  body += figure(ratios(c.speeds), "By octaves of speed, with 95 % intervals.");
+             "Collisions per second in each bin of speed, four bins per octave.");
+  body += figure(ratios(c.speeds), "By octave of speed, with 95 % intervals.");
   body += html_table("Collisions per second by normal speed", lines_of(c.speeds, "m/s"));
   body +=
       figure(curves(c.energy_curve, "Spectrum of normal energies", "normal energy of impact", "J"),
-             "Collisions per second in each bin of energy, four bins an octave.");
+             "Collisions per second in each bin of energy, four bins per octave.");
   body += html_table("Collisions per second by normal energy", lines_of(c.energies, "J"));
   return page(c.title.empty() ? "A ball mill" : c.title, body,
-              fmt::format("Mahlwerk {}. The numbers are in compare.csv; the results of each engine "
+              fmt::format("Mahlwerk {}. The numbers are in compare.csv, the results of each engine "
                           "in event/ and soft/.",
                           escaped(version)));
 }

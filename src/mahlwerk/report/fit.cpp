@@ -17,7 +17,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Two numbers that differ keep differing when they are shown.
+/// Number of digits with which two different numbers are shown as different.
 int digits_for(double low, double high) {
   const double apart = std::abs(high - low), size = std::fmax(std::abs(low), std::abs(high));
   if (!(apart > 0) || !(size > 0)) return 4;
@@ -46,17 +46,18 @@ std::string how_to_read(const FitReport& fit) {
   const char* residuals =
       fit.errors_known
           ? "Residuals are in units of the measurement errors; a good fit has a scatter of about 1."
-          : "No measurement errors are given: the data tell by themselves how they scatter. "
+          : "No measurement errors are given: the scatter is estimated from the data. "
             "Residuals of sizes and surfaces are relative, those of shares are differences.";
   return fmt::format(
-      "How to read it: the interval of a number holds all values with which the data can live, the "
-      "other numbers chosen anew; in 95 of 100 such data sets it holds the truth, if the model "
-      "does. {} A number that is not determined is no result, whatever its value.",
+      "How to read it: the 95 % interval of a parameter contains all values that are compatible "
+      "with the data if the other parameters are refitted. If the model is right, it contains the "
+      "true value in 95 of 100 such data sets. {} A parameter that is not determined is not a "
+      "result, whatever its value.",
       residuals);
 }
 
 std::string fit_table(const FitReport& fit) {
-  std::vector<std::array<std::string, 4>> lines{{"number", "value", "95 % interval", ""}};
+  std::vector<std::array<std::string, 4>> lines{{"parameter", "value", "95 % interval", ""}};
   for (const FitParameter& n : fit.parameters)
     lines.push_back(
         {n.key, n.value_text(), n.interval_text(), n.determined ? "" : "NOT DETERMINED"});

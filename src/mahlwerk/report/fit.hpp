@@ -8,15 +8,15 @@
 
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
-// What was found by fitting, for the terminal, as a table and as a page.
+// Results of a fit: text for the terminal, CSV table and page.
 namespace mahlwerk::report {
 
-/// A number of the case that was to be found.
+/// A fitted parameter of the case.
 struct FitParameter {
   std::string key, unit, about;
-  double value = 0, low = 0, high = 0;  ///< and 95 % interval
-  double simulation_ci95 = 0;           ///< half-width due to the simulated mills; NaN: not known
-  double least = 0, most = 0;           ///< where it was looked for
+  double value = 0, low = 0, high = 0;  ///< value and 95 % interval
+  double simulation_ci95 = 0;           ///< half-width due to the simulated mills; NaN: unknown
+  double least = 0, most = 0;           ///< search range
   bool open_low = false, open_high = false, determined = true;
   std::vector<std::string> remarks;  ///< sentences without a full stop
 
@@ -24,20 +24,20 @@ struct FitParameter {
   std::string interval_text() const;  ///< "1.1 to 1.6 kg/J/m", "up to ...", "not determined"
 };
 
-/// Something measured, and what the models say of it, in SI.
+/// A measurement and its fitted value, in SI units.
 struct FitPoint {
   std::string what, unit;  ///< "D90", "m"
   std::size_t condition = 0;
-  double time = 0, size = 0;  ///< [s]; [m] of what passes, else 0
+  double time = 0, size = 0;  ///< [s]; [m] sieve size of `passing`, else 0
   double measured = 0, error = 0, fitted = 0, residual = 0;
-  int line = 0;  ///< of the file of measurements
+  int line = 0;  ///< line number in the file of measurements
 };
 
-/// What the models say over time, or of `passing` over size.
+/// Model curve over time, or of `passing` over size.
 struct FitCurve {
   std::string what;
   std::size_t condition = 0;
-  double time = 0;  ///< [s] of a distribution
+  double time = 0;  ///< [s] of a size distribution
   std::vector<double> x, y;
 };
 
@@ -45,24 +45,25 @@ struct FitReport {
   std::string title, case_file, data_file;
   std::vector<FitParameter> parameters = {};
   std::vector<std::vector<double>> correlation = {};
-  std::vector<std::string> conditions = {};  ///< "mill.frequency = 16 Hz"; empty: as the case is
+  std::vector<std::string> conditions =
+      {};  ///< "mill.frequency = 16 Hz"; empty: the case unchanged
   std::vector<FitPoint> points = {};
   std::vector<FitCurve> curves = {};
-  std::vector<std::string> remarks = {};  ///< on all of it
-  results::NoticeCounts notices = {};     ///< of the mills, one of each condition
-  double scatter = 0;                     ///< of the residuals; NaN without freedom
+  std::vector<std::string> remarks = {};  ///< on the whole fit
+  results::NoticeCounts notices = {};     ///< of the mills, one mill for each condition
+  double scatter = 0;                     ///< of the residuals; NaN without degrees of freedom
   int degrees_of_freedom = 0, evaluations = 0;
   bool errors_known = false;
 
   bool all_determined() const;
 };
 
-/// What residuals, intervals and the scatter mean here.
+/// Explains residuals, intervals and scatter to the reader.
 std::string how_to_read(const FitReport& fit);
 
 std::string fit_table(const FitReport& fit);  ///< for the terminal
 std::string fit_csv(const FitReport& fit);    ///< fit.csv (docs/formats.md)
-/// fit.html, one page that loads nothing.
+/// fit.html, a self-contained page.
 std::string fit_page(const FitReport& fit, std::string_view version);
 
 }  // namespace mahlwerk::report

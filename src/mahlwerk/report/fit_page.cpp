@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A fit as a page.
+// The page of a fit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ std::string remarks(const FitReport& fit) {
   return text;
 }
 
-/// What is drawn together: all of one kind, and how its axes are called.
+/// A measured quantity that gets its own plot, and what it varies with.
 struct DrawnQuantity {
   std::string what;
   bool over_size = false, over_time = false;
@@ -78,7 +78,7 @@ std::string name_of(const FitReport& fit, std::size_t condition) {
   return name.empty() ? "the case" : name;
 }
 
-/// The largest number of a series decides the multiple of its unit.
+/// The multiple of the unit that suits the largest value of a quantity, or of its sizes.
 Multiple multiple_of(const FitReport& fit, const std::string& what, bool of_size) {
   double most = 0;
   std::string unit;
@@ -90,7 +90,7 @@ Multiple multiple_of(const FitReport& fit, const std::string& what, bool of_size
   return multiple(most, unit);
 }
 
-/// Seconds where milling is short, else minutes or hours.
+/// Unit of the time axis: s, min or h, by the longest time.
 Multiple of_times(const FitReport& fit) {
   double most = 0;
   for (const FitPoint& p : fit.points) most = std::fmax(most, p.time);
@@ -102,8 +102,8 @@ std::string axis_of(const std::string& what, const Multiple& m) {
   return m.unit.empty() ? what : fmt::format("{} ({})", what, m.unit);
 }
 
-/// Dots where it was measured, lines as the models say; a colour for each condition, and of
-/// distributions for each time.
+/// Measured values as dots, model curves as lines; a colour for each condition, and for each time
+/// of size distributions.
 Plot curves(const FitReport& fit, const DrawnQuantity& d) {
   const Multiple across = d.over_size ? multiple_of(fit, d.what, true) : of_times(fit);
   const Multiple up = multiple_of(fit, d.what, false);
@@ -136,7 +136,7 @@ Plot curves(const FitReport& fit, const DrawnQuantity& d) {
   return plot;
 }
 
-/// Measured beside fitted, one condition after the other, where nothing is told over time.
+/// Measured and fitted values over the number of the condition, for data at a single time.
 Plot beside(const FitReport& fit, const DrawnQuantity& d) {
   const Multiple up = multiple_of(fit, d.what, false);
   Series measured{.name = "measured", .mark = Mark::dots}, fitted{.name = "fitted"};
@@ -207,9 +207,9 @@ std::string correlation(const FitReport& fit) {
     rows += "</tr>\n";
   }
   return fmt::format(
-      "<h2>How the numbers hang together</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}"
-      "</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>Correlation: near 1 or -1 the "
-      "data hardly tell one from the other.</small></p>\n",
+      "<h2>Correlation of the parameters</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}"
+      "</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>Near 1 or -1 the data hardly "
+      "distinguish the two parameters.</small></p>\n",
       head, rows);
 }
 
@@ -227,27 +227,26 @@ std::string figures(const FitReport& fit) {
     const bool over = d.over_size || d.over_time || fit.conditions.size() < 2;
     text += figure(over ? curves(fit, d) : beside(fit, d),
                    fit.errors_known ? "Bars are 95 % of the measurement errors."
-                                    : "Dots were measured, without errors given.");
+                                    : "Dots are measured values; no errors are given.");
   }
   return text + figure(residuals(fit),
-                       "What is left: with a model that fits they lie about zero "
-                       "without an order.");
+                       "Residuals of a model that fits scatter about zero without a trend.");
 }
 
 }  // namespace
 
 std::string fit_page(const FitReport& fit, std::string_view version) {
-  std::string body =
-      fmt::format("<p class=\"lead\">{} number{} of {}, found from {} measured values of {}.</p>\n",
-                  fit.parameters.size(), fit.parameters.size() == 1 ? "" : "s",
-                  escaped(fit.case_file), fit.points.size(), escaped(fit.data_file));
+  std::string body = fmt::format(
+      "<p class=\"lead\">{} parameter{} of {}, fitted to {} measured values of {}.</p>\n",
+      fit.parameters.size(), fit.parameters.size() == 1 ? "" : "s", escaped(fit.case_file),
+      fit.points.size(), escaped(fit.data_file));
   body += remarks(fit);
   body += notice_boxes(fit.notices, fit.conditions.size(), "condition");
   body += fmt::format(
-      "<h2>What was found</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
-      "class=\"n\">value</th><th class=\"n\">95 % interval</th><th class=\"n\">of that, by the "
-      "mill</th><th class=\"n\">looked "
-      "for</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+      "<h2>Fitted parameters</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
+      "class=\"n\">value</th><th class=\"n\">95 % interval</th><th class=\"n\">due to the "
+      "mill</th><th class=\"n\">search "
+      "range</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
       number_rows(fit));
   body += box(escaped(how_to_read(fit)), false);
   body += figures(fit);
@@ -260,9 +259,9 @@ std::string fit_page(const FitReport& fit, std::string_view version) {
       point_rows(fit));
   return page(
       fit.title.empty() ? "A fit" : fit.title, body,
-      fmt::format("Mahlwerk {}. The numbers are in fit.json and fit.csv, the case with what "
-                  "was found in fitted.toml.",
-                  escaped(version)));
+      fmt::format(
+          "Mahlwerk {}. The numbers are in fit.json and fit.csv, the fitted case in fitted.toml.",
+          escaped(version)));
 }
 
 }  // namespace mahlwerk::report

@@ -27,10 +27,10 @@ using observe::WallGrid;
 
 constexpr int levels = 32;
 
-/// Cells gathered by colour, so that each colour is one path.
+/// Cells grouped by colour: each colour is one SVG path.
 class Cells {
  public:
-  /// `share` of the scale, 0 to 1.
+  /// `share`: position on the colour scale, 0 to 1.
   void add(double share, const std::string& outline) {
     paths_[static_cast<int>(std::clamp(share, 0.0, 1.0) * (levels - 1) + 0.5)] += outline;
   }
@@ -57,7 +57,7 @@ std::string label_at(double x, double y, std::string_view words,
       x, y, anchor, escaped(words));
 }
 
-/// A bar with the colours from `low` to `high`, and what they mean.
+/// A colour bar labelled `low`, `high` and `about`.
 std::string colour_bar(double x, double y, double width, std::string_view low,
                        std::string_view high, std::string_view about) {
   std::string text;
@@ -75,14 +75,15 @@ std::string drawing(double height, std::string_view title, const std::string& in
       height, escaped(title), inside);
 }
 
-/// Two digits and a fitting multiple.
+/// A value with two digits and a suitable multiple of its unit.
 std::string brief(double value, std::string_view unit) {
   const Multiple m = multiple(value, unit);
   const double v = value / m.factor;
   return fmt::format("{:.{}f} {}", v, v >= 10 ? 0 : v >= 1 ? 1 : 2, m.unit);
 }
 
-/// A piece of a ring about (x, y), from radius a to b [px] and angle from to to [rad], y upwards.
+/// Ring sector about (x, y), from radius a to b [px] and from angle `from` to `to` [rad], y
+/// upwards.
 std::string ring_piece(double x, double y, double a, double b, double from, double to) {
   const auto at = [&](double r, double angle) {
     return fmt::format("{:.1f} {:.1f}", x + r * std::cos(angle), y - r * std::sin(angle));
@@ -97,11 +98,11 @@ std::string wall_picture(const results::Outcome& outcome) {
   const results::WallRates rates = results::wall_rates(outcome);
   std::vector<double> per_area(rates.area.size());
   for (std::size_t i = 0; i < per_area.size(); ++i)
-    // A sliver of a cell at an edge tells nothing of its density.
+    // Cells without area have no density.
     if (rates.area[i] > 0) per_area[i] = rates.lost[i] / rates.area[i];
   std::vector<double> sorted = per_area;
   std::ranges::sort(sorted);
-  // The few hottest cells share the last colour, so that the rest can be told apart.
+  // The highest 0.5 % of the cells share the last colour, so that the rest stay distinguishable.
   const double most = sorted[sorted.size() - 1 - sorted.size() / 200];
   if (!(most > 0)) return "";
   constexpr double wide = 470, left = 20, top = 24, tallest = 300;
@@ -134,13 +135,13 @@ std::string wall_picture(const results::Outcome& outcome) {
       cells.text() + label_at(left, top - 8, "side, unrolled: 0° to 360° about the axis") +
       label_at(discs_x - disc, top - 8, "upper end") +
       label_at(discs_x - disc, top_y + disc + gap + 8, "lower end") +
-      colour_bar(left, top + tall + 16, 300, "0", brief(most, "W/m²"), "lost per area");
-  return drawing(height, "Where the wall is hit", text);
+      colour_bar(left, top + tall + 16, 300, "0", brief(most, "W/m²"), "power lost per area");
+  return drawing(height, "Impacts on the wall", text);
 }
 
 namespace {
 
-/// One field in a square of `size` px: mass as colour, velocity as arrows.
+/// One field in a square of `size` px: mass density as colour, velocity as arrows.
 std::string field(const PlaneField& f, double x0, double y0, double size, double densest,
                   double fastest, bool ring, double radius) {
   const double px = size / PlaneField::cells;
@@ -201,13 +202,13 @@ std::string field_picture(const results::Outcome& outcome) {
   const std::string text =
       label_at(10, 14,
                disc ? "seen from the disc, outwards to the right"
-                    : "seen from the laboratory, riding with the jar's centre") +
+                    : "seen from the jar's centre, not rotating") +
       field(charge.in_carrier, 10, top, size, densest, fastest, ring, radius) +
-      label_at(380, 14, "seen from the turning jar") +
+      label_at(380, 14, "seen from the rotating jar") +
       field(charge.in_jar, 380, top, size, densest, fastest, ring, radius) +
-      colour_bar(10, top + size + 12, 300, "0", brief(densest, "kg/m²"), "balls per area") +
+      colour_bar(10, top + size + 12, 300, "0", brief(densest, "kg/m²"), "mass per area") +
       label_at(380, top + size + 22, fmt::format("the longest arrow is {}", brief(fastest, "m/s")));
-  return drawing(top + size + 46, "Where the charge is and how it moves", text);
+  return drawing(top + size + 46, "Mass and velocity of the charge", text);
 }
 
 std::string normal_tangential_picture(const results::Outcome& outcome) {
@@ -251,8 +252,8 @@ std::string normal_tangential_picture(const results::Outcome& outcome) {
       "<text transform=\"translate(18,{:.0f}) rotate(-90)\" text-anchor=\"middle\" "
       "fill=\"var(--soft,#59636e)\">tangential energy m u_t²/2</text>\n",
       top + 0.5 * size);
-  text += label_at(left + size + 24, top + 20, "above the dashed line: more along the wall");
-  text += label_at(left + size + 24, top + 38, "than into it");
+  text += label_at(left + size + 24, top + 20, "above the dashed line: more tangential");
+  text += label_at(left + size + 24, top + 38, "than normal energy");
   text += colour_bar(left + size + 24, top + size - 40, 230, brief(most * 1e-4, "/s"),
                      brief(most, "/s"), "per bin");
   return drawing(top + size + 44, "Normal and tangential energy of collisions", text);

@@ -6,18 +6,18 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// Pictures of where: coloured maps as <svg> elements. Their colours are those of viridis, which
-// keep their order in print and for the colour-blind.
+// Spatial maps as <svg> elements, in the viridis colour scale (monotonic in print and for
+// colour-blind readers).
 namespace mahlwerk::report {
 
-/// The jar's wall, unrolled, and its two ends, coloured by the power its hits lose per area.
+/// The jar's wall, unrolled, and its two ends, coloured by the power lost by impacts per area.
 std::string wall_picture(const results::Outcome& outcome);
 
-/// Mass and mean velocity of the charge in the plane of motion, seen from the carrier and from the
-/// jar.
+/// Mass and mean velocity of the charge in the plane of motion, in the frames of the carrier and of
+/// the jar.
 std::string field_picture(const results::Outcome& outcome);
 
-/// Collisions by normal and by tangential energy.
+/// Joint histogram of collisions by normal and tangential energy.
 std::string normal_tangential_picture(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::report

@@ -16,7 +16,7 @@
 namespace mahlwerk::report {
 namespace {
 
-using MatchRow = std::array<std::string, 4>;  // what, a, b, b over a
+using MatchRow = std::array<std::string, 4>;  // label, A, B, B/A
 
 std::vector<MatchRow> match_rows(const MatchReport& found) {
   const auto text = [](const ValueCi95& t, const char* unit, double size) {
@@ -27,22 +27,23 @@ std::vector<MatchRow> match_rows(const MatchReport& found) {
   const char* unit = found.by_powder ? "W/kg" : "W";
   return {{found.by_powder ? "dose rate" : "dissipated power", text(found.dose_a, unit, dose),
            text(found.dose_b, unit, dose), found.dose.text()},
-          {"mean energy lost in a collision", text(found.energy_a, "J", energy),
+          {"mean energy lost per collision", text(found.energy_a, "J", energy),
            text(found.energy_b, "J", energy),
            fmt::format("{:.3g}", found.energy_b.value / found.energy_a.value)},
-          {"energy with half of the power below", "", "", found.half_power.text()},
-          {"power at the same energies", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
+          {"energy below which half of the power lies", "", "", found.half_power.text()},
+          {"overlap of the power spectra", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
           {"distance of the means", "", "", fmt::format("{:.3g}", found.distance)}};
 }
 
-/// Two distances are told, which are not the same.
+/// Explains the two distances of the report, which differ.
 std::string about_distances(const MatchReport& found) {
   const OptimumSetting& best = found.search.settings[*found.search.best];
   return fmt::format(
-      "A distance is the root of the squares of how far the two lie apart in the logarithm of {0} "
-      "and in their spectra: 0 where they do the same, 0.1 for 10 % of {0}. The distance of the "
-      "means is that of all replicates of B, run anew, from all of A. The search looks at single "
-      "replicates of B against the mean of A; their scatter adds to theirs, {1} at the best",
+      "A distance is the root of the sum of squares of the difference in the logarithm of {0} and "
+      "the difference of the spectra: 0 for equal mills, 0.1 for 10 % of {0}. The distance of the "
+      "means is that of all replicates of B, run again, from all of A. The search compares single "
+      "replicates of B with the mean of A; their scatter increases their distance, to {1} at the "
+      "best setting",
       found.by_powder ? "dose" : "power",
       readable(best.model.value, best.model.ci95, found.search.unit).text());
 }
@@ -59,27 +60,26 @@ std::vector<std::string> sentences(const MatchReport& found) {
   std::vector<std::string> all;
   if (!found.search.best) return sentences(found.search);
   if (!std::isfinite(found.p_value))
-    all.push_back("With fewer than two replicates of each mill their scatter is not known");
+    all.push_back("With fewer than two replicates of each mill their scatter is unknown");
   else if (found.within_scatter)
     all.push_back(
-        fmt::format("The two mills cannot be told apart: dealt at random, their "
-                    "replicates differ as much in {:.0f} of 100 deals",
+        fmt::format("The two mills cannot be distinguished: with randomly permuted labels their "
+                    "replicates differ as much in {:.0f} of 100 permutations",
                     100 * found.p_value));
   else
     all.push_back(
-        fmt::format("The two mills still differ by more than their scatter: dealt at "
-                    "random, their replicates differ as much in {:.1f} of 100 deals",
+        fmt::format("The two mills still differ by more than their scatter: with randomly permuted "
+                    "labels their replicates differ as much in {:.1f} of 100 permutations",
                     100 * found.p_value));
   for (std::string& sentence : validity_sentences(found.search)) all.push_back(std::move(sentence));
   for (const OptimumKey& k : found.search.keys)
     if (k.at_low_end || k.at_high_end)
-      all.push_back(
-          fmt::format("{} could not be matched within its range: the best lies at its {} "
-                      "end, {}",
-                      k.key, k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
+      all.push_back(fmt::format(
+          "{} could not be matched within its range: the best value lies at its {} end, {}", k.key,
+          k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
   for (const OptimumKey& k : found.search.keys)
     if (k.flat)
-      all.push_back(fmt::format("{} hardly matters: anything from {} to {} does as well", k.key,
+      all.push_back(fmt::format("{} hardly matters: any value from {} to {} is equally good", k.key,
                                 k.good_low, k.good_high));
   if (found.search.failed > 0)
     all.push_back(fmt::format("{} of {} settings could not be run", found.search.failed,
@@ -122,8 +122,8 @@ Plot match_plot(const MatchReport& found) {
     a.x.push_back(found.edges[i] / across.factor);
     b.x.push_back(found.edges[i] / across.factor);
   }
-  return {.title = "Power by the energy lost in a collision",
-          .x = {fmt::format("energy lost in a collision ({})", across.unit), true},
+  return {.title = "Power by energy lost per collision",
+          .x = {fmt::format("energy lost per collision ({})", across.unit), true},
           .y = {"share of the power per bin (%)"},
           .series = {a, b}};
 }
@@ -142,7 +142,7 @@ std::string match_page(const MatchReport& found, std::string_view version) {
         "<thead><tr><th></th><th class=\"n\">A</th><th class=\"n\">B as found</th><th "
         "class=\"n\">B / "
         "A</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n"
-        "<p><small>A: {} ({}). B: {} ({}), run anew at what was found. {}.</small></p>"
+        "<p><small>A: {} ({}). B: {} ({}), run again at the best setting. {}.</small></p>"
         "\n",
         lines, escaped(found.title_a), escaped(found.file_a), escaped(found.title_b),
         escaped(found.file_b), escaped(about_distances(found)));
@@ -150,11 +150,11 @@ std::string match_page(const MatchReport& found, std::string_view version) {
     for (const std::string& sentence : sentences(found))
       points += fmt::format("<p>{}.</p>\n", escaped(sentence));
     extra +=
-        fmt::format("<section class=\"box\"><h2>Do they do the same?</h2>\n{}</section>\n", points);
+        fmt::format("<section class=\"box\"><h2>Do the mills agree?</h2>\n{}</section>\n", points);
     extra += notice_boxes(found.notices, 2, "mill");
     extra += figure(match_plot(found),
-                    "Where the power of collisions goes: how alike the two "
-                    "spectra are matters as much as how much power there is.");
+                    "Power of collisions by energy. The similarity of the two spectra matters as "
+                    "much as the total power.");
   }
   return optimum_page(found.search, version, extra);
 }

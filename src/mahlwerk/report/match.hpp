@@ -4,10 +4,10 @@
 
 #include "mahlwerk/report/optimum.hpp"
 
-// One mill made to do what another does: terminal and page.
+// Result of matching mill B to mill A: text for the terminal and page.
 namespace mahlwerk::report {
 
-/// A ratio, b over a, with its 95 % interval; NaN where there is none.
+/// Ratio of mill B to mill A with its 95 % interval; NaN if unknown.
 struct MatchedRatio {
   double value = unknown, low = unknown, high = unknown;
   std::string text() const;  ///< "1.02 (0.97 to 1.07)"
@@ -15,21 +15,21 @@ struct MatchedRatio {
 
 struct MatchReport {
   std::string title_a, title_b, file_a, file_b;
-  bool by_powder = false;                  ///< doses are by mass of powder, else powers
+  bool by_powder = false;                  ///< doses are per mass of powder, else powers
   ValueCi95 dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
   ValueCi95 energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
   MatchedRatio dose = {}, half_power = {};
   double overlap = unknown, spectral = unknown, distance = unknown, p_value = unknown;  ///< [1]
   bool within_scatter = false;
-  std::vector<double> edges = {};                    ///< [J] of bins, one more than shares
-  std::vector<double> shares_a = {}, shares_b = {};  ///< [1] of the power of collisions
-  OptimumReport search = {};                         ///< how it was found
+  std::vector<double> edges = {};                    ///< [J] bin edges, one more than shares
+  std::vector<double> shares_a = {}, shares_b = {};  ///< [1] shares of the collision power by bin
+  OptimumReport search = {};                         ///< the search that found the settings
   results::NoticeCounts notices = {};                ///< of the two mills
 };
 
 std::vector<std::string> sentences(const MatchReport& found);
 std::string match_table(const MatchReport& found);  ///< for the terminal
 std::string match_page(const MatchReport& found, std::string_view version);
-Plot match_plot(const MatchReport& found);  ///< both spectra
+Plot match_plot(const MatchReport& found);  ///< power spectra of both mills
 
 }  // namespace mahlwerk::report

@@ -28,7 +28,7 @@ class MethodsText {
  public:
   explicit MethodsText(const Case& c) : c_(c) {}
 
-  /// A value as words, with its mark if the key was assumed.
+  /// A value as text, with an asterisk if the key was assumed.
   std::string marked(std::string_view key, std::string_view words) const {
     const auto origin = std::ranges::find(c_.origins, key, &cases::Origin::key);
     const bool assumed = origin != c_.origins.end() && origin->assumed;
@@ -37,12 +37,12 @@ class MethodsText {
   std::string value(std::string_view key, double v, std::string_view unit) const {
     return marked(key, show_rounded(v, unit));
   }
-  /// "an orbit radius of 70 mm, a speed of 400 rpm" of a model's numbers.
+  /// "orbit radius 70 mm, speed 400 rpm": the numbers of a model.
   template <class Model>
   std::string numbers(std::string_view section, const Model& model) const {
     std::string words;
     for (const auto& field : model.fields()) {
-      constexpr std::array otherwise{"fracture_energy", "t10", "cut"};  // 0: there is none
+      constexpr std::array otherwise{"fracture_energy", "t10", "cut"};  // 0: not used
       if (model.*field.value == 0 && std::ranges::find(otherwise, field.key) != otherwise.end())
         continue;
       std::string name(field.key);
@@ -110,11 +110,11 @@ class MethodsText {
 
   std::string powder() const {
     if (!c_.capture) return "";
-    constexpr std::array energies{"of the normal motion", "of the points of contact",
+    constexpr std::array energies{"of the normal motion", "at the contact points",
                                   "that is dissipated"};
     std::string text = fmt::format(
-        "After the motion, what collisions do to the powder was reckoned: they catch grains by the "
-        "model {}; those get {} of the energy {}. ",
+        "The effect of the collisions on the powder was computed after the motion. Collisions "
+        "capture grains by the model {}; captured grains receive {} of the energy {}. ",
         model("capture", *c_.capture->model),
         marked("capture.energy_share", fmt::format("{:.4g} %", 100 * c_.capture->energy_share)),
         energies[static_cast<std::size_t>(c_.capture->energy)]);
@@ -128,7 +128,8 @@ class MethodsText {
         fmt::format(fmt::runtime(methods[static_cast<std::size_t>(g.method)]), g.sample),
         g.bed == powder::Bed::mixed ? "in mixed beds" : "each bed of one size");
     if (g.sticking > 0) text += fmt::format(", {:.4g} % of the grains stuck", 100 * g.sticking);
-    if (g.welding > 0) text += fmt::format(", welding with a chance of {:.4g} a hit", g.welding);
+    if (g.welding > 0)
+      text += fmt::format(", welding with a probability of {:.4g} per impact", g.welding);
     return text + ". ";
   }
 
@@ -140,7 +141,7 @@ class MethodsText {
         "{} by mass of powder. ",
         show_rounded(k.time, "s"), value("kinetics.onset", k.conversion.onset, "J/kg"),
         value("kinetics.dose_constant", k.conversion.dose_constant, "J/kg"), k.conversion.exponent,
-        k.dose == cases::Kinetics::Dose::captured ? "caught" : "dissipated");
+        k.dose == cases::Kinetics::Dose::captured ? "captured" : "dissipated");
   }
 
   std::string contact(cases::EngineName engine) const {
@@ -150,7 +151,7 @@ class MethodsText {
                     marked("contact.restitution", fmt::format("{:.4g}", rule.restitution.value())));
     text += std::isfinite(rule.friction)
                 ? ", friction " + marked("contact.friction", fmt::format("{:.4g}", rule.friction))
-                : ", no Coulomb limit of bounces";
+                : ", no Coulomb limit in bounces";
     if (engine == cases::EngineName::event)
       text +=
           ", tangential restitution " + marked("contact.tangential_restitution",
@@ -168,8 +169,8 @@ class MethodsText {
 
 std::string engine_words(const results::Outcome& outcome) {
   if (outcome.engine == cases::EngineName::event)
-    return "an event-driven simulation of rough hard spheres, in which flight is exact and "
-           "collisions are instantaneous";
+    return "an event-driven simulation of rough hard spheres with exact free flight and "
+           "instantaneous collisions";
   const contact::ContactModel& model = outcome.what.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
                      contact::name_of(*model.law), contact::rule_of(model.rolling).name);
@@ -194,7 +195,7 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
       c.run.settle > 0 ? fmt::format(" after {:.4g} s of settling", c.run.settle) : "", c.seed,
       chosen.size() == 1 ? " or, of one alone, by batch means over time" : "");
   if (text.find('*') != std::string::npos)
-    text += " * assumed, not measured: a default of the program.";
+    text += " * Assumed, not measured: a default of the program.";
   return text;
 }
 

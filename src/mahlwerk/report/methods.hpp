@@ -9,8 +9,8 @@
 
 namespace mahlwerk::report {
 
-/// What was run, in a paragraph to paste into a paper. An asterisk follows every value that the
-/// case did not give and nobody measured.
+/// A methods paragraph for a paper. An asterisk marks every assumed value: a default that the case
+/// does not give.
 std::string methods(const results::Outcome& outcome, std::string_view version);
 
 }  // namespace mahlwerk::report

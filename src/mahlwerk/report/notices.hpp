@@ -7,15 +7,15 @@
 
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
-// Notices of many runs, counted by code, as pages and terminals show them. `what` is the name of
-// one of the `of` runs: "point", "setting".
+// Text of notices of many runs, counted by code. `of` is the number of runs, `what` the name of
+// one: "point", "setting".
 namespace mahlwerk::report {
 
-/// For the terminal: a line with its end for each code of a warning; empty if there is none.
+/// For the terminal: a line for each warning code, with line end; empty if there is none.
 std::string notice_lines(const results::NoticeCounts& counts, std::size_t of,
                          std::string_view what);
 
-/// For a page: a box of warnings and a box of notes, each empty if there is none.
+/// For a page: a box of warnings and a box of notes, each omitted if there is none.
 std::string notice_boxes(const results::NoticeCounts& counts, std::size_t of,
                          std::string_view what);
 

@@ -21,24 +21,23 @@ std::string text_of(const ValueCi95& t, const std::string& unit) {
   return readable(t.value, t.ci95, unit).text();
 }
 
-constexpr double told_from_all = 0.995;  // chance of being the best of those tried
+constexpr double told_from_all = 0.995;  // probability of being the best setting tried
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
-/// What there is to say of where the best lies along a key.
+/// Adds sentences on the location of the optimum along a key.
 void describe_key(const OptimumKey& k, const std::string& quantity, std::vector<std::string>& all) {
   if (k.flat)
     all.push_back(
-        fmt::format("The optimum is flat in {}: anything from {} to {} gives {} within "
-                    "2 %, the other keys held",
+        fmt::format("The optimum is flat in {}: any value from {} to {} gives {} within 2 %, with "
+                    "the other keys fixed",
                     k.key, k.good_low, k.good_high, quantity));
   if (k.at_low_end || k.at_high_end)
-    all.push_back(
-        fmt::format("The best {} lies at the {} end of its range, {}: a wider range may "
-                    "hold a better one",
-                    k.key, k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
+    all.push_back(fmt::format(
+        "The best {} lies at the {} end of its range, {}: a wider range may contain a better value",
+        k.key, k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
 }
 
 }  // namespace
@@ -58,20 +57,21 @@ bool OptimumReport::disagrees() const {
   const double apart = std::abs(found.value - other.value);
   if (std::isfinite(found.ci95) && std::isfinite(other.ci95))
     return apart > found.ci95 + other.ci95;
-  constexpr double much = 0.1;  // of the value, where there is no interval
+  constexpr double much = 0.1;  // of the value, if there is no interval
   return apart > much * std::abs(other.value);
 }
 
 std::string chance_sentence(const OptimumReport& found) {
   const double chance = found.settings[*found.best].probability_best;
-  if (found.certain()) return "The best tried is told from all others that were tried";
+  if (found.certain()) return "The best setting tried is distinguished from all others tried";
   if (found.settings[*found.best].invalid)
     return fmt::format(
-        "By these runs the best tried has a chance of {} of being the best of those tried",
+        "By these runs the best setting tried has a probability of {} of being the best of those "
+        "tried",
         percent(chance));
   return fmt::format(
-      "That the best tried is the best of those tried has a chance of {}; if it is not, {} is "
-      "expected to be lost",
+      "The best setting tried has a probability of {} of being the best of those tried; if it is "
+      "not, the expected loss is {}",
       percent(chance), readable(found.expected_loss, NAN, found.unit).text());
 }
 
@@ -94,7 +94,7 @@ std::vector<std::string> validity_sentences(const OptimumReport& found) {
       "the two {}",
       name_of(check.engine), label(found.quantity), text_of(check.value, found.unit),
       check.replicates, check.replicates == 1 ? "" : "s", text_of(best.observed, found.unit),
-      found.disagrees() ? "disagree, and the search cannot be relied on there" : "agree"));
+      found.disagrees() ? "disagree, and the search is unreliable there" : "agree"));
   return all;
 }
 
@@ -110,7 +110,7 @@ std::vector<std::string> sentences(const OptimumReport& found) {
   if (!found.best) {
     all.emplace_back(found.failed == static_cast<int>(found.settings.size())
                          ? "No setting that was tried could be run"
-                         : "No setting that was tried is likely to keep the limits");
+                         : "No setting that was tried is likely to satisfy the limits");
   } else {
     all = validity_sentences(found);
     all.push_back(chance_sentence(found));
@@ -119,11 +119,13 @@ std::vector<std::string> sentences(const OptimumReport& found) {
                                 quantity, text_of(found.model_value, found.unit)));
     for (const OptimumKey& k : found.keys) describe_key(k, quantity, all);
     for (const OptimumLimit& limit : found.limits)
-      all.push_back(limit.binds ? fmt::format("The limit \"{} {}\" binds: without it the best "
-                                              "would lie elsewhere",
-                                              label(limit.quantity), limit.text)
-                                : fmt::format("The limit \"{} {}\" does not bind",
-                                              label(limit.quantity), limit.text));
+      all.push_back(
+          limit.binds
+              ? fmt::format(
+                    "The limit \"{} {}\" is active: without it the optimum would lie elsewhere",
+                    label(limit.quantity), limit.text)
+              : fmt::format("The limit \"{} {}\" is not active", label(limit.quantity),
+                            limit.text));
   }
   if (found.failed > 0)
     all.push_back(fmt::format("{} of {} settings could not be run; their reasons are in the table",
@@ -135,18 +137,18 @@ std::vector<std::string> sentences(const OptimumReport& found) {
 std::string optimum_table(const OptimumReport& found) {
   std::string text;
   if (found.best) {
-    Lines lines{{"key", "best tried", "the optimum lies (95 %)", "model's best"}};
+    Lines lines{{"key", "best tried", "optimum (95 % interval)", "model's optimum"}};
     for (const OptimumKey& k : found.keys)
       lines.push_back({k.key, k.best, k.range_text(), k.model});
     text = aligned(lines) + '\n';
     const OptimumSetting& best = found.settings[*found.best];
     Lines values{{label(found.quantity), text_of(best.model, found.unit),
-                  fmt::format("by the model; of its own {} replicates {}", best.replicates,
+                  fmt::format("by the model; mean of its own {} replicates: {}", best.replicates,
                               text_of(best.observed, found.unit))}};
     for (std::size_t i = 0; i < found.limits.size(); ++i)
       values.push_back({label(found.limits[i].quantity),
                         text_of(best.limit_values[i], found.limits[i].unit),
-                        "to be " + found.limits[i].text});
+                        "limit: " + found.limits[i].text});
     text += aligned(values) + '\n';
   }
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";

@@ -12,29 +12,29 @@
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
-// The best settings of a mill as they were looked for: terminal, table, page.
+// Result of a search for the best settings: text for the terminal, CSV table, page.
 namespace mahlwerk::report {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A number with its half-width.
+/// A value with its 95 % half-width.
 struct ValueCi95 {
   double value = unknown, ci95 = unknown;
 };
 
-/// A key that was changed; texts are as the case says them, "412 rpm".
+/// A key that the search varied. Texts are as in a case: "412 rpm".
 struct OptimumKey {
   std::string key, unit = {};  ///< of `x`; empty: a plain number
   bool logarithmic = false;
-  std::string from = {}, to = {};             ///< the range
-  std::string best = {}, model = {};          ///< at the best tried, and where the model is best
-  std::string low = {}, high = {};            ///< where the optimum lies, with 95 %
-  std::string good_low = {}, good_high = {};  ///< this key alone moved: within 2 %
+  std::string from = {}, to = {};     ///< the range
+  std::string best = {}, model = {};  ///< at the best setting tried, and at the model's optimum
+  std::string low = {}, high = {};    ///< 95 % interval of the optimum's location
+  std::string good_low = {}, good_high = {};  ///< this key varied alone: value within 2 %
   bool flat = false, at_low_end = false, at_high_end = false;
-  std::vector<double> x = {};  ///< the model through its best, this key moved alone
+  std::vector<double> x = {};  ///< slice of the model through its optimum along this key
   std::vector<ValueCi95> model_at = {};
 
-  /// Where the optimum lies, in words: "12 Hz to 13 Hz", "at the end of its range".
+  /// Location of the optimum as text: "12 Hz to 13 Hz", "at the end of its range".
   std::string range_text() const;
 };
 
@@ -43,25 +43,26 @@ struct OptimumLimit {
   bool binds = false;
 };
 
-/// A setting that was tried.
+/// A setting that the search ran.
 struct OptimumSetting {
-  std::vector<std::string> values = {};  ///< by key
+  std::vector<std::string> values = {};  ///< for each key
   std::vector<double> x = {};            ///< the same as numbers, in the keys' units
   int round = 0, replicates = 0;
-  ValueCi95 observed = {}, model = {};  ///< mean of its replicates; what all settings say of it
-  std::vector<ValueCi95> limit_values = {};               ///< by limit
+  ValueCi95 observed = {},
+            model = {};  ///< mean of its replicates; model prediction from all settings
+  std::vector<ValueCi95> limit_values = {};               ///< for each limit
   double probability_feasible = 1, probability_best = 0;  ///< [1]
-  std::string failure = {};                               ///< why it gave nothing; empty: it did
+  std::string failure = {};                               ///< reason of the failure; empty: none
   std::string warnings = {};                              ///< codes, separated by ";"
   bool invalid = false;  ///< outside the validity of the engine that ran it
 };
 
-/// The best setting, run by the engine that is advised there.
+/// The best setting, run with the recommended engine.
 struct OptimumCheck {
   cases::EngineName engine = cases::EngineName::soft;
-  ValueCi95 value = {};  ///< of what is to be best, by that engine
+  ValueCi95 value = {};  ///< of the optimised quantity, by that engine
   int replicates = 0;
-  std::string failure = {};  ///< why there is no value; empty: there is
+  std::string failure = {};  ///< reason why there is no value; empty: there is one
 };
 
 struct OptimumReport {
@@ -74,30 +75,32 @@ struct OptimumReport {
   ValueCi95 model_value = {};
   double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
   int failed = 0;
-  std::string stop_reason = {};                      ///< a sentence: why the search ended
+  std::string stop_reason = {};                      ///< sentence: why the search ended
   results::NoticeCounts notices = {};                ///< of the settings
-  std::optional<OptimumCheck> check = std::nullopt;  ///< where the best is invalid
+  std::optional<OptimumCheck> check = std::nullopt;  ///< only if the best is invalid
 
-  int runs() const;  ///< replicates in all
-  /// The best tried is told from all others, by runs that are valid.
+  int runs() const;  ///< total number of replicates
+  /// Whether the best setting tried is distinguished from all others, by valid runs.
   bool certain() const;
-  /// The check and the search differ by more than their intervals.
+  /// Whether check and search differ by more than their intervals.
   bool disagrees() const;
 };
 
-/// How sure it is that the best tried is the best of those tried; there must be one.
+/// Probability that the best setting tried is the best of those tried, as a sentence. Requires
+/// `found.best`.
 std::string chance_sentence(const OptimumReport& found);
-/// Whether the best lies where its engine is valid, and what the other engine gives there.
+/// Sentences on the validity of the best setting's runs and the result of the check; empty if they
+/// are valid.
 std::vector<std::string> validity_sentences(const OptimumReport& found);
-/// What is sure and what is not: sentences.
+/// Sentences on the certainty of the result.
 std::vector<std::string> sentences(const OptimumReport& found);
 
 std::string optimum_table(const OptimumReport& found);  ///< for the terminal
 std::string optimum_csv(const OptimumReport& found);    ///< settings.csv (docs/formats.md)
-/// One page that loads nothing. `extra` comes before the settings.
+/// A self-contained page. `extra` (HTML) comes before the settings.
 std::string optimum_page(const OptimumReport& found, std::string_view version,
                          std::string_view extra = "");
-/// The plots of the page by name: history, and the quantity over each key.
+/// The plots of the page: history, then the quantity over each key.
 std::vector<Plot> optimum_plots(const OptimumReport& found);
 
 }  // namespace mahlwerk::report

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The best settings as a page.
+// The page of a search for the best settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// The multiple of the unit that suits all that is drawn.
+/// The multiple of the unit that suits all drawn values.
 Multiple multiple_of(const OptimumReport& found) {
   double most = 0;
   for (const OptimumSetting& s : found.settings)
@@ -28,10 +28,10 @@ std::string with_unit(const std::string& what, const std::string& unit) {
   return unit.empty() || unit == "1" ? what : fmt::format("{} ({})", what, unit);
 }
 
-/// Settings in the order they were tried, and the best of those until then, as known at the end.
+/// Settings in the order in which they were tried, and the best so far by the final model.
 Plot history(const OptimumReport& found) {
   const Multiple up = multiple_of(found);
-  Series tried{.name = "settings tried", .mark = Mark::dots}, best{.name = "best until then"};
+  Series tried{.name = "settings tried", .mark = Mark::dots}, best{.name = "best so far"};
   best.mark = Mark::line;
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
@@ -51,17 +51,17 @@ Plot history(const OptimumReport& found) {
     best.x.push_back(static_cast<double>(i + 1));
     best.y.push_back(until);
   }
-  return {.title = "What was tried",
-          .x = {"number of the setting"},
+  return {.title = "Settings tried",
+          .x = {"setting number"},
           .y = {with_unit(label(found.quantity), up.unit)},
           .series = {tried, best}};
 }
 
-/// The model through its best with this key moved alone, and all settings at their places.
+/// A slice of the model through its optimum along a key, and all settings.
 Plot slice(const OptimumReport& found, std::size_t key) {
   const Multiple up = multiple_of(found);
   const OptimumKey& k = found.keys[key];
-  Series mean{.name = "model, the other keys at its best"},
+  Series mean{.name = "model, other keys at its optimum"},
       low{.name = "95 % interval of the model", .colour = 6};
   Series high{.name = "", .colour = 6}, tried{.name = "settings tried", .mark = Mark::dots};
   tried.colour = 1;
@@ -86,9 +86,9 @@ Plot slice(const OptimumReport& found, std::size_t key) {
 }
 
 constexpr std::array<std::string_view, 5> key_heads{
-    "best tried", "the optimum lies (95 %)", "model's best", "alone within 2 %", "looked for"};
+    "best tried", "optimum (95 % interval)", "model's optimum", "alone within 2 %", "search range"};
 
-/// On a narrow page a cell stands on a line of its own, its heading before it.
+/// On narrow screens each cell is on its own line, preceded by its heading (data-head).
 std::string key_cell(std::size_t column, const std::string& text) {
   return fmt::format("<td class=\"n\" data-head=\"{}\">{}</td>", key_heads[column], escaped(text));
 }
@@ -147,8 +147,8 @@ std::string settings(const OptimumReport& found) {
   for (std::size_t i = 0; i < found.settings.size(); ++i) rows += setting_row(found, i);
   return fmt::format(
       "<h2>Settings tried</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}<th "
-      "class=\"n\">chance</th><th class=\"n\">runs</th></tr></thead>\n<tbody>\n{}</tbody>\n"
-      "</table></div>\n<p><small>Chance: that it is the best of those tried.</small></p>\n",
+      "class=\"n\">probability</th><th class=\"n\">runs</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+      "</table></div>\n<p><small>Probability of being the best of those tried.</small></p>\n",
       head, rows);
 }
 
@@ -157,10 +157,10 @@ std::string lead(const OptimumReport& found) {
       "{} settings of {} tried, {} runs, to make the {} as {} as possible", found.settings.size(),
       found.case_file, found.runs(), label(found.quantity), found.maximise ? "large" : "small");
   if (found.best)
-    text +=
-        fmt::format(": {} at the best", readable(found.settings[*found.best].model.value,
-                                                 found.settings[*found.best].model.ci95, found.unit)
-                                            .text());
+    text += fmt::format(": {} at the best setting",
+                        readable(found.settings[*found.best].model.value,
+                                 found.settings[*found.best].model.ci95, found.unit)
+                            .text());
   return text + ".";
 }
 
@@ -181,24 +181,24 @@ std::string optimum_page(const OptimumReport& found, std::string_view version,
   for (const std::string& sentence : sentences(found))
     points += fmt::format("<p>{}.</p>\n", escaped(sentence));
   body += fmt::format(
-      "<section class=\"box{}\"><h2>What is sure and what is not</h2>\n{}"
+      "<section class=\"box{}\"><h2>Certainty of the result</h2>\n{}"
       "</section>\n",
       found.best && !found.settings[*found.best].invalid ? "" : " warn", points);
   body += notice_boxes(found.notices, found.settings.size(), "setting");
   body += extra;
   const std::vector<Plot> plots = optimum_plots(found);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    body += figure(plots[i], i == 0 ? "Bars are 95 % over replicates. The line is what the "
-                                      "model says now, all settings known, of the best until then."
-                                    : "Between the grey lines the mean lies with 95 %, by the "
-                                      "model. Settings tried lie off its line where their other "
-                                      "keys differ; their own intervals are not drawn.");
+    body += figure(
+        plots[i],
+        i == 0 ? "Bars are 95 % intervals over replicates. The line is the prediction of the final "
+                 "model for the best setting so far."
+               : "Grey lines are the 95 % interval of the mean by the model. Settings tried lie "
+                 "off the curve if their other keys differ; their intervals are not drawn.");
   body += settings(found);
-  return page(
-      found.title.empty() ? "An optimum" : found.title, body,
-      fmt::format("Mahlwerk {}. The settings are in settings.csv, the case with the best of "
-                  "them in best.toml.",
-                  escaped(version)));
+  return page(found.title.empty() ? "An optimum" : found.title, body,
+              fmt::format("Mahlwerk {}. The settings are in settings.csv, the case with the best "
+                          "setting in best.toml.",
+                          escaped(version)));
 }
 
 }  // namespace mahlwerk::report

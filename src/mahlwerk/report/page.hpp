@@ -9,11 +9,10 @@
 
 namespace mahlwerk::report {
 
-/// A whole HTML page around `body`: one file, nothing loaded from elsewhere, light or dark as the
-/// reader's screen is, and made to be printed.
+/// A complete HTML page around `body`: self-contained, with light and dark mode and a print style.
 std::string page(std::string_view title, std::string_view body, std::string_view footer);
 
-/// A plot with a sentence below it.
+/// A plot with a caption (plain text) as HTML <figure>.
 std::string figure(const Plot& plot, std::string_view caption);
 
 }  // namespace mahlwerk::report

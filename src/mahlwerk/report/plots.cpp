@@ -19,7 +19,7 @@ namespace mahlwerk::report {
 using results::Table;
 
 Plot spectrum_plot(const results::Outcome& outcome) {
-  // A settling ball bounces ever smaller, over any number of decades: the top seven tell the story.
+  // The bounces of a settling ball span any number of decades: only the top seven are drawn.
   constexpr double decades = 1e7, depth = 1e5;
   const Table table = results::spectrum(outcome);
   std::vector<double> edges = column(table, "energy_low");
@@ -53,7 +53,7 @@ Plot energy_weighted_plot(const results::Outcome& outcome) {
   const Multiple energy = multiple(largest(edges), "J");
   for (double& e : edges) e /= energy.factor;
   const Multiple power = multiple(largest(column(table, "power_normal")), "W");
-  Plot plot{"Power carried by impacts of each energy",
+  Plot plot{"Power by impact energy",
             {fmt::format("energy of one collision ({})", energy.unit), true},
             {fmt::format("power per bin ({})", power.unit)},
             {{"normal motion", edges, column(table, "power_normal", power.factor), {}, Mark::steps},
@@ -106,14 +106,17 @@ Plot power_plot(const results::Outcome& outcome) {
   const auto dissipated = column(table, "dissipated_power");
   const Multiple unit = multiple(largest(dissipated), "W");
   const auto time = column(table, "time");
-  return {
-      .title = "Power",
-      .x = {.label = "time (s)", .least = 0},
-      .y = {.label = fmt::format("power ({})", unit.unit)},
-      .series =
-          {{"dissipated", time, column(table, "dissipated_power", unit.factor), {}, Mark::line},
-           {"drawn from the jar", time, column(table, "drawn_power", unit.factor), {}, Mark::line}},
-      .height = 280};
+  return {.title = "Power",
+          .x = {.label = "time (s)", .least = 0},
+          .y = {.label = fmt::format("power ({})", unit.unit)},
+          .series =
+              {{"dissipated", time, column(table, "dissipated_power", unit.factor), {}, Mark::line},
+               {"power input by the jar",
+                time,
+                column(table, "drawn_power", unit.factor),
+                {},
+                Mark::line}},
+          .height = 280};
 }
 
 }  // namespace mahlwerk::report

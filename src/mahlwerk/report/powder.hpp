@@ -8,8 +8,8 @@
 
 namespace mahlwerk::report {
 
-/// The parts of a report on the powder: what collisions catch, how fine it gets, what the dose
-/// does. Empty for a case that asks for none of it.
+/// The powder sections of a report (HTML): capture, fineness, dose. Empty without [capture],
+/// [grinding] and [kinetics].
 std::string powder_sections(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::report

@@ -19,10 +19,11 @@ namespace {
 
 using results::Table;
 
-constexpr std::size_t palette = 7, grey = palette - 1;  // the plots' colours; then dashed
+constexpr std::size_t palette = 7,
+                      grey = palette - 1;  // number of colours; higher indices are dashed
 constexpr double micrometre = 1e-6;
 
-/// What times of milling are told in.
+/// Unit for times of milling up to `longest` [s].
 Multiple time_unit(double longest) {
   constexpr double minute = 60, hour = 3600;
   if (longest <= 2 * minute) return {1, "s"};
@@ -36,7 +37,7 @@ struct Kind {
   Table rows;
 };
 
-/// Those that carry most power, as many as a plot has colours.
+/// The kinds with the most power, as many as a plot has colours.
 std::vector<Kind> kinds(const Table& table) {
   std::map<std::pair<double, double>, Kind> found;
   const auto energy = column(table, "energy"), rate = column(table, "rate");
@@ -59,9 +60,9 @@ std::vector<Kind> kinds(const Table& table) {
   return list;
 }
 
-/// A column of capture.csv against the energy of the collision, for each kind of pair.
+/// A column of capture.csv over the energy of the collision, for each kind of pair.
 Plot by_energy(const results::Outcome& outcome, std::string_view name, double factor) {
-  constexpr double decades = 1e6;  // the faintest bounces catch nothing worth telling
+  constexpr double decades = 1e6;  // weaker bounces capture next to nothing
   const Table table = results::capture(outcome);
   const double most = largest(column(table, "energy"));
   const Multiple unit = multiple(most, "J");
@@ -84,7 +85,8 @@ Plot by_energy(const results::Outcome& outcome, std::string_view name, double fa
   return plot;
 }
 
-/// Axes for what changes over milling, from shortly before anything does.
+/// Axes for quantities over the time of milling. The time axis begins shortly before the first
+/// change.
 Plot over_log_time(const results::Outcome& outcome) {
   const Table table = results::grinding(outcome);
   const auto times = column(table, "time");
@@ -104,10 +106,10 @@ Plot over_log_time(const results::Outcome& outcome) {
   return plot;
 }
 
-/// The names before which "sample_" stands where the sample is beside a balance.
+/// Prefixes of column names: "sample_" for the sample of grains beside a population balance.
 constexpr std::array<std::string_view, 2> method_prefixes{"", "sample_"};
 
-/// A colour, dashed where it is of the sample.
+/// Index of a colour, of its dashed version for the sample.
 std::size_t drawn(std::size_t colour, std::string_view method) {
   return colour + (method.empty() ? 0 : palette);
 }
@@ -132,7 +134,7 @@ std::vector<Moment> moments(const Table& table) {
   return list;
 }
 
-/// The sizes between which there is something to see: all but a thousandth of the mass.
+/// Limits the size axis to the range that contains all but a thousandth of the mass.
 void limit_axis_to_data(const Table& table, Axis& axis) {
   constexpr double little = 1e-3;
   const auto passing = column(table, "passing"), upper = column(table, "size_high", micrometre),
@@ -150,7 +152,7 @@ void limit_axis_to_data(const Table& table, Axis& axis) {
 
 Plot catch_plot(const results::Outcome& outcome) {
   Plot plot = by_energy(outcome, "grains", 1);
-  plot.title = "Grains that a collision catches";
+  plot.title = "Grains captured by a collision";
   plot.y.label = "grains";
   return plot;
 }
@@ -158,7 +160,7 @@ Plot catch_plot(const results::Outcome& outcome) {
 Plot caught_energy_plot(const results::Outcome& outcome) {
   constexpr double per_gram = 1000;
   Plot plot = by_energy(outcome, "specific_energy", per_gram);
-  plot.title = "Energy that caught grains get, by their mass";
+  plot.title = "Energy of captured grains per mass";
   plot.y.label = "J/g";
   return plot;
 }
@@ -183,8 +185,8 @@ Plot caught_grains_plot(const results::Outcome& outcome) {
       hard.push_back(percent * bins[bin][1] / powers);
     }
   }
-  return {.title = "Collisions by the grains they catch",
-          .x = {.label = "grains caught", .logarithmic = true},
+  return {.title = "Collisions by number of captured grains",
+          .x = {.label = "captured grains", .logarithmic = true},
           .y = {.label = "share in a bin (%)"},
           .series = {{"of their energy", edges, hard, {}, Mark::steps},
                      {"of the collisions", edges, often, {}, Mark::steps}},
@@ -229,7 +231,7 @@ Plot passing_plot(const results::Outcome& outcome) {
       std::vector<double> sizes = column(moment.rows, "size_high", micrometre),
                           finer = column(moment.rows, fmt::format("{}passing", method), 0.01);
       if (!finer.empty()) {
-        // Within a class mass lies evenly in the logarithm of size: a straight line is exact.
+        // Mass is uniform in the logarithm of size within a class: straight lines are exact.
         sizes.insert(sizes.begin(), column(moment.rows, "size_low", micrometre).front());
         finer.insert(finer.begin(), 0);
         plot.series.push_back({method.empty() ? moment.name : "",
@@ -273,7 +275,7 @@ Plot density_plot(const results::Outcome& outcome) {
       colour = (colour + 1) % palette;
     }
   }
-  // A feed of one size is a needle that would press all else to the ground.
+  // The narrow peak of a feed of one size would flatten all other curves.
   constexpr double needle = 2, air = 1.1;
   if (milled > 0 && feed > needle * milled) plot.y.most = air * milled;
   return plot;

@@ -5,22 +5,23 @@
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// The plots of what becomes of the powder.
+// Plots of capture, grinding and conversion of the powder.
 namespace mahlwerk::report {
 
-/// Of a result with [capture]: grains caught, and what they get by their mass, by the energy of the
-/// collision, for the kinds of pairs that carry most power; collisions by grains caught.
+/// Of a result with [capture]: captured grains and their specific energy over the collision energy,
+/// for the pair kinds with the most power; collisions by captured grains.
 Plot catch_plot(const results::Outcome& outcome);
 Plot caught_energy_plot(const results::Outcome& outcome);
 Plot caught_grains_plot(const results::Outcome& outcome);
 
-/// Of a result with [grinding]. Where there is a sample beside the balance it is dashed.
+/// Of a result with [grinding]. With both methods, the sample of grains is dashed.
 Plot sizes_plot(const results::Outcome& outcome);    ///< D10, D50 and D90 over time
-Plot passing_plot(const results::Outcome& outcome);  ///< share finer than a size, at some times
-Plot density_plot(const results::Outcome& outcome);  ///< share by size, at the same times
+Plot passing_plot(const results::Outcome& outcome);  ///< cumulative distribution at several times
+Plot density_plot(const results::Outcome& outcome);  ///< density at the same times
 Plot surface_plot(const results::Outcome& outcome);  ///< specific surface over time
 
-/// Of a result with [kinetics]: conversion or, where the case names one, the property over time.
+/// Of a result with [kinetics]: conversion over time, and the property over time if the case names
+/// one.
 Plot conversion_plot(const results::Outcome& outcome);
 Plot property_plot(const results::Outcome& outcome);
 

@@ -29,24 +29,24 @@ constexpr std::array labels{
     Words{"energy_residual", "worst collision residual"},
     Words{"deepest_overlap", "deepest overlap over radius"},
     Words{"energy_balance", "energy balance residual"},
-    Words{"captured_mass_rate", "powder caught"},
-    Words{"captured_share_rate", "catches of each grain"},
-    Words{"captured_grains_mean", "grains caught by a collision"},
-    Words{"captured_energy_mean", "energy of caught powder"},
-    Words{"captured_dose_rate", "power of caught powder"},
+    Words{"captured_mass_rate", "powder captured"},
+    Words{"captured_share_rate", "captures per grain"},
+    Words{"captured_grains_mean", "grains captured per collision"},
+    Words{"captured_energy_mean", "energy of captured powder"},
+    Words{"captured_dose_rate", "power of captured powder"},
     Words{"d10", "D10"},
     Words{"d50", "D50"},
     Words{"d90", "D90"},
     Words{"finest_share", "share in the finest class"},
     Words{"specific_grinding_energy", "grinding energy"},
-    Words{"milling_dose", "dose of milling"},
+    Words{"milling_dose", "milling dose"},
 };
 
-/// Units as they are shown where that is not what they are called.
+/// Symbols of units whose display differs from their name.
 constexpr std::array signs{Words{"1", ""},      Words{"1/s", "/s"},        Words{"deg", "°"},
                            Words{"degC", "°C"}, Words{"ug/g/h", "µg/g/h"}, Words{"m2/kg", "m²/kg"}};
 
-/// Units that take a prefix; kg, what is counted, and speeds (0.8 m/s, not 800 mm/s) do not.
+/// Whether a unit takes a prefix; kg, counts and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
   constexpr std::array<std::string_view, 12> list{"J",   "W",   "m",   "s",    "N",   "Pa",
                                                   "W/g", "J/g", "N m", "W/m²", "g/h", "g/s"};
@@ -66,7 +66,7 @@ int decade(double size) {
   return static_cast<int>(std::floor(std::log10(size)));
 }
 
-/// Digits behind the point so that the half-width keeps two, or else the value four.
+/// Decimal places such that the half-width has two digits, or without one the value four.
 int places(double value, double ci95) {
   const bool told = std::isfinite(ci95) && ci95 > 0;
   const double size = told ? ci95 : std::abs(value);
@@ -78,12 +78,12 @@ std::string fixed(double value, double ci95) {
   const int digits = places(value, ci95);
   std::string text = fmt::format("{:.{}f}", value, digits);
   if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-'))
-    text.erase(0, 1);  // less than a digit below 0
+    text.erase(0, 1);  // rounds to -0
   if (std::isfinite(ci95)) text += fmt::format(" ± {:.{}f}", ci95, ci95 > 0 ? digits : 0);
   return text;
 }
 
-/// Of a value too large or too small to be written out.
+/// Scientific notation, for values too large or too small to be written out.
 std::string scientific(double value, double ci95) {
   const int exponent = decade(std::abs(value));
   const double scale = std::pow(10, exponent);
@@ -97,7 +97,7 @@ std::string scientific(double value, double ci95) {
 }  // namespace
 
 Multiple multiple(double size, std::string_view unit) {
-  if (unit == "kg/s") {  // what wears off is told by the hour, what is caught by the second
+  if (unit == "kg/s") {  // wear per hour, captured powder per second
     constexpr double fast = 1e-6, gram = 1e-3, hour = 3600;
     const double base = size < fast ? gram / hour : gram;
     const Multiple m = multiple(size / base, size < fast ? "g/h" : "g/s");
@@ -123,7 +123,7 @@ std::string Readable::text() const {
 
 Readable readable(double value, double ci95, std::string_view unit, double size) {
   if (!std::isfinite(value)) return {std::isnan(value) ? "-" : "infinite", ""};
-  // A value that cannot be told from 0 is as fine as its half-width: -1 ± 12 mW, not -773 µW.
+  // The half-width sets the multiple of a value below it: -1 ± 12 mW, not -773 µW.
   const double own = std::isfinite(ci95) ? std::max(std::abs(value), ci95) : std::abs(value);
   const Multiple m = multiple(size > 0 ? size : own, unit);
   const double v = value / m.factor, ci = ci95 / m.factor, shown_size = std::abs(v);
@@ -131,7 +131,7 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
   for (const auto& [said, sign] : signs)
     if (m.unit == said) shown = sign;
   if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
-    return {fmt::format("{:.0f}", v), ""};  // a number of things
+    return {fmt::format("{:.0f}", v), ""};  // a count
   const bool plain =
       shown_size == 0 || (shown_size >= 1e-3 && shown_size < 1e7) || ci >= shown_size;
   return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};

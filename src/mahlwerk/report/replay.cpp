@@ -45,13 +45,13 @@ std::string json_string(std::string_view text) {
   return out + "\"";
 }
 
-/// (x, y, z, w) of a rotation.
+/// Quaternion (x, y, z, w) of a rotation.
 std::array<double, 4> quaternion(const Rotation& r) {
   const double xx = r.ex.x, yy = r.ey.y, zz = r.ez.z;
   const auto half_root = [](double square) { return 0.5 * std::sqrt(std::max(0.0, 1 + square)); };
   const double w = half_root(xx + yy + zz), x = half_root(xx - yy - zz),
                y = half_root(yy - xx - zz), z = half_root(zz - xx - yy);
-  // From the largest of the four, so that none is lost to rounding.
+  // Uses the largest component as divisor, for accuracy.
   if (w >= x && w >= y && w >= z)
     return {(r.ey.z - r.ez.y) / (4 * w), (r.ez.x - r.ex.z) / (4 * w), (r.ex.y - r.ey.x) / (4 * w),
             w};

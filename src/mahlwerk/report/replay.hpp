@@ -9,11 +9,11 @@
 
 namespace mahlwerk::report {
 
-/// The 3-D replay as part of a page: its section, its data and its script (viewer/README.md). Empty
-/// where there is no film.
+/// The 3-D replay as HTML section with its data and script (viewer/README.md). Empty if the outcome
+/// has no replay frames.
 std::string replay_section(const results::Outcome& outcome);
 
-/// viewer/dist/replay.js, which travels in the program.
+/// The contents of viewer/dist/replay.js, embedded in the program.
 std::string_view replay_script();
 
 }  // namespace mahlwerk::report

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/report/replay.hpp"
 
-// The script as it is in the file, put into the program by the assembler.
+// Embeds the script file unchanged in the program (.incbin).
 asm(R"(
   .section .rodata
   .global mahlwerk_replay_begin, mahlwerk_replay_end

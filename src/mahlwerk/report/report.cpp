@@ -33,7 +33,7 @@ std::string text_of(const std::vector<Quantity>& list, std::string_view name) {
   return readable(named(list, name)).text();
 }
 
-/// A cell that also tells a program the number it shows.
+/// A table cell with the quantity's name and exact value as data attributes for programs.
 std::string number_cell(const Quantity* q, const std::string& text) {
   if (q == nullptr || !std::isfinite(q->value))
     return fmt::format("<td class=\"n\">{}</td>", escaped(text));
@@ -41,7 +41,7 @@ std::string number_cell(const Quantity* q, const std::string& text) {
                      shortest(q->value), escaped(text));
 }
 
-/// The rows of a group of quantities, under its heading.
+/// The table rows of a group of quantities, with its heading.
 struct RowGroup {
   std::string lines;
   int rows = 0;
@@ -64,8 +64,7 @@ std::vector<RowGroup> row_groups(const std::vector<Quantity>& list) {
   return all;
 }
 
-/// The tables above and below the plots: those groups stand above that come first and are together
-/// no longer than two screens.
+/// The tables above and below the plots. The first groups, up to 40 rows (two screens), are above.
 struct QuantityTables {
   std::string above, below;
 };
@@ -93,7 +92,7 @@ QuantityTables quantity_tables(const Outcome& outcome) {
           below.empty() ? "" : "<h2>More results</h2>\n" + table(below)};
 }
 
-/// Collisions by kind of pair; empty where there is one kind.
+/// Table of collisions by kind of pair; empty if there is one kind.
 std::string pairs_table(const Outcome& outcome) {
   const auto lines = pair_rows(outcome.summary.pairs);
   if (lines.empty()) return "";
@@ -107,8 +106,9 @@ std::string pairs_table(const Outcome& outcome) {
     body += "</tr>\n";
   }
   return fmt::format(
-      "<h2>Who hits whom</h2>\n<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n"
-      "{}</tbody>\n</table></div>\n<p><small>The whole spectrum of each kind of pair is in "
+      "<h2>Collisions by pair</h2>\n<div "
+      "class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n"
+      "{}</tbody>\n</table></div>\n<p><small>The spectrum of each kind of pair is in "
       "spectra_by_pair.csv.</small></p>\n",
       head, body);
 }
@@ -131,7 +131,7 @@ std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
 
 std::string methods_box(const Outcome& outcome, std::string_view version) {
   return fmt::format(
-      "<h2>Methods, to paste</h2>\n<section class=\"box\"><p id=\"methods\">{}</p></section>\n",
+      "<h2>Methods paragraph</h2>\n<section class=\"box\"><p id=\"methods\">{}</p></section>\n",
       with_symbols(escaped(methods(outcome, version))));
 }
 
@@ -142,41 +142,43 @@ std::string picture(const std::string& drawing, std::string_view caption) {
 }
 
 std::string spectra_section(const Outcome& outcome) {
-  return "<h2>How hard</h2>\n" +
-         figure(spectrum_plot(outcome),
-                "Collisions per second in each bin of energy (four bins an octave). The faintest "
-                "bounces are left out; spectrum.csv has them all, spectra_by_pair.csv by pair.") +
+  return "<h2>Impact energies</h2>\n" +
+         figure(
+             spectrum_plot(outcome),
+             "Collisions per second in each bin of energy (four bins per octave). The weakest "
+             "bounces are not drawn; spectrum.csv has all of them, spectra_by_pair.csv by pair.") +
          figure(energy_weighted_plot(outcome),
-                "The same, weighted by energy: which impacts carry the power.") +
+                "The same weighted by energy: shows which impacts carry the power.") +
          picture(normal_tangential_picture(outcome),
-                 "Into the wall or along it: collisions per second by both energies, a bin an "
-                 "octave, colours over four decades.") +
-         figure(angle_plot(outcome), "Between tangential and normal speed at first touch.");
+                 "Collisions per second by normal and tangential energy, one bin per octave; the "
+                 "colours cover four decades.") +
+         figure(angle_plot(outcome),
+                "Angle between the relative velocity and the normal at first contact.");
 }
 
 std::string maps_section(const Outcome& outcome) {
-  std::string text = picture(
-      wall_picture(outcome),
-      "Power that hits on the jar lose, over the wall's area. The jar's own axes, which turn with "
-      "it; wall_map.csv has the numbers. What lasting contacts lose has no place here.");
+  std::string text =
+      picture(wall_picture(outcome),
+              "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
+              "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
   text += picture(field_picture(outcome),
-                  "Mean over the counted time, in the plane of the motion: mass above each area "
-                  "as colour, its velocity as arrows. fields.csv has the numbers.");
+                  "Mean over the counted time in the plane of motion: mass per area as colour, "
+                  "mean velocity as arrows. fields.csv has the numbers.");
   if (text.empty()) return "";
   std::string words;
   if (const std::string& regime = outcome.summary.regime; !regime.empty())
     words = fmt::format("<p>The charge is <strong>{}</strong>: {}.</p>\n", regime,
                         escaped(outcome.summary.regime_reason));
-  return "<h2>Where, and how it moves</h2>\n" + words + text;
+  return "<h2>Wall impacts and charge motion</h2>\n" + words + text;
 }
 
 std::string time_section(const Outcome& outcome) {
-  return "<h2>How steady</h2>\n" +
+  return "<h2>Time series</h2>\n" +
          figure(rate_plot(outcome),
-                "Each point is a mean over a stretch of time and the replicates.") +
+                "Each point is a mean over a time interval and the replicates.") +
          figure(power_plot(outcome),
-                "What the jar puts in and what is lost in collisions and lasting contacts. In the "
-                "long run the two are equal.");
+                "Power input by the jar, and power dissipated in collisions and sustained "
+                "contacts. In the long run both are equal.");
 }
 
 std::string wear_and_heat_section(const Outcome& outcome) {
@@ -188,16 +190,17 @@ std::string wear_and_heat_section(const Outcome& outcome) {
                           escaped(table.columns[0].words[static_cast<std::size_t>(row[0])]),
                           escaped(readable(row[2], std::nan(""), "kg/s", row[2]).text()));
     text += fmt::format(
-        "<h2>Wear</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">worn off"
-        "</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>By the wear "
-        "coefficient of the case, which few know better than to a factor of ten.</small></p>\n",
+        "<h2>Wear</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">wear rate"
+        "</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>From the wear "
+        "coefficient of the case, which is rarely known better than to a factor of "
+        "ten.</small></p>\n",
         body);
   }
   if (outcome.what.heat)
     text +=
-        "<h2>How warm</h2>\n" +
-        figure(temperature_plot(outcome),
-               "Balls and jar as two lumps, heated by the dissipated power, cooled by the air.");
+        "<h2>Temperatures</h2>\n" + figure(temperature_plot(outcome),
+                                           "Balls and jar as two lumped heat capacities, heated by "
+                                           "the dissipated power, cooled by the air.");
   return text;
 }
 
@@ -222,10 +225,10 @@ std::string sentence(const Outcome& outcome) {
   text += fmt::format(" with a normal speed of at least {}",
                       threshold_text(outcome.what.observe.threshold));
   if (std::isfinite(named(list, "energy_normal_mean_above_threshold").value))
-    text += fmt::format(", of {} each along the normal and {} with the motion along the wall",
+    text += fmt::format(", with a mean normal energy of {} and a mean contact-point energy of {}",
                         text_of(list, "energy_normal_mean_above_threshold"),
                         text_of(list, "energy_contact_point_mean_above_threshold"));
-  return text + fmt::format("; {} were dissipated in all.", text_of(list, "dissipated_power"));
+  return text + fmt::format("; the dissipated power was {}.", text_of(list, "dissipated_power"));
 }
 
 std::string report_page(const Outcome& outcome, std::string_view version, bool film) {
@@ -247,18 +250,18 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += powder_sections(outcome);
   body += tables.below;
   body += methods_box(outcome, version);
-  body += "<h2>What it rests on</h2>\n";
-  body += origin_box(
-      outcome, &cases::Origin::assumed, "Assumed, not measured",
-      "Values the case did not give. If one of them matters to you, measure it and say it.");
-  body += origin_box(outcome, &cases::Origin::unverified, "From weak sources",
+  body += "<h2>Assumptions and sources</h2>\n";
+  body += origin_box(outcome, &cases::Origin::assumed, "Assumed, not measured",
+                     "Values that the case does not give. If one of them matters to you, measure "
+                     "it and add it to the case.");
+  body += origin_box(outcome, &cases::Origin::unverified, "Unverified sources",
                      "Values whose source could not be verified.");
   body += fmt::format(
-      "<details><summary>The case, every value with its origin</summary>\n<pre>{}</pre>"
+      "<details><summary>The case, with the origin of every value</summary>\n<pre>{}</pre>"
       "</details>\n",
       escaped(cases::write(outcome.what)));
   const std::string footer = fmt::format(
-      "Mahlwerk {}, {} engine, seed {}, {:.3g} s of computing. The numbers are in summary.json, "
+      "Mahlwerk {}, {} engine, seed {}, {:.3g} s of CPU time. The numbers are in summary.json, "
       "result.h5 and the CSV files beside this page.",
       escaped(version), name_of(outcome.engine), outcome.what.seed, outcome.cpu_seconds);
   return page(given.empty() ? "A ball mill" : given, body, footer);

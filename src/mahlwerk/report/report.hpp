@@ -11,15 +11,16 @@
 
 namespace mahlwerk::report {
 
-/// report.html of one result: what came out, how sure it is, and what it rests on.
-/// Without `film` it has no replay, and is a seventh as large.
+/// report.html of one outcome: results with intervals, plots, and origin of the inputs. Without
+/// `film` it has no replay and is a seventh as large.
 std::string report_page(const results::Outcome& outcome, std::string_view version,
                         bool film = true);
 
-/// The result in a sentence: how often, how hard, how much.
+/// The result in a sentence: collision rate, energies and dissipated power.
 std::string sentence(const results::Outcome& outcome);
 
-/// Everything a result consists of: the files of results::write and report.html.
+/// Writes all files of a result: those of results::write and report.html. `below` is a prefix of
+/// their paths.
 void write(const results::Folder& folder, const results::Outcome& outcome, std::string_view version,
            std::string_view below = "", bool film = true);
 

@@ -18,7 +18,7 @@ constexpr std::array state_quantities{"dissipated_power", "collision_rate_above_
 
 using Line = std::array<std::string, 3>;
 
-/// Heads, then a line for each quantity.
+/// The table: heads, then a line for each quantity.
 std::vector<Line> lines(const results::TwoStates& found) {
   const auto [one, other] = std::array{&found.states[0], &found.states[1]};
   const std::size_t all = one->replicates.size() + other->replicates.size();
@@ -53,9 +53,9 @@ std::string states_section(const results::Outcome& outcome) {
   return fmt::format(
       "<h2>Two states</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
       "class=\"n\">{}</th><th class=\"n\">{}</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>"
-      "\n<p><small>Replicates by their dissipated power; ± is the 95 % confidence half-width over "
-      "those of a state. One normal distribution splits as sharply with a chance of {:.2g} "
-      "%.</small></p>\n",
+      "\n<p><small>Replicates grouped by their dissipated power; ± is the 95 % confidence "
+      "half-width over those of a state. A single normal distribution splits as clearly with a "
+      "probability of {:.2g} %.</small></p>\n",
       escaped(all[0][1]), escaped(all[0][2]), rows, 100 * found->p_value);
 }
 

@@ -6,7 +6,7 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// Two states of a mill side by side. Empty where the replicates show one.
+// Bistable mills: the two states side by side. Empty if the replicates show one state.
 namespace mahlwerk::report {
 
 std::string states_table(const results::Outcome& outcome);    ///< for the terminal

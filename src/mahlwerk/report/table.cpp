@@ -13,26 +13,26 @@ namespace mahlwerk::report {
 namespace {
 
 constexpr std::string_view above_threshold = "_above_threshold";
-/// Over collisions above the threshold, though their names do not say so.
+/// Quantities over collisions above the threshold whose names do not contain it.
 constexpr std::array<std::string_view, 3> above_alone{"collision_rate_in_flight", "stress_energy",
                                                       "stress_number_rate"};
 using Line = std::array<std::string, 3>;
 
-/// Quantities that begin a group of rows, and what the group is of. They are in every result that
-/// has the group.
+/// The first quantity of each group of rows, and the group's heading. Every result with the group
+/// has that quantity.
 using Group = std::pair<std::string_view, std::string_view>;
 constexpr std::array groups{
     Group{"collision_rate", "Collisions"},
     Group{"dissipated_power", "Power and contacts"},
-    Group{"specific_energy_dose_rate", "Energy by mass of powder"},
-    Group{"flight_share", "How the charge moves"},
+    Group{"specific_energy_dose_rate", "Energy per mass of powder"},
+    Group{"flight_share", "Motion of the charge"},
     Group{"wear_rate_balls", "Wear"},
-    Group{"temperature_balls", "Warmth"},
-    Group{"captured_mass_rate", "What collisions catch"},
-    Group{"d10", "How fine it gets"},
+    Group{"temperature_balls", "Temperatures"},
+    Group{"captured_mass_rate", "Powder captured by collisions"},
+    Group{"d10", "Fineness"},
     Group{"milling_dose", "Dose"},
     Group{"grain_count", "Powder as grains"},
-    Group{"energy_residual", "How exact"},
+    Group{"energy_residual", "Numerical accuracy"},
 };
 std::string_view group_of(std::string_view name) {
   const auto found = std::ranges::find(groups, name, &Group::first);
@@ -43,7 +43,7 @@ std::string padded(const std::string& text, std::size_t wanted) {
   return text + std::string(wanted - std::min(wanted, width(text)), ' ');
 }
 
-/// The larger of the two sizes of a row.
+/// The larger absolute value of a row.
 double size_of(const Row& row) {
   const double all = std::abs(row.all->value);
   return row.above == nullptr ? all : std::fmax(all, std::abs(row.above->value));
@@ -102,9 +102,9 @@ std::vector<std::string> pair_heading(double threshold) {
           "collisions",
           "u_n >= " + threshold_text(threshold),
           "mean normal energy",
-          "of those",
-          "lost along normal",
-          "lost across it"};
+          "of those above",
+          "lost, normal",
+          "lost, tangential"};
 }
 
 std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairSummary>& pairs) {

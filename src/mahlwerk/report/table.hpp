@@ -10,26 +10,26 @@
 
 namespace mahlwerk::report {
 
-/// A line of the table that people read: a quantity over all collisions and, where there is one,
-/// its twin over those above the threshold.
+/// A row of the table of results: a quantity over all collisions and, if there is one, its
+/// counterpart over collisions above the threshold.
 struct Row {
   const results::Quantity* all = nullptr;
   const results::Quantity* above = nullptr;
-  std::string_view group = {};  ///< heading of the rows that it is the first of; else empty
+  std::string_view group = {};  ///< heading of its group if it is the group's first row; else empty
 
-  bool only_above = false;  ///< `all` is over collisions above the threshold, and has no twin
+  bool only_above = false;  ///< `all` covers collisions above the threshold only
 
   std::string all_text() const;    ///< both in the same multiple of their unit
-  std::string above_text() const;  ///< empty without a twin
+  std::string above_text() const;  ///< empty without counterpart
 };
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities);
 
-/// The table for the terminal, with half-widths and readable units. `threshold` [m/s] heads its
-/// column.
+/// The table for the terminal, with half-widths and units. The threshold [m/s] is in the head of
+/// its column.
 std::string table(const std::vector<results::Quantity>& quantities, double threshold);
 
-/// The head of the table of pairs, and a line for each kind: who with whom, rates, mean normal
-/// energies and powers. Rows in which nothing collided are left out.
+/// Head and rows of the table of pairs, a row for each kind of pair: rates, mean normal energies
+/// and powers. Pairs without collisions are omitted.
 std::vector<std::string> pair_heading(double threshold);
 std::vector<std::vector<std::string>> pair_rows(const std::vector<results::PairSummary>& pairs);
 

@@ -21,89 +21,89 @@
 
 namespace mahlwerk::results {
 
-/// One stretch of a replicate's time, for the time series. Rates and powers are means over the
-/// stretch.
+/// Sums over one time window of a replicate, for the time series.
 struct Window {
-  double time = 0;                  ///< [s] its end, since counting began
-  double length = 0;                ///< [s] how long it was
-  double collisions = 0;            ///< how many
-  double above = 0;                 ///< how many with u_n above the threshold
-  double energy_normal = 0;         ///< [J] sum over its collisions
-  double energy_contact_point = 0;  ///< [J] sum
-  double lost = 0;                  ///< [J] dissipated
-  double wall_work = 0;             ///< [J] done by the jar
-  double contact_time = 0;          ///< [s] in lasting contact
-  double kinetic = 0;               ///< [J] at its end
+  double time = 0;                  ///< [s] end of the window, since counting began
+  double length = 0;                ///< [s] length of the window
+  double collisions = 0;            ///< number of collisions
+  double above = 0;                 ///< number of collisions with u_n at or above the threshold
+  double energy_normal = 0;         ///< [J] sum over the collisions
+  double energy_contact_point = 0;  ///< [J] sum over the collisions
+  double lost = 0;                  ///< [J] dissipated energy
+  double wall_work = 0;             ///< [J] work of the jar on the balls
+  double contact_time = 0;          ///< [s] time in sustained contact, summed over balls
+  double kinetic = 0;               ///< [J] kinetic energy at the end of the window
 };
 
-/// What collisions catch of grains of the median size of the feed, per second.
+/// Capture of grains of the feed's median size, per second.
 struct CaptureRates {
-  double mass = 0;    ///< [kg/s]
-  double power = 0;   ///< [W] that caught grains get
-  double grains = 0;  ///< [1] in a collision, mean by energy
+  double mass = 0;    ///< [kg/s] captured mass
+  double power = 0;   ///< [W] power that captured grains get
+  double grains = 0;  ///< [1] captured grains in a collision, mean weighted by energy
 };
 
-/// What a replicate's collisions do to the powder.
+/// Capture, dose and grinding of the powder by one replicate's collisions.
 struct GrindingOutcome {
   powder::StressSpectrum stresses;
   CaptureRates capture;                          ///< with [capture]
-  double dose_rate = 0;                          ///< [W/kg] of [kinetics], or of what is caught
+  double dose_rate = 0;                          ///< [W/kg] of [kinetics], or of captured grains
   std::optional<powder::SizeEvolution> balance;  ///< with [grinding] method = "balance" or "both"
   std::optional<powder::SizeEvolution> sample;   ///< with "statistical" or "both"
 
-  /// The one that counts where there are both.
+  /// The result that quantities come from: the balance if there is one, else the sample.
   const powder::SizeEvolution& milling() const { return balance ? *balance : *sample; }
   bool has_milling() const { return balance || sample; }
 };
 
-/// What one replicate gave. Sums are over the counted time; `energy_balance` is over the whole run.
+/// Result of one replicate. Sums are over the counted time; `energy_balance` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
                      const observe::WallGrid& wall = {})
       : tally(threshold, std::move(kinds), wall) {}
   observe::CollisionStatistics tally;
-  observe::Charge charge;        ///< how it lies in the jar
-  observe::Replay replay;        ///< of the first replicate
-  observe::StressStream stream;  ///< for a sample of the powder
+  observe::Charge charge;        ///< density and velocity fields of the charge
+  observe::Replay replay;        ///< frames for the report; of the first replicate only
+  observe::StressStream stream;  ///< collisions in order of time, for a sample of the powder
   std::optional<GrindingOutcome>
       grinding;  ///< with [capture] or [kinetics], once the run has ended
   std::vector<Window> windows;
-  scene::EnergyBalance energy_balance;  ///< at the end
-  scene::EnergyBalance at_settled;      ///< when counting began
-  bool complete = true;                 ///< false if stopped early
-  bool precision_reached = true;        ///< false if a run that waits for certainty did not get it
-  std::string stop_reason;              ///< why, if physics stopped it
+  scene::EnergyBalance energy_balance;     ///< at the end
+  scene::EnergyBalance at_settled;         ///< when counting began
+  bool complete = true;                    ///< false if stopped early
+  bool precision_reached = true;           ///< false if [run] until was not reached
+  std::string stop_reason;                 ///< reason if physics stopped the run, else empty
   std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
   double cpu_seconds = 0;
-  double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted
+  double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted time
 };
 
+/// A case, its replicates and the numbers made from them.
 struct Outcome {
   cases::Case what;
   std::vector<Replicate> replicates;
-  cases::EngineName engine = cases::EngineName::event;  ///< that ran it: event or soft
-  // Made once, when the run ends:
-  Summary summary = {};  ///< its numbers (results/summarise.hpp)
-  Notices notices = {};  ///< what a reader should know besides
+  cases::EngineName engine = cases::EngineName::event;  ///< engine of the run: event or soft
+  // Computed once, when the run ends:
+  Summary summary = {};  ///< quantities (results/summarise.hpp)
+  Notices notices = {};  ///< warnings and notes (results/notices/warnings.hpp)
   double wall_seconds = 0, cpu_seconds = 0;
   bool interrupted = false;
 };
 
-/// The number of one of its replicates, from 1.
+/// The number of a replicate of the outcome, from 1.
 inline std::size_t number_of(const Outcome& outcome, const Replicate& replicate) {
   return static_cast<std::size_t>(&replicate - outcome.replicates.data()) + 1;
 }
 
-/// The value of a quantity of its summary in one of its replicates; NaN where it has none.
+/// The value of a summary quantity in one replicate; NaN where it has none.
 double value_of(const Outcome& outcome, const Replicate& replicate, std::string_view quantity);
 
-/// The replicates that means are taken over: those that ran to their end if there are at least two,
-/// else all that counted any time.
+/// The replicates that means are taken over: the complete ones if there are at least two, else all
+/// with a counted time above 0.
 std::vector<const Replicate*> averaged_replicates(const Outcome& outcome);
-/// Those of them that have ground.
+/// The averaged replicates that have a GrindingOutcome.
 std::vector<const Replicate*> grinding_replicates(const Outcome& outcome);
 
-/// Mean of what `of` says of each replicate; NaN of none.
+/// Mean of `of(replicate)`; NaN without replicates.
 template <class Of>
 double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) {
   double sum = 0;
@@ -111,7 +111,7 @@ double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) 
   return sum / static_cast<double>(replicates.size());
 }
 
-/// True if every replicate was run, and to its end.
+/// True if there are replicates, and all of them ran to their end.
 bool complete(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -15,7 +15,7 @@
 namespace mahlwerk::results {
 namespace {
 
-/// More faces than these, of a mesh, are not told apart.
+/// Jars with more faces (meshes) are treated as one face.
 constexpr int most_faces = 12;
 
 observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
@@ -29,7 +29,8 @@ observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   return grid;
 }
 
-/// (hea.7) and (hea.9) by bins of the normal energy, each at its middle.
+/// Flash factors (hea.7) and Hertz times (hea.9) by bins of normal energy, each at the geometric
+/// mean of its edges.
 void set_flash_factors(observe::PairFactors& factors, const powder::FlashPair& pair) {
   using observe::LogHistogram;
   for (int bin = 0; bin < LogHistogram::bins; ++bin) {

@@ -6,14 +6,14 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// What whoever runs a case needs to fill an Outcome.
+// Helpers of programs that run a case and fill an Outcome.
 namespace mahlwerk::results {
 
-/// A replicate of that case before anything has happened: which pairs are told apart, how the wall
-/// is cut into cells, what turns losses into wear.
+/// An empty replicate of the case: its kinds of pairs, its wall grid and its factors from losses to
+/// wear and flash temperatures.
 Replicate empty_replicate(const cases::Case& what);
 
-/// Each two neighbouring windows as one; an odd one at the end is left out.
+/// Merges each two neighbouring windows into one; an odd last window is left out.
 std::vector<Window> merge_window_pairs(const std::vector<Window>& windows);
 
 }  // namespace mahlwerk::results

@@ -23,8 +23,7 @@ std::vector<double> values_of(const std::vector<Measure>& measures, const cases:
   return values;
 }
 
-/// The worst of all replicates, averaged or not; one that is not even a number is the worst there
-/// is.
+/// The largest value over all replicates, averaged or not; NaN if any value is NaN.
 double worst(const std::vector<std::vector<double>>& each, std::size_t quantity) {
   double most = 0;
   for (const std::vector<double>& values : each) {
@@ -60,9 +59,9 @@ Summary summarise(const Outcome& outcome) {
   }
   made.quantities.push_back(
       {"settling_time", settling_time(chosen), undefined, "s",
-       "of the counted time, what the dissipated power shows to belong to the start"});
+       "initial transient within the counted time, by the dissipated power (MSER-5)"});
   made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), undefined, "1",
-                             "independent replicates that the means are taken over"});
+                             "number of independent replicates in the means"});
   made.pairs = by_pair(outcome);
   made.two_states = two_states(outcome, all, made.by_replicate);
   made.regime = regime(outcome);

@@ -9,14 +9,14 @@
 
 namespace mahlwerk::results {
 
-/// All numbers of an outcome, from its replicates: kept in `Outcome::summary` when a run ends.
+/// Computes all numbers of an outcome from its replicates. A run keeps them in `Outcome::summary`.
 Summary summarise(const Outcome& outcome);
 
-/// A quantity that a case does not have, and the section it comes with: "[wear]".
+/// A quantity that a case does not have, and the section that adds it: "[wear]".
 struct MissingQuantity {
   std::string name, section;
 };
-/// Those that the case would have with another section.
+/// The quantities that the case would have with another section.
 std::vector<MissingQuantity> missing_quantities(const cases::Case& what);
 
 }  // namespace mahlwerk::results

@@ -11,24 +11,25 @@
 #include <string_view>
 #include <vector>
 
-// What a run comes to: the numbers that files, tables and pages show.
+// The numbers of a result that files, tables and pages show.
 namespace mahlwerk::results {
 
-/// One number of a result, under its plain name in summary.json.
+/// One number of a result, under its name in summary.json.
 struct Quantity {
   std::string name;
   double value = 0;
   double ci95 = 0;  ///< half-width over replicates; NaN with fewer than two
   std::string unit;
-  std::string about;
-  /// Half-width that the scatter over time within replicates gives; NaN where there is none.
+  std::string about;  ///< description
+  /// Half-width of the 95 % confidence interval from the scatter over time within replicates; NaN
+  /// where there is no time series.
   double ci95_time = std::numeric_limits<double>::quiet_NaN();
 
   /// The half-width to show: over replicates, else over time.
   double half_width() const { return std::isfinite(ci95) ? ci95 : ci95_time; }
 };
 
-/// The quantity of that name. Throws std::out_of_range where there is none.
+/// The quantity of that name. Throws std::out_of_range if there is none.
 const Quantity& named(const std::vector<Quantity>& list, std::string_view name);
 
 /// The quantities of one kind of pair (docs/formats.md, "_pairs").
@@ -37,7 +38,7 @@ struct PairSummary {
   std::vector<Quantity> quantities;
 };
 
-/// Some of the replicates, and the quantities of summary.json over them alone.
+/// A subset of the replicates, and the quantities of summary.json over this subset.
 struct State {
   std::vector<std::size_t> replicates;  ///< their numbers, from 1
   std::vector<Quantity> quantities;
@@ -46,19 +47,20 @@ struct State {
 /// Replicates that fall into two states by their dissipated power
 /// (docs/theory/statistics.md, "Two states").
 struct TwoStates {
-  std::array<State, 2> states;  ///< less power first
-  double p_value = 0;           ///< (sta.7)
+  std::array<State, 2> states;  ///< the state of lower power first
+  double p_value = 0;           ///< [1] p-value of the split (sta.7)
 
-  /// [1] of the replicates that means are taken over.
+  /// [1] Share of the averaged replicates that are in the state.
   double share(const State& state) const;
 };
 
 /// All numbers of an outcome.
 struct Summary {
-  std::vector<Quantity> quantities;  ///< of summary.json, in their order (docs/formats.md)
-  /// Their values in each replicate, but for the last ones, which only all together have.
+  std::vector<Quantity> quantities;  ///< in the order of summary.json (docs/formats.md)
+  /// Values of the quantities in each replicate. The last quantities, which exist only for all
+  /// replicates together, are left out.
   std::vector<std::vector<double>> by_replicate;
-  std::vector<PairSummary> pairs;  ///< none where there is one kind of pair only
+  std::vector<PairSummary> pairs;  ///< empty if there is only one kind of pair
   std::optional<TwoStates> two_states;
   std::string regime, regime_reason;  ///< (results/quantities/regime.hpp)
 };

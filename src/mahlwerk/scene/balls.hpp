@@ -9,7 +9,7 @@
 
 namespace mahlwerk::scene {
 
-/// A solid sphere and how it moves, in the jar frame (axes of the laboratory, origin at the jar's
+/// A solid sphere and its motion, in the jar frame (axes of the laboratory, origin at the jar's
 /// centre).
 struct Ball {
   double radius = 0;      ///< [m]
@@ -17,7 +17,7 @@ struct Ball {
   Vec3 position;          ///< [m]
   Vec3 velocity;          ///< [m/s]
   Vec3 spin;              ///< [rad/s]
-  std::int32_t kind = 0;  ///< which ball set it belongs to
+  std::int32_t kind = 0;  ///< number of its ball set
 
   double mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
   double inertia() const { return 0.4 * mass() * radius * radius; }

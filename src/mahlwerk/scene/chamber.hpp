@@ -8,15 +8,15 @@
 
 namespace mahlwerk::scene {
 
-/// A jar on its mill: what it looks like, how it is mounted, how it moves, and gravity.
+/// A jar on its mill: shape, mounting, motion, and gravity.
 struct Chamber {
   Indirect<geometry::AnyShape> shape;
   Indirect<kinematics::AnyMotion> motion;
-  Rotation mount;             ///< from the jar's own axes to the laboratory's before any turning
+  Rotation mount;             ///< from the jar's own axes to the laboratory's, before any rotation
   Vec3 gravity{0, 0, -9.81};  ///< [m/s2]
 };
 
-/// The mounting that lays the jar's own z axis along the unit vector `axis`.
+/// Returns the mounting that lays the jar's own z axis along the unit vector `axis`.
 inline Rotation mounted_along(const Vec3& axis) {
   const Vec3 up{0, 0, 1};
   const Vec3 across_both = cross(up, axis);

@@ -8,15 +8,15 @@
 
 namespace mahlwerk::scene {
 
-/// One finished collision, whichever engine saw it.
+/// Record of one finished collision, of either engine.
 struct Collision {
   double time = 0;             ///< [s] of first touch, since the start of the run
   double duration = 0;         ///< [s] 0 in the event engine
   std::int32_t ball = 0;       ///< index of the ball
   std::int32_t other = 0;      ///< index of the other ball; < 0: jar face ~other
-  Vec3 where;                  ///< [m] point of contact, in the jar's own turning axes
-  Vec3 normal;                 ///< from the ball to the contact, same axes
-  double mass = 0;             ///< [kg] effective: the ball's own against the jar
+  Vec3 where;                  ///< [m] point of contact, in the jar's own axes
+  Vec3 normal;                 ///< unit, from the ball to the contact, same axes
+  double mass = 0;             ///< [kg] effective; against the jar the ball's own
   double approach = 0;         ///< [m/s] u_n > 0, normal speed at first touch
   double slip = 0;             ///< [m/s] |u_t| of the touching surfaces, spin included
   double glide = 0;            ///< [m/s] tangential speed of the centres, spin left out

@@ -12,32 +12,32 @@
 
 namespace mahlwerk::scene {
 
-/// Both engines, seen from outside.
+/// Interface of both engines.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Goes on to `time` [s] since the start, handing finished collisions to `observer`. How a run is
-  /// cut into calls does not change it by a bit. Throws RunError where physics stops it, with all
-  /// collisions up to then handed over.
+  /// Advances to `time` [s] since the start and hands finished collisions to `observer`. Splitting
+  /// a run into several calls does not change any bit of the result. Throws RunError where physics
+  /// stops the run; all collisions until then have been handed over.
   virtual void advance(double time, Observer& observer) = 0;
 
-  /// Once `*stop` is set `advance` ends early, between two events or steps; energy_balance().time
-  /// says how far it came. Null: it never does.
+  /// Once `*stop` is set, advance() returns early, between two events or steps;
+  /// energy_balance().time is the time reached. Null: advance() never returns early.
   void stop_on(const std::atomic<bool>* stop) { stop_ = stop; }
 
-  /// The energy account at the time reached.
+  /// The energy balance at the time reached.
   virtual EnergyBalance energy_balance() const = 0;
 
   /// The balls at the time reached, in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
 
-  /// [N] of contacts on each ball at the time reached, by ball number, in axes of the laboratory;
-  /// empty where contacts are instantaneous.
+  /// Contact force on each ball [N] at the time reached, by ball number, in laboratory axes; empty
+  /// if contacts are instantaneous.
   virtual std::vector<Vec3> forces() const { return {}; }
 
-  /// Writes the state reached to `archive`, or takes it from there; an engine made from the same
-  /// case then goes on as if nothing had happened, to the bit.
+  /// Writes the present state to `archive`, or restores it from there. A restored engine made from
+  /// the same case continues bit-identically.
   virtual void serialize(Archive& archive) = 0;
 
  protected:

@@ -8,8 +8,8 @@
 
 namespace mahlwerk::scene {
 
-/// Receives collisions in the order in which they end, in chunks. It sees copies and cannot change
-/// a trajectory.
+/// Receives collisions in the order in which they end, in chunks. An observer gets copies and
+/// cannot change a trajectory.
 class Observer {
  public:
   virtual ~Observer() = default;

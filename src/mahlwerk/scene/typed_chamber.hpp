@@ -12,25 +12,25 @@
 
 namespace mahlwerk::scene {
 
-/// A ball's centre and velocity in the jar frame at an instant.
+/// Position and velocity of a ball's centre in the jar frame at an instant.
 struct BallState {
   Vec3 position, velocity;  ///< [m], [m/s]
 };
 
-/// A wall as a ball meets it, in the jar frame.
+/// The wall at its contact with a ball, in the jar frame.
 struct Wall {
-  double gap;        ///< [m] of the ball
+  double gap;        ///< [m] between ball and wall
   Vec3 inward;       ///< unit normal, into the jar
   Vec3 point;        ///< [m] of contact
   Vec3 velocity;     ///< [m/s] of the wall's material there
   double curvature;  ///< [1/m] its largest curvature there, > 0 concave
 };
 
-/// A chamber whose shape is known when it is compiled, so that the search is straight arithmetic;
-/// `M` has what a motion has (tests count how often it is asked).
+/// A chamber whose shape is known at compile time, so that the search inlines. `M` has the
+/// interface of a motion (tests pass one that counts its calls).
 ///
-/// A jar that does not turn, or turns about the axis it is symmetric to, looks the same at all
-/// times: its geometry is that of the mounted jar, and only its wall moves along itself.
+/// A jar that does not rotate, or rotates about its axis of symmetry, has a static geometry: that
+/// of the mounted jar. Only the material of its wall moves, along the wall.
 template <geometry::Shape S, class M = kinematics::ChosenMotion>
 class TypedChamber {
  public:
@@ -52,26 +52,27 @@ class TypedChamber {
   const Vec3& gravity() const { return gravity_; }
   const kinematics::Bounds& motion_bounds() const { return motion_bounds_; }
   bool static_geometry() const { return static_geometry_; }
-  /// How fast its wall may come towards a ball at rest, by turning [m/s].
+  /// Largest speed at which the rotating wall may approach a ball at rest in the jar frame [m/s].
   double max_wall_speed() const {
     return static_geometry_ ? 0 : motion_bounds_.spin * shape_.reach();
   }
 
-  /// Its own axes are always those of the jar frame.
+  /// Whether its own axes are always those of the jar frame.
   bool axis_aligned() const { return static_geometry_ && aligned_; }
-  /// Axes in which its geometry can be asked, from them to the jar frame's.
+  /// Rotation from the axes in which the geometry is evaluated to those of the jar frame.
   Rotation axes(double t) const { return static_geometry_ ? mount_ : orientation(t); }
-  /// From the jar's own axes to the jar frame's, at the mill's own time `t`.
+  /// Rotation from the jar's own axes to those of the jar frame, at mill time `t` [s].
   Rotation orientation(double t) const { return motion_.rotation(t) * mount_; }
 
-  /// A vector of the jar frame in the jar's own turning axes.
+  /// Transforms a vector from the jar frame to the jar's own, rotating axes.
   Vec3 to_jar_axes(const Vec3& a, double t) const {
     if (motion_bounds_.spin == 0) return aligned_ ? a : mount_.apply_inverse(a);
     return orientation(t).apply_inverse(a);
   }
 
-  /// What `face` can promise a passing ball. A jar that turns under the ball adds its own
-  /// accelerations, so its promise is kept to a twentieth of a radian (evt.4).
+  /// Safe time of a ball with respect to `face` (conservative advancement). A jar that rotates
+  /// under the ball adds its own accelerations, so the safe time is limited to a rotation of a
+  /// twentieth of a radian (evt.4).
   geometry::SafeTime safe_time(int face, const BallState& p, double t, double radius) const {
     if (static_geometry_) {
       if (aligned_)
@@ -93,7 +94,7 @@ class TypedChamber {
     return safe;
   }
 
-  /// The wall under a ball of `radius` at `position`.
+  /// The wall at a ball of `radius` [m] at `position` [m].
   Wall wall(int face, const Vec3& position, double t, double radius) const {
     geometry::Gap gap;
     if (static_geometry_ && aligned_) {
@@ -107,17 +108,17 @@ class TypedChamber {
     return {gap.distance - radius, gap.inward, point, cross(motion_.spin(t), point), gap.curvature};
   }
 
-  /// About when a ball that runs along `face` comes to where the wall's curvature is another [s].
+  /// Approximate time [s] until a ball that moves along `face` reaches a jump of its curvature.
   double time_to_curvature_jump(int face, const BallState& p, double t) const {
     const Rotation q = static_geometry_ ? mount_ : orientation(t);
     const Vec3 u = static_geometry_ ? p.velocity : p.velocity - cross(motion_.spin(t), p.position);
     return shape_.time_to_curvature_jump(face, q.apply_inverse(p.position), q.apply_inverse(u));
   }
 
-  /// How a wall holds a ball that stays on it.
+  /// Kinematic constraint of a ball that stays on the wall.
   struct WallConstraint {
     Vec3 inward;
-    Vec3 inward_rate;            ///< [1/s]
+    Vec3 inward_rate;            ///< [1/s] derivative of `inward`
     double inward_acceleration;  ///< [m/s2] the inward acceleration that keeps the gap zero
   };
   WallConstraint wall_constraint(int face, const BallState& p, double t) const {
@@ -145,8 +146,8 @@ class TypedChamber {
   Rotation mount_;
   Vec3 gravity_;
   kinematics::Bounds motion_bounds_;
-  geometry::AccelerationBound
-      max_acceleration_;  // on a ball in flight, in the jar frame, in the mounted jar's axes
+  // Of a ball in flight, in the jar frame, by components in the mounted jar's axes.
+  geometry::AccelerationBound max_acceleration_;
   bool static_geometry_ = true, aligned_ = true;
 };
 

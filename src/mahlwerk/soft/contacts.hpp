@@ -11,32 +11,34 @@
 
 namespace mahlwerk::soft {
 
-/// Of a ball `a` and another `b`, or a wall where there is none; eight alike.
+/// Parameters of a ball of species `a` and one of species `b`, or a wall if `b` is null; the same
+/// in all eight lanes.
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
                                double time_step);
 
-/// A contact's law, R* of a ball at `position` taken from both principal curvatures of the face
-/// (dem.4).
+/// Replaces the coefficients of a lane by those with R* from both principal curvatures of the face
+/// (dem.4), for a ball at `position` [m].
 void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
                           const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::AnyLaw& law);
 
-/// How the contact of a lane begins at `step`.
+/// The onset data of a contact that begins at `step`.
 ContactOnset contact_onset(std::int64_t step, const ContactGeometry& m, const PairMotion& b,
                            int lane);
-/// What the law remembers of a contact that begins.
+/// Sets the law's history variables of a contact that begins; `approach` in m/s.
 void begin_law_history(Lanes (&law_history)[contact::law_history_size],
                        const PairParameters& parameters, int lane, double approach,
                        const contact::AnyLaw& law);
 
-/// What the contact of a lane has done, into the energy account.
+/// Adds the work of a lane to the energy balance.
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int lane);
 
-/// A contact that outlives its collision five times has come to last.
+/// Whether a contact is a lasting one: its `duration` [s] exceeds five times the duration of a
+/// collision.
 bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& pair,
                 const contact::AnyLaw& law);
 
-/// What is the same for all packets of all steps; the jar's speed changes.
+/// The constants of all packets and steps. The caller sets the jar velocity at each step.
 StepConstants step_constants(const Rules& rules, const Vec3& periods);
 
 }  // namespace mahlwerk::soft

@@ -12,10 +12,12 @@ namespace mahlwerk::soft {
 constexpr const char* energy_jump_message =
     "the energy of the balls jumped: a force was too strong for the step";
 
-/// The error of a run that cannot go on at `time` [s] because of `ball`, counted from 0.
+/// The error of a run that stops at `time` [s] because of `ball`, counted from 0. Position [m] and
+/// velocity [m/s] in the jar frame.
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
                             const Vec3& velocity);
-/// The error of a start in which `ball` overlaps `with` by `overlap` of its radius.
+/// The error of an initial state in which `ball`, counted from 0, overlaps `with` by `overlap`
+/// times its radius.
 InputError overlap_error(std::size_t ball, const std::string& with, double overlap);
 
 }  // namespace mahlwerk::soft

@@ -9,18 +9,18 @@
 
 namespace mahlwerk::soft {
 
-/// Tells a run that goes wrong: it makes energy from nothing, at once and much of it.
+/// Detects an unstable run: the residual of the energy balance jumps between two checks.
 struct EnergyWatch {
-  double last_residual = 0, most_energy = 0;  ///< [J] at the last check; ever
+  double last_residual = 0, most_energy = 0;  ///< [J] at the last check; largest so far
 
   void begin(const scene::EnergyBalance& a) { most_energy = a.kinetic + a.elastic; }
-  /// `wall_energy` is what the wall would give the balls if they moved with it, `least` an energy
-  /// that is nothing, both in J.
+  /// Whether the residual jumped since the last check. `wall_energy` [J] is the kinetic energy of
+  /// the balls at the speed of the wall, `least` [J] a negligible energy.
   bool jumped(const scene::EnergyBalance& a, double wall_energy, double least) {
     const double jump = std::abs(a.residual() - last_residual);
     last_residual = a.residual();
-    // A charge may come to rest, or be at rest where the wall moves; what it once had, and what the
-    // wall would give it, is the measure.
+    // The reference is the largest energy so far, not the present one: a charge may come to rest,
+    // or be at rest when the wall starts to move.
     most_energy = std::max(most_energy, a.kinetic + a.elastic + wall_energy);
     return !(jump <= 0.1 * (most_energy + least));
   }

@@ -50,7 +50,7 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
       include_pair(species_pairs.wall(a, face), species_pairs.species(a).radius);
   }
   for (const scene::Ball& ball : balls) {
-    // Of the softest it meets: G* and E* give the wave speed of the pair (dem.28).
+    // The softest partner decides: G* and E* give the wave speed of the pair (dem.28).
     for (int k = 0; k < pairs.kinds(); ++k) {
       const contact::Pair& pair = pairs.balls(ball.kind, k);
       const double q = pair.modulus / (2 * pair.shear_modulus);  // (2 - nu)/(1 - nu)

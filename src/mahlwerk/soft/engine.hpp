@@ -14,22 +14,23 @@
 
 namespace mahlwerk::soft {
 
-/// An engine that follows every contact in small steps of time, from `start` [s] on the mill's
-/// clock. `pairs` has a kind for every Ball::kind and the faces of the jar. Throws InputError where
-/// balls overlap each other or the jar by more than a hundredth of a radius.
+/// A soft-sphere DEM engine, which resolves every contact in small time steps, from `start` [s] on
+/// the mill's clock. `pairs` has an entry for every Ball::kind and every face of the jar. Throws
+/// InputError where balls overlap each other or the jar by more than Rules::most_overlap.
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls, const Rules& rules,
                                       const contact::PairTable& pairs, double start = 0);
 
-/// What a time step may be, for balls that meet at up to `speed` [m/s], the least over all pairs
-/// (dem.28 to dem.31). All in s.
+/// Limits of the time step for collisions at up to `speed` [m/s], the smallest over all pairs
+/// (dem.28 to dem.31). In s unless stated otherwise.
 struct TimeSteps {
-  double rayleigh = 0;  ///< time a surface wave takes round the smallest or softest ball
-  double contact = 0;   ///< shortest collision
-  double damper = 0;    ///< shortest in which the damper of a contact alone stops a ball (dem.33)
-  double limit = 0;     ///< steps above this are unstable
-  double overlap = 0;   ///< [1] largest overlap over the radius
-  /// A fraction of rayleigh, at most contact / 50 and damper / 5.
+  double rayleigh = 0;  ///< shortest time of a surface wave round a ball (dem.28)
+  double contact = 0;   ///< duration of the shortest collision (dem.29)
+  double damper = 0;    ///< shortest time in which a contact damper alone stops a ball (dem.33)
+  double limit = 0;     ///< longer steps are unstable (dem.31)
+  double overlap = 0;   ///< [1] largest overlap over radius
+  /// The recommended step [s]: `fraction` of rayleigh, at most contact / 50 and damper / 5
+  /// (dem.30).
   double recommended(double fraction) const;
 };
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,

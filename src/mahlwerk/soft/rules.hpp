@@ -8,14 +8,14 @@
 
 namespace mahlwerk::soft {
 
-/// How the soft engine treats contacts and time.
+/// Settings of the soft engine: contact model and time stepping.
 struct Rules {
   contact::ContactModel model;
   double time_step = 0;             ///< [s]
-  bool free_flight_skip = true;     ///< over time in which nothing touches and nothing can
-  std::size_t few_body_limit = 32;  ///< largest number of balls for the solver of few
-  double most_overlap = 0.01;  ///< of a radius at the start; bodies that overlap more are refused
-  int threads = 1;  ///< that share the work of one run; the result is the same for any number
+  bool free_flight_skip = true;     ///< skip time in which no contact is possible
+  std::size_t few_body_limit = 32;  ///< largest number of balls for FewBodySolver
+  double most_overlap = 0.01;       ///< limit of the initial overlap, as a fraction of the radius
+  int threads = 1;                  ///< threads of one run; results do not depend on it
 };
 
 }  // namespace mahlwerk::soft

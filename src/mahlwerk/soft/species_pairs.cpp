@@ -19,7 +19,7 @@ SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact:
     of_.push_back(at->second);
   }
   row_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
-  std::map<double, double> dampings;  // the same for all pairs of one restitution
+  std::map<double, double> dampings;  // by restitution: computed once for each value
   const auto make_pair = [&](const contact::Pair& pair, double radius, double mass) {
     return std::visit(
         [&](const auto& l) {

@@ -11,25 +11,26 @@
 
 namespace mahlwerk::soft {
 
-/// Two species of balls that may touch, or one and a face of the jar.
+/// A pair of ball species, or of a species and a face of the jar.
 struct SpeciesPair {
   contact::EffectivePair effective;
-  double damping = 0;  ///< of the law (contact::Law)
+  double damping = 0;  ///< coefficient of the law (contact::Law)
   contact::LawCoefficients coefficients{};
   double pull_off_distance = 0;  ///< [m]
   double stiffness_ratio = 0;    ///< [1]
 
-  /// [m/N] of the tangential spring in steps of so long (dem.37).
+  /// Correction of the tangential stiffness for the step [s], in m/N: k_t <- k_t (1 - lag k_t)
+  /// (dem.37).
   double lag(double step) const { return 7.0 / 6.0 * step * step / effective.mass; }
 };
 
-/// Balls that are alike: one size, density and kind.
+/// Balls of the same size, density and kind.
 struct Species {
   double radius = 0, density = 0, mass = 0, inertia = 0;
   std::int32_t kind = 0;
 };
 
-/// All species, and what the law makes of each two of them.
+/// All species, and the law's coefficients for every pair of them.
 class SpeciesPairs {
  public:
   SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
@@ -50,7 +51,7 @@ class SpeciesPairs {
 
  private:
   std::vector<Species> species_;
-  std::vector<std::int32_t> of_;  // each ball's species
+  std::vector<std::int32_t> of_;  // species of each ball
   std::vector<SpeciesPair> pairs_;
   std::int32_t row_ = 0;
 };

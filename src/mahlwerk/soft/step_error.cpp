@@ -10,8 +10,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Speed across and spin are off by more at other Poisson ratios and between the angles looked at:
-/// by a fifth, found for hertz-tsuji at e = 0.8 and nu = 0.
+/// Errors of tangential speed and spin are larger at other Poisson ratios and between the sampled
+/// angles: by up to a fifth, found for hertz-tsuji at e = 0.8 and nu = 0.
 constexpr double margin = 1.25;
 
 }  // namespace
@@ -24,7 +24,8 @@ StepError step_error(const contact::AnyLaw& law, double restitution, double step
   std::size_t k = 0;
   while (k + 2 < restitutions.size() && e > restitutions[k + 1]) ++k;
   const double part = (e - restitutions[k]) / (restitutions[k + 1] - restitutions[k]);
-  // Of order 2 but where friction lets go between two steps; that shows in short ones.
+  // The error is of order 2, except for order 1 where sliding begins between two steps. That part
+  // dominates in short steps, which are therefore scaled linearly.
   const double longer = 50 / steps_per_collision, per_cent = longer * std::max(longer, 1.0) / 100;
   const auto at = [&](std::size_t column) {
     return per_cent * ((1 - part) * table[k][column] + part * table[k + 1][column]);

@@ -6,15 +6,16 @@
 
 namespace mahlwerk::soft {
 
-/// What a time step leaves a collision off by at most, whatever its angle.
+/// Upper bounds of the time discretisation error of a collision at any angle.
 struct StepError {
-  double rebound = 0;     ///< [1] of the speed along the normal, relative
-  double tangential = 0;  ///< [1] of the speed across it, of what it was
-  double spin = 0;        ///< [1] of the spin, of that which rolling or gross slip would give
+  double rebound = 0;     ///< [1] relative error of the normal rebound speed
+  double tangential = 0;  ///< [1] error of the tangential speed, over its initial value
+  double spin = 0;        ///< [1] error of the spin, over that of rolling or gross slip
 };
 
-/// By law and restitution, from the law's table at fifty steps a collision (contact::StepErrors),
-/// that grows with the square of longer steps and falls with shorter ones.
+/// Error bounds from the law's table at fifty steps per collision (contact::StepErrors),
+/// interpolated in the restitution. They grow with the square of the step above that, and in
+/// proportion to it below.
 StepError step_error(const contact::AnyLaw& law, double restitution, double steps_per_collision);
 
 }  // namespace mahlwerk::soft

@@ -113,7 +113,7 @@ TEST(ByPairOfARun, print_report_and_summary_tell_it) {
   const results::Outcome outcome = run(mixed("event"));
   const std::string printed = report::pair_table(results::by_pair(outcome), 0.1);
   EXPECT_NE(printed.find("\nballs.1 with powder  "), std::string::npos) << printed;
-  EXPECT_NE(report::report_page(outcome, "1").find("Who hits whom"), std::string::npos);
+  EXPECT_NE(report::report_page(outcome, "1").find("Collisions by pair"), std::string::npos);
   const std::string summary = results::summary_json(outcome, "1");
   for (const char* words :
        {"\"_pairs\": [", "\"coarse_graining_ratio\": {", "Powder as grains: 40"})

@@ -42,8 +42,10 @@ TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
     outcome.engine = cases::EngineName::event;
     return texts(engine_notices(outcome, {cases::EngineName::event, {}}));
   };
-  EXPECT_NE(notes(with_engine("event", sticky)).find("part without a pull"), std::string::npos);
-  EXPECT_EQ(notes(with_engine("event", dry)).find("part without a pull"), std::string::npos);
+  EXPECT_NE(notes(with_engine("event", sticky)).find("separate without a pull-off force"),
+            std::string::npos);
+  EXPECT_EQ(notes(with_engine("event", dry)).find("separate without a pull-off force"),
+            std::string::npos);
 }
 
 }  // namespace

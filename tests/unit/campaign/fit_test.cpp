@@ -102,13 +102,13 @@ TEST(Fit, needs_a_case_that_tells_what_was_measured_and_leaves_something_open) {
   EXPECT_EQ(fault(mill + grinding, "D90 (um)\n900\n"), "");
   EXPECT_EQ(fault(mill + kinetics, "conversion\n0.5\n"), "");
   EXPECT_EQ(fault(mill + kinetics, "conversion\n0.5\n", {"kinetics.dose_constant"}),
-            "case.toml|the case leaves no number open|nothing-to-fit");
+            "case.toml|the case has no free parameter|nothing-to-fit");
   EXPECT_EQ(fault(mill + kinetics, "D90 (um)\n900\n"),
             "data.csv:2|D90 was measured, but the case has no [grinding]|nothing-to-fit");
   EXPECT_EQ(fault(mill + grinding, "conversion\n0.5\n"),
             "data.csv:2|conversion was measured, but the case has no [kinetics]|nothing-to-fit");
   EXPECT_EQ(fault(mill + grinding, "breakage.f_mat,D90 (um)\n,900\n1 kg/J/m,800\n"),
-            "data.csv|the column breakage.f_mat sets what [fit] is to find|nothing-to-fit");
+            "data.csv|the column breakage.f_mat sets a parameter of [fit]|nothing-to-fit");
 }
 
 TEST(Fit, residuals_are_relative_for_sizes_and_differences_for_shares) {

@@ -186,7 +186,7 @@ TEST(LeastSquares, a_parameter_that_does_nothing_is_named) {
   const LeastSquaresResult fit =
       least_squares(idle, {{"idle", 1, 2}, {"a", 0.1, 100}, {"b", 0, 2}}, ErrorScale::estimated);
   EXPECT_FALSE(fit.parameters[0].determined);
-  EXPECT_TRUE(says(fit.parameters[0].remarks, "nothing that was measured depends on it"));
+  EXPECT_TRUE(says(fit.parameters[0].remarks, "no measured quantity depends on it"));
   EXPECT_TRUE(fit.parameters[1].determined);
   EXPECT_TRUE(fit.parameters[2].determined);
   EXPECT_EQ(fit.parameters[0].low, 1);
@@ -274,7 +274,7 @@ TEST(LeastSquares, parameters_that_are_hard_to_tell_apart_are_told) {
   };
   const LeastSquaresResult fit =
       least_squares(twins, {{"a", -5, 5}, {"b", -5, 5}}, ErrorScale::estimated);
-  EXPECT_TRUE(says(fit.parameters[0].remarks, "hard to tell from b"));
+  EXPECT_TRUE(says(fit.parameters[0].remarks, "hard to distinguish from b"));
   EXPECT_LT(fit.correlation[0][1], -0.98);
   EXPECT_EQ(fit.correlation[0][0], 1);
   EXPECT_EQ(fit.correlation[0][1], fit.correlation[1][0]);

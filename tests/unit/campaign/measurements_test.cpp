@@ -157,16 +157,18 @@ TEST(Measurements, numbers_out_of_range_are_named) {
 
 TEST(Measurements, that_contradict_themselves_are_refused) {
   expect_fault("D50 (um),D90 (um)\n900,800\n", "data.csv:2", "D50 is larger than D90", "bad-data");
-  expect_fault("size (um),passing (%)\n100,40\n200,30\n", "data.csv:3", "passes falls", "bad-data");
-  expect_fault("size (um),passing (%)\n200,30\n100,40\n", "data.csv:3", "passes falls", "bad-data");
+  expect_fault("size (um),passing (%)\n100,40\n200,30\n", "data.csv:3", "share passing falls",
+               "bad-data");
+  expect_fault("size (um),passing (%)\n200,30\n100,40\n", "data.csv:3", "share passing falls",
+               "bad-data");
 }
 
 TEST(Measurements, tables_that_say_nothing_are_refused) {
   expect_fault("", "data.csv", "no table", "bad-data");
   expect_fault("# a remark\n", "data.csv:1", "no table", "bad-data");
   expect_fault("D90 (um)\n", "data.csv", "no row", "bad-data");
-  expect_fault("time (s)\n5\n", "data.csv:1", "no column says what was measured", "bad-data");
-  expect_fault("time (s),D90 (um)\n5,\n", "data.csv:2", "says nothing", "bad-data");
+  expect_fault("time (s)\n5\n", "data.csv:1", "no column holds measured values", "bad-data");
+  expect_fault("time (s),D90 (um)\n5,\n", "data.csv:2", "holds no measured value", "bad-data");
 }
 
 TEST(Measurements, columns_that_do_not_go_together_are_refused) {
@@ -176,7 +178,7 @@ TEST(Measurements, columns_that_do_not_go_together_are_refused) {
   expect_fault("D90 (um),D50_error (um)\n9,8\n", "data.csv:1", "none of \"D50\"", "bad-data");
   expect_fault("D90 (um),D50 (um)\n9\n", "data.csv:2", "1 cells under 2 headings", "bad-data");
   expect_fault("D90 (um)\n9,8\n", "data.csv:2", "2 cells under 1 headings", "bad-data");
-  expect_fault("D90 (um),size (um),passing\n9,8,\n", "data.csv:2", "not what passes", "bad-data");
+  expect_fault("D90 (um),size (um),passing\n9,8,\n", "data.csv:2", "no share passing", "bad-data");
   expect_fault("D90 (um),size (um),passing\n9,,0.3\n", "data.csv:2", "no size", "bad-data");
   expect_fault("D90 (um),D90_error (um),D10 (um)\n,1,9\n", "data.csv:2", "but no value",
                "bad-data");

@@ -78,7 +78,7 @@ TEST(Memory, that_does_not_suffice_is_told_with_its_remedy) {
       << threads.what;
   EXPECT_NE(threads.remedy.find("--threads 2"), std::string::npos) << threads.remedy;
   const Fault size = memory_faults({drum(100000, 1)}, 3, 0.5 * each).at(0);
-  EXPECT_NE(size.remedy.find("fewer or larger balls: one replicate of some 4.9e+04 fits"),
+  EXPECT_NE(size.remedy.find("fewer or larger balls: one replicate of about 4.9e+04 balls fits"),
             std::string::npos)
       << size.remedy;
 }

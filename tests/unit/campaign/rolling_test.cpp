@@ -47,7 +47,7 @@ TEST(Rolling, a_ball_that_rolls_by_default_is_told_with_what_the_tc_rule_gives) 
   EXPECT_EQ(told[0].code, "mostly-rolling");
   EXPECT_EQ(told[0].severity, Severity::warning);
   EXPECT_NE(told[0].text.find("100 % of the time"), std::string::npos) << told[0].text;
-  EXPECT_NE(told[0].text.find("by the TC rule (contact.lasting = \"tc\") dissipate"),
+  EXPECT_NE(told[0].text.find("with the TC rule (contact.lasting = \"tc\") dissipate"),
             std::string::npos)
       << told[0].text;
 }

@@ -50,7 +50,7 @@ TEST(SoftSettings, paper_b_s_time_step_is_an_eighth_of_the_rayleigh_time) {
 
 TEST(SoftSettings, what_decides_on_the_step_is_said) {
   EXPECT_TRUE(says(soft_case("restitution = 0.5", {{"run.time_step_fraction", "0.05"}}),
-                   "the asked 5 % of the Rayleigh time"));
+                   "the requested 5 % of the Rayleigh time"));
   EXPECT_TRUE(says(soft_case("restitution = 0.5"), "a fiftieth of the shortest collision"));
   EXPECT_TRUE(says(soft_case("law = \"walton-braun\"\nrestitution = 0.1"),
                    "a fiftieth of a collision along the stiff line of unloading"));
@@ -65,7 +65,7 @@ TEST(SoftSettings, what_the_step_leaves_a_collision_off_by_is_said_and_is_less_i
     const SoftSettings s = soft_settings(what);
     const auto error =
         soft::step_error(contact::HertzMindlin{}, 0.2, s.steps.contact / s.rules.time_step);
-    const std::string words = fmt::format("{:.2g} % of its speed of rebound", 100 * error.rebound);
+    const std::string words = fmt::format("{:.2g} % of its rebound speed", 100 * error.rebound);
     EXPECT_TRUE(says(what, "off by at most about " + words)) << words;
     return error.rebound;
   };

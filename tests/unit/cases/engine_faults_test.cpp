@@ -19,7 +19,7 @@ TEST(EngineFaults, what_an_engine_does_not_carry_can_still_be_read) {
         read_sample(with(planetary, "friction", "lasting = \"roll\""), {{"run.engine", engine}}));
     ASSERT_EQ(many.size(), 1U);
     EXPECT_EQ(many[0].where, "case.toml:16");
-    EXPECT_EQ(many[0].what, "lasting = \"roll\" carries one ball, the case has 5");
+    EXPECT_EQ(many[0].what, "lasting = \"roll\" is for one ball, the case has 5");
     EXPECT_EQ(many[0].code, "roll-one-ball");
   }
   EXPECT_TRUE(engine_faults(read_sample(vial, {{"run.engine", "auto"}})).empty());

@@ -38,7 +38,7 @@ TEST(CaseFaults, overrides_that_name_nothing) {
   EXPECT_TRUE(only(vial, "--set balls.0.diameter", "ball sets", "unknown-key",
                    {{"balls.0.diameter", "3 mm"}}));
   EXPECT_TRUE(only(vial, "--set mill..x", "is not a key", "unknown-key", {{"mill..x", "3"}}));
-  EXPECT_TRUE(only(vial, "--set mill.frequency.x", "nothing that", "unknown-key",
+  EXPECT_TRUE(only(vial, "--set mill.frequency.x", "names nothing", "unknown-key",
                    {{"mill.frequency.x", "3"}}));
   EXPECT_TRUE(only(vial, "--set ", "is not a key", "unknown-key", {{"", "3"}}));
 }

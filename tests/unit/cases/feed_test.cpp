@@ -63,7 +63,7 @@ TEST(ReadFeed, faults) {
               feed(sieves + "retained = [[\"1 mm\", \"40 %\"], [\"2 mm\", \"0 %\"]]"));
   expect_says("90 % of the mass pass the largest sieve",
               feed(sieves + "passing = [[\"1 mm\", \"0 %\"], [\"2 mm\", \"90 %\"]]"));
-  expect_says("the openings of `passing` do not rise|",
+  expect_says("the openings of `passing` do not increase|",
               feed(sieves + "passing = [[\"2 mm\", \"0 %\"], [\"1 mm\", \"100 %\"]]"));
   expect_says("[powder] lacks `passing`", feed(sieves));
   expect_says("size has no meaning under distribution = \"sieves\"",

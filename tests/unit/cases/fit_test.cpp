@@ -42,12 +42,12 @@ std::string fault(const std::string& lines, const std::vector<Override>& overrid
 
 TEST(Fit, a_case_that_only_fit_gives_a_value_is_not_read) {
   EXPECT_EQ(fault(f_mat),
-            "case.toml:39|breakage.f_mat has no value yet: [fit] only says where to look for one|"
-            "`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one|"
+            "case.toml:39|breakage.f_mat has no value yet: [fit] only gives the range to search|"
+            "`mahlwerk fit case.toml data.csv` finds it from measurements, or give one|"
             "unfitted");
   EXPECT_EQ(fault("\"grinding.sticking\" = [0, 0.5]\n" + f_mat, {{"breakage.f_mat", "2 kg/J/m"}}),
-            "case.toml:39|grinding.sticking has no value yet: [fit] only says where to look for "
-            "one|`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one|"
+            "case.toml:39|grinding.sticking has no value yet: [fit] only gives the range to "
+            "search|`mahlwerk fit case.toml data.csv` finds it from measurements, or give one|"
             "unfitted");
 }
 

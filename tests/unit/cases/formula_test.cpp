@@ -52,7 +52,7 @@ TEST(Formula, degrees_are_a_temperature_and_no_multiple_of_one) {
   EXPECT_DOUBLE_EQ(value("20 degC + 5 K", "K"), 298.15);
   EXPECT_DOUBLE_EQ(value("(20 degC + 40 degC) / 2", "K"), 303.15);
   EXPECT_NE(fault("-5 degC").find("268.15 K"), std::string::npos);
-  EXPECT_NE(fault("20 * degC").find("behind a number"), std::string::npos);
+  EXPECT_NE(fault("20 * degC").find("follow a number"), std::string::npos);
 }
 
 TEST(Formula, a_power_of_a_number_with_a_unit_must_say_of_which) {
@@ -75,7 +75,7 @@ TEST(Formula, what_makes_no_sense_is_said) {
   EXPECT_NE(fault("sqrt(jar.diameter)").find("no unit"), std::string::npos);
   EXPECT_NE(fault("2 * (3 + 4").find("\")\" is missing"), std::string::npos);
   EXPECT_NE(fault("2 *").find("value is missing"), std::string::npos);
-  EXPECT_NE(fault("2 jar.diameter").find("sign is missing"), std::string::npos);
+  EXPECT_NE(fault("2 jar.diameter").find("operator is missing"), std::string::npos);
   EXPECT_NE(fault("sin(1)").find("no function sin"), std::string::npos);
   EXPECT_NE(fault("1 / 0").find("not finite"), std::string::npos);
   EXPECT_NE(fault("5 foo").find("foo"), std::string::npos);
@@ -105,7 +105,7 @@ TEST(Formula, keys_that_follow_from_each_other_are_refused) {
     read_sample(vial + round);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("follows from itself"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("depends on itself"), std::string::npos)
         << error.what();
   }
 }

@@ -79,12 +79,12 @@ TEST(ReadCapture, moduli_count_for_it_under_either_engine) {
 
 TEST(ReadCapture, faults) {
   expect_says(
-      "powder that takes part as grains cannot be caught by [capture] as well|",
+      "powder that is simulated as grains cannot use [capture] as well|",
       with(powdered, "density = \"1280", "density = \"1280 kg/m3\"\nas = \"grains\"") + capture);
   expect_says("[capture] lacks `model`", powdered + "[capture]\n");
   expect_says("there is no model = \"barios\"|did you mean \"barrios\"?",
               powdered + "[capture]\nmodel = \"barios\"\n");
-  expect_says("[capture] needs a powder to catch|", vial + capture);
+  expect_says("[capture] needs a powder to capture|", vial + capture);
   expect_says("[capture] needs the density of the powder's solid|",
               with(powdered, "density = \"1280", "") + capture);
   expect_says("[capture] needs the size of the powder as fed|",
@@ -94,11 +94,11 @@ TEST(ReadCapture, faults) {
       "give larger balls or a finer powder|powder-too-coarse",
       with(powdered, "size", "size = \"8 mm\"") + capture);
   expect_says(
-      "nothing published is at hand for this powder: give it, for instance "
+      "no published value is known for this powder: give it, for instance "
       "fracture_energy = \"100 J/kg\", or let `mahlwerk fit` find it from measured sizes|"
       "missing-value",
       powdered + "[capture]\nmodel = \"barrios\"\n");
-  expect_says("leaves it to [breakage], which knows none|",
+  expect_says("uses that of [breakage], which has none|",
               powdered + "[capture]\nmodel = \"barrios\"\nfracture_energy = \"0 J/kg\"\n");
   expect_says("|out-of-range", powdered + capture + "energy_share = 1.1\n");
   expect_says("|unknown-key", powdered + capture + "surface_density = \"1 kg/m2\"\n");
@@ -152,16 +152,16 @@ TEST(ReadGrinding, lasts_as_long_as_the_mill_mills) {
 }
 
 TEST(ReadGrinding, its_sections_stand_together) {
-  expect_says("[breakage] stands without [grinding], which alone uses it|",
+  expect_says("[breakage] is given without [grinding], which alone uses it|",
               powdered + capture + breakage);
-  expect_says("[fragments] stands without [grinding]", powdered + capture + fragments);
+  expect_says("[fragments] is given without [grinding]", powdered + capture + fragments);
   expect_says(
       "[grinding] needs [breakage]: which hits break a grain|add [breakage] with model = "
       "..., one of \"vogel-peukert\"",
       powdered + capture + fragments + grinding);
-  expect_says("[grinding] needs [fragments]: into what a grain breaks|",
+  expect_says("[grinding] needs [fragments]: the fragments of a broken grain|",
               powdered + capture + breakage + grinding);
-  expect_says("[grinding] needs [capture]: what a collision catches of the powder|",
+  expect_says("[grinding] needs [capture]: the powder that a collision captures|",
               powdered + breakage + fragments + grinding);
   expect_says("|lone-section", powdered + breakage + fragments + grinding);
 }
@@ -173,7 +173,7 @@ TEST(ReadGrinding, faults) {
               with(all, "model = \"binary", "model = \"binari\""));
   expect_says("for tic: give it, for instance f_mat = \"1 kg/J/m\", or let `mahlwerk fit`",
               with(with(all, "f_mat", ""), "density = \"1280", "material = \"tic\""));
-  expect_says("[fragments] lacks `t10`, and [breakage] model = \"vogel-peukert\" tells none|",
+  expect_says("[fragments] lacks `t10`, and [breakage] model = \"vogel-peukert\" predicts none|",
               with(all, "model = \"binary", "model = \"t10\""));
   EXPECT_EQ(one_fault(with(all, "model = \"binary", "model = \"t10\"\nt10 = 0.3")), "");
   EXPECT_EQ(one_fault(powdered + capture + tavares + "[fragments]\nmodel = \"t10\"\n" + grinding),
@@ -183,7 +183,7 @@ TEST(ReadGrinding, faults) {
       "\"0.32 um\" or so, or leave it out|out-of-range",
       all + "smallest = \"2 mm\"\n");
   expect_says("|out-of-range", all + "smallest = \"1.3 mm\"\n");
-  expect_says("classes_per_octave = 5 is no multiple of 3|", all + "classes_per_octave = 5\n");
+  expect_says("classes_per_octave = 5 is not a multiple of 3|", all + "classes_per_octave = 5\n");
   expect_says("must be a whole number from 3 to 12|", all + "classes_per_octave = 15\n");
   expect_says("sample has no meaning under method = \"balance\"", all + "sample = 1000\n");
   expect_says("sample = 50 must be a whole number from 100 to 1000000|",
@@ -239,7 +239,7 @@ TEST(ReadBreakage, that_knows_strengths_tells_them_to_the_bed) {
   const std::string barrios = "[capture]\nmodel = \"barrios\"\n";
   const Case c = read_sample(powdered + barrios + tavares + fragments + grinding);
   EXPECT_EQ(std::get<powder::Barrios>(*c.capture->model).fracture_energy, 0);
-  EXPECT_EQ(source_of(c, "capture.fracture_energy"), "default: that of [breakage], size by size");
+  EXPECT_EQ(source_of(c, "capture.fracture_energy"), "default: that of [breakage] for each size");
   states("E_50 of a grain of 1 mm [J/kg]", process(c).grain(1e-3).fracture_energy, 200, 1e-12,
          "E_inf (1 + (1 mm/1 mm)^1)");
 }

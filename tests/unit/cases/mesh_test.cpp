@@ -138,15 +138,16 @@ TEST(MeshFile, crease_angle_divides_the_wall) {
 
 TEST(MeshFile, what_is_missing_is_asked_for) {
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "unit", "")),
-            "[jar] lacks `unit`: the unit of the file's numbers, for an STL has none|write for "
-            "instance unit = \"mm\"|missing-value");
+            "[jar] lacks `unit`: the unit of the file's numbers, as an STL file has none|write "
+            "for instance unit = \"mm\"|missing-value");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "")),
             "[jar] lacks `file`: the jar's inner surface|write for instance file = "
             "\"my-jar.stl\"|missing-value");
-  EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "file = \"no.stl\"")),
-            "the mesh file no.stl cannot be read|name it relative to the case file|no-such-file");
+  EXPECT_EQ(
+      fault_with(binary_stl(brick), with(meshed, "file", "file = \"no.stl\"")),
+      "the mesh file no.stl cannot be read|give its path relative to the case file|no-such-file");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "file = \".\"")),
-            "the mesh file . cannot be read|name it relative to the case file|no-such-file");
+            "the mesh file . cannot be read|give its path relative to the case file|no-such-file");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "unit", "unit = \"kg\"")).substr(0, 11),
             "unit = \"kg\"");
 }
@@ -158,29 +159,30 @@ TEST(MeshFile, files_that_are_no_stl_say_why) {
   const std::string binary = binary_stl(brick);
   EXPECT_EQ(fault_with(""), "jar.stl: it is empty" + remedy);
   EXPECT_EQ(fault_with("hello"),
-            "jar.stl: it is no STL: neither the length of a binary one nor "
-            "the words of a text" +
+            "jar.stl: it is not an STL file: neither the length of a binary one nor "
+            "the words of an ASCII one" +
                 remedy);
   EXPECT_EQ(fault_with(binary.substr(0, binary.size() - 60)),
-            "jar.stl: it says it has 16 triangles, and ends in triangle 15" + remedy);
+            "jar.stl: its header gives 16 triangles, and it ends in triangle 15" + remedy);
   EXPECT_EQ(fault_with(binary + "more"),
-            "jar.stl: it is no STL: neither the length of a binary one "
-            "nor the words of a text" +
+            "jar.stl: it is not an STL file: neither the length of a binary one "
+            "nor the words of an ASCII one" +
                 remedy);
   const std::string text = as_text(brick);
   EXPECT_EQ(fault_with(text.substr(0, text.size() / 2)).substr(0, 22), "jar.stl: it is cut off");
   EXPECT_EQ(fault_with("solid\nfacet\nvertex 1 2 nan\n"),
-            "jar.stl: \"nan\" in line 3 is no number" + remedy);
+            "jar.stl: \"nan\" in line 3 is not a number" + remedy);
   EXPECT_EQ(fault_with("solid\nfacet\nvertex 1 2 3\nvertex 1 2 4\nendfacet\nendsolid"),
             "jar.stl: the facet that ends in line 5 has 2 corners" + remedy);
   EXPECT_EQ(fault_with("solid nothing\nendsolid"), "jar.stl: it has no triangles" + remedy);
   Triangles bad = brick;
   bad[4][1].y = NAN;
-  EXPECT_EQ(fault_with(binary_stl(bad)), "jar.stl: triangle 5 has no number" + remedy);
+  EXPECT_EQ(fault_with(binary_stl(bad)),
+            "jar.stl: triangle 5 has a coordinate that is not a number" + remedy);
   std::string huge(84 + 50, '\0');
   huge[83] = 0x10;
   EXPECT_EQ(fault_with(huge),
-            "jar.stl: it says it has 268435456 triangles, and ends in triangle 2" + remedy);
+            "jar.stl: its header gives 268435456 triangles, and it ends in triangle 2" + remedy);
 }
 
 TEST(MeshFile, surfaces_that_enclose_nothing_say_why) {
@@ -199,11 +201,11 @@ TEST(MeshFile, surfaces_that_enclose_nothing_say_why) {
             "jar.stl: at 3 edges neighbours disagree which side is outside, at (15, 0, -25) mm for "
             "instance|let the CAD program orient all normals outwards|twisted-mesh");
   EXPECT_EQ(fault_with(binary_stl(both(brick, moved(brick, {0.1, 0, 0})))),
-            "jar.stl: the surface has 2 parts that do not hang together, the second at (115, -20, "
+            "jar.stl: the surface has 2 parts that are not connected, the second at (115, -20, "
             "-25) mm|export the inner volume alone, as one solid: without the jar's outside and "
             "loose parts|several-meshes");
   EXPECT_EQ(fault_with(binary_stl(flipped(brick))),
-            "jar.stl: the surface is inside out: its triangles look into the jar|draw the inner "
+            "jar.stl: the surface is inside out: its normals point into the jar|draw the inner "
             "volume as a solid, or flip all normals and export again|mesh-inside-out");
 }
 
@@ -232,8 +234,7 @@ TEST(MeshFile, more_triangles_than_there_is_memory_for_are_refused) {
     read_stl(head, 1);
     ADD_FAILURE() << "taken";
   } catch (const StlError& error) {
-    EXPECT_STREQ(error.what(),
-                 "it has 4000001 triangles, more than the 4000000 there is memory for");
+    EXPECT_STREQ(error.what(), "it has 4000001 triangles, more than the limit of 4000000");
   }
 }
 
@@ -269,8 +270,9 @@ TEST(MeshFile, a_ball_larger_than_a_hollow_is_warned_of) {
       0.04));
   EXPECT_EQ(jar_warnings(read_with(round)).size(), 1U);
   EXPECT_EQ(
-      jar_warnings(read_with(round))[0].text.substr(0, 86),
-      "A ball of radius 4 mm is larger than the tightest hollow of a smooth face of the jar, ");
+      jar_warnings(read_with(round))[0].text.substr(0, 94),
+      "A ball of radius 4 mm is larger than the smallest concave radius of a smooth face of the "
+      "jar, ");
   EXPECT_TRUE(
       jar_warnings(read_with(round, with(meshed, "diameter", "diameter = \"5 mm\""))).empty());
   EXPECT_TRUE(jar_warnings(read_with(binary_stl(brick))).empty());

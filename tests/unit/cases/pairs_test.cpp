@@ -112,7 +112,7 @@ restitution_table = [["1 m/s", 0.5]]
   EXPECT_EQ(c.contact.pairs[1].rule, (contact::BounceRule{visco(0.9), -0.2, 0.1}));
   EXPECT_EQ(c.contact.pairs[2].rule,
             (contact::BounceRule{Restitution::tabulated({{1, 0.5}}), -0.2, INFINITY}));
-  EXPECT_EQ(source_of(c, "contact.pairs.1.friction"), "default: as [contact] says");
+  EXPECT_EQ(source_of(c, "contact.pairs.1.friction"), "default: as in [contact]");
   EXPECT_EQ(source_of(c, "contact.pairs.1.restitution"), "case.toml:25");
 }
 
@@ -241,7 +241,7 @@ TEST(ReadPairs, pairs_that_mean_nobody_are_faults) {
   EXPECT_TRUE(has(fault("[\"stele\", \"jar\"]"), "did you mean \"steel\"?"));
   EXPECT_TRUE(has(fault("[\"stele\", \"jar\"]"), "|unknown-name"));
   EXPECT_TRUE(has(fault("[\"jar.side\", \"jar\"]"), "|no-such-pair"));
-  EXPECT_TRUE(has(fault("[\"balls\"]"), "case.toml:19|`between` must name two"));
+  EXPECT_TRUE(has(fault("[\"balls\"]"), "case.toml:19|`between` must name two partners"));
   EXPECT_TRUE(has(fault("\"balls\""), "|wrong-type"));
   EXPECT_TRUE(has(fault_of(two("[[contact.pairs]]\nfriction = 0.2\n")), "lacks `between`"));
   EXPECT_TRUE(has(fault_of(two("pairs = 3\n")), "write [[contact.pairs]]"));
@@ -255,7 +255,7 @@ TEST(ReadContact, several_balls_have_the_tc_rule_unless_said_otherwise) {
   EXPECT_EQ(one.contact.lasting, SustainedContactModel::roll);
   EXPECT_EQ(many.contact.lasting, SustainedContactModel::tc);
   EXPECT_EQ(source_of(many, "contact.lasting"),
-            "default: with several balls lasting contacts are carried by the TC rule");
+            "default: with several balls, sustained contacts follow the TC rule");
   EXPECT_EQ(read_sample(planetary, {{"contact.lasting", "none"}}).contact.lasting,
             SustainedContactModel::none);
 }

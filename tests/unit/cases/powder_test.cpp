@@ -46,7 +46,7 @@ TEST(PowderAsGrains, is_reported_with_what_each_grain_stands_for) {
   states("particles per grain", number(c, "particles_per_grain"), 15625, 1e-9, "its cube (chg.10)");
   EXPECT_EQ(number(c, "ball_count"), 5);
   EXPECT_EQ(number(c, "grain_count"), static_cast<double>(c.balls.back().count));
-  EXPECT_NE(grains_note(c).find("Each grain stands for 1.562e+04 particles of 40 um"),
+  EXPECT_NE(grains_note(c).find("Each grain represents 1.562e+04 particles of 40 um"),
             std::string::npos)
       << grains_note(c);
   EXPECT_EQ(grains_note(read_sample(planetary)), "");
@@ -75,7 +75,7 @@ TEST(PowderAsGrains, is_not_the_default) {
 TEST(PowderAsGrains, of_its_own_size_unless_said_otherwise) {
   const Case c = read_sample(with(with_grains("as = \"grains\""), "size", "size = \"0.8 mm\""));
   EXPECT_EQ(c.balls.back().diameter, 0.8e-3);
-  EXPECT_EQ(source_of(c, "powder.grain_size"), "default: each grain for itself");
+  EXPECT_EQ(source_of(c, "powder.grain_size"), "default: the powder's own size");
   EXPECT_NE(grains_note(c).find("the powder's own size"), std::string::npos);
 }
 
@@ -141,7 +141,7 @@ TEST(PowderFaults, too_many_grains_name_a_size_that_is_not) {
 
 TEST(PowderFaults, what_is_missing_or_means_nothing) {
   EXPECT_NE(
-      wrong(with_grains("grain_size = \"1 mm\"")).find("unless the powder takes part as grains"),
+      wrong(with_grains("grain_size = \"1 mm\"")).find("unless the powder is simulated as grains"),
       std::string::npos);
   EXPECT_NE(wrong(with_grains("youngs_modulus = \"1 GPa\"")).find("[too-much]"), std::string::npos);
   EXPECT_NE(wrong(with_grains("as = \"dust\"")).find("there is no as = \"dust\""),

@@ -277,7 +277,7 @@ TEST(ReadCase, what_only_the_sweep_gives_is_not_missing) {
   const Case c = read_sample(with(vial, "frequency", "") +
                              "[sweep]\n\"mill.frequency\" = [\"13 Hz\", \"16 Hz\"]\n");
   EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 13);
-  EXPECT_EQ(source_of(c, "mill.frequency"), "first of [sweep] \"mill.frequency\"");
+  EXPECT_EQ(source_of(c, "mill.frequency"), "first value of [sweep] \"mill.frequency\"");
 }
 
 TEST(ReadCase, a_measured_motion_comes_from_its_file) {

@@ -226,7 +226,7 @@ TEST(SizeFaults, keys_that_are_missing_or_mean_nothing) {
   EXPECT_SAYS(
       "smallest has no meaning under distribution = \"normal\"",
       "distribution = \"normal\"\ndiameter = \"9 mm\"\nspread = \"5 %\"\nsmallest = \"8 mm\"");
-  EXPECT_SAYS("cannot be told where to start",
+  EXPECT_SAYS("cannot have given positions",
               "distribution = \"uniform\"\nsmallest = \"8 mm\"\nlargest = \"9 mm\"",
               "positions = [[\"0 mm\", \"0 mm\", \"0 mm\"]]");
 }
@@ -235,13 +235,13 @@ TEST(SizeFaults, sieves_that_do_not_hold_the_whole) {
   const std::string sieves = "distribution = \"sieves\"\n";
   EXPECT_SAYS("the shares of `retained` sum to 90 %, not to 100 %",
               sieves + "retained = [[\"5 mm\", 0.3], [\"8 mm\", 0.6], [\"9 mm\", 0]]");
-  EXPECT_SAYS("the largest sieve of `retained` keeps something",
+  EXPECT_SAYS("the largest sieve of `retained` retains mass",
               sieves + "retained = [[\"5 mm\", 0.4], [\"8 mm\", 0.6]]");
   EXPECT_SAYS("90 % of the mass pass the largest sieve",
               sieves + "passing = [[\"5 mm\", 0], [\"8 mm\", 0.9]]");
   EXPECT_SAYS("has no smallest size", sieves + "passing = [[\"5 mm\", 0.1], [\"8 mm\", 1]]");
   EXPECT_SAYS(
-      "the shares of `passing` fall",
+      "the shares of `passing` decrease",
       sieves + "passing = [[\"5 mm\", 0], [\"6 mm\", 0.5], [\"7 mm\", 0.4], [\"8 mm\", 1]]");
   EXPECT_SAYS("[unsorted-sieves]",
               sieves + "passing = [[\"5 mm\", 0], [\"5 mm\", 0.5], [\"8 mm\", 1]]");

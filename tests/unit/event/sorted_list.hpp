@@ -11,7 +11,7 @@
 
 namespace mahlwerk::tests {
 
-/// The calendar as plain as can be: a sorted list of all appointments.
+/// Plain reference of the calendar queue: a sorted list of all scheduled events.
 class SortedList {
  public:
   void start(std::span<const double> times, double /*now*/) {

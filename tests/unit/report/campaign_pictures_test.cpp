@@ -125,7 +125,7 @@ TEST(CampaignFigures, maps_say_their_numbers_in_colour_text_and_title) {
   };
   EXPECT_EQ(colour_of(picture, at("150", "5")), viridis(0));
   EXPECT_EQ(colour_of(picture, at("500", "15")), viridis(1));
-  EXPECT_TRUE(has(picture, "by equal ratios"));
+  EXPECT_TRUE(has(picture, "logarithmic scale"));
   EXPECT_TRUE(has(picture, ">0.75<"));
   EXPECT_TRUE(has(picture, ">83.3<"));
   // ln(12/0.75)/ln(83.33/0.75) = 0.5885 of the scale, in steps of 1/64: 38/64.
@@ -165,7 +165,7 @@ TEST(CampaignFigures, regimes_have_the_colours_of_their_legend) {
 TEST(CampaignLaws, stand_beside_the_curve_with_units_and_intervals) {
   const std::string html = campaign_page(speeds(8), "1");
   // The points lie on 12 W (x/300 rpm)^3; at x0 = 303 rpm, the geometric mean, that is 12.36 W.
-  EXPECT_TRUE(has(html, "A power law describes it best."));
+  EXPECT_TRUE(has(html, "A power law fits best."));
   EXPECT_TRUE(has(html, "c (x / 303 rpm)<sup>p</sup>"));
   EXPECT_TRUE(has(html, "c = 12.36"));
   EXPECT_TRUE(has(html, " W/rpm²"));
@@ -175,7 +175,7 @@ TEST(CampaignLaws, stand_beside_the_curve_with_units_and_intervals) {
 
 TEST(CampaignLaws, are_not_fitted_to_three_values) {
   EXPECT_FALSE(has(campaign_page(speeds(3), "1"), "class=\"laws\""));
-  EXPECT_TRUE(has(campaign_page(speeds(4), "1"), "So few points do not tell the laws apart"));
+  EXPECT_TRUE(has(campaign_page(speeds(4), "1"), "Too few points to distinguish the laws"));
 }
 
 }  // namespace

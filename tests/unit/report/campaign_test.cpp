@@ -51,13 +51,14 @@ TEST(CampaignPage, says_what_varies_what_failed_and_what_stands_out) {
   const std::string html = campaign_page(c, "1");
   EXPECT_TRUE(sound(html));
   EXPECT_TRUE(has(html,
-                  "8 points. What varies: mill.speed from 150 rpm to 500 rpm (8 values). "
+                  "8 points. Varied keys: mill.speed from 150 rpm to 500 rpm (8 values). "
                   "1 point failed. The charge is cascading at 2, cataracting at 5."))
       << html.substr(html.find("lead"), 400);
   // 12 W (speed/300 rpm)^3 with 2 %: 1.5 W at 150 rpm, 55.6 W at 500 rpm, (500/150)^3 = 37.04.
-  EXPECT_TRUE(has(html,
-                  "What changes most is dissipated power: from 1.500 ± 0.030 W (speed 150 rpm) to "
-                  "55.6 ± 1.1 W (speed 500 rpm), 37 times as much."));
+  EXPECT_TRUE(
+      has(html,
+          "The largest change is that of dissipated power: from 1.500 ± 0.030 W (speed 150 rpm) to "
+          "55.6 ± 1.1 W (speed 500 rpm), 37 times as much."));
   EXPECT_TRUE(has(html, "Run 3: the jar is too small"));
   EXPECT_TRUE(has(html, "failed: the jar is too small"));
 }
@@ -119,7 +120,7 @@ TEST(CampaignPage, of_little_or_strange_numbers_is_still_a_page) {
   EXPECT_TRUE(has(campaign_page(none, "1"), "No point has been computed yet."));
   EXPECT_TRUE(sound(campaign_page(one, "1")));
   EXPECT_TRUE(
-      has(campaign_page(one, "1"), "1 point. What varies: mill.speed (150 rpm throughout)"));
+      has(campaign_page(one, "1"), "1 point. Varied keys: mill.speed (150 rpm at all points)"));
   strange.points[0].value = {NAN, INFINITY};
   strange.points[1].value = {0, -1};
   strange.points[2].ci95 = {NAN, NAN};

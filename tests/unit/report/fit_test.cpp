@@ -33,7 +33,7 @@ FitReport report(bool errors_known) {
   fit.parameters = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};
   fit.parameters[1].open_low = fit.parameters[1].open_high = true;
   fit.parameters[1].determined = false;
-  fit.parameters[1].remarks = {"nothing that was measured depends on it"};
+  fit.parameters[1].remarks = {"no measured quantity depends on it"};
   fit.correlation = {{1, -0.25}, {-0.25, 1}};
   fit.conditions = {"mill.frequency = 16 Hz", "mill.frequency = 22 Hz"};
   for (int i = 0; i < 4; ++i)
@@ -88,7 +88,7 @@ TEST(FitReport, on_the_terminal_names_what_is_not_determined) {
   const std::string table = fit_table(report(false));
   EXPECT_TRUE(has(table, "breakage.f_mat  1.23 kg/J/m  1.1 kg/J/m to 1.4 kg/J/m\n")) << table;
   EXPECT_TRUE(has(table, "not determined            NOT DETERMINED\n")) << table;
-  EXPECT_TRUE(has(table, "breakage.lost: nothing that was measured depends on it.\n")) << table;
+  EXPECT_TRUE(has(table, "breakage.lost: no measured quantity depends on it.\n")) << table;
   EXPECT_TRUE(has(table, "the mill ran one replicate.\n")) << table;
   EXPECT_TRUE(has(table, "4 values under 2 conditions, 2 degrees of freedom, scatter 90 %."));
   EXPECT_TRUE(has(fit_table(report(true)), "scatter 0.9 errors."));
@@ -109,7 +109,7 @@ TEST(FitReport, as_a_page_shows_numbers_curves_and_what_is_not_determined) {
     const std::string page = fit_page(report(known), "1.2.3");
     for (const char* part :
          {"A &amp; B", "a &lt;number&gt;", "1.1 kg/J/m to 1.4 kg/J/m", "<s>1 kg/J/m</s>",
-          "do not determine <code>breakage.lost</code>", "nothing that was measured depends on it.",
+          "do not determine <code>breakage.lost</code>", "no measured quantity depends on it.",
           "the mill ran one replicate.", "D90: measured and fitted", "time of milling (s)",
           "Residuals", "-0.250", "mill.frequency = 22 Hz", "910.0 µm", "Mahlwerk 1.2.3"})
       EXPECT_TRUE(has(page, part)) << part;

@@ -84,10 +84,10 @@ TEST(OptimumReport, an_optimum_outside_the_validity_of_its_engine_is_not_certain
   OptimumReport sure = some();
   sure.settings[1].probability_best = 1;
   EXPECT_TRUE(sure.certain());
-  EXPECT_TRUE(says(sentences(sure), "is told from all others"));
+  EXPECT_TRUE(says(sentences(sure), "is distinguished from all others"));
   EXPECT_FALSE(invalid_best().certain());
   const std::vector<std::string> told = sentences(invalid_best());
-  EXPECT_FALSE(says(told, "is told from all others"));
+  EXPECT_FALSE(says(told, "is distinguished from all others"));
   EXPECT_TRUE(says(told, "The optimum is not certain"));
   EXPECT_TRUE(says(told, "(long-contacts)"));
 }
@@ -130,32 +130,32 @@ TEST(OptimumReport, counts_the_warnings_of_its_settings) {
 
 TEST(OptimumReport, says_what_is_sure_and_what_is_not) {
   const std::vector<std::string> told = sentences(some());
-  EXPECT_TRUE(says(told, "chance of 98 %"));
-  EXPECT_TRUE(says(told, "flat in mill.ratio: anything from -3 to -1"));
+  EXPECT_TRUE(says(told, "probability of 98 %"));
+  EXPECT_TRUE(says(told, "flat in mill.ratio: any value from -3 to -1"));
   EXPECT_FALSE(says(told, "flat in mill.speed"));
   EXPECT_TRUE(says(told, "best mill.speed lies at the upper end of its range, 600 rpm"));
   EXPECT_FALSE(says(told, "best mill.ratio lies"));
-  EXPECT_TRUE(says(told, "below 1 mg/h\" binds"));
+  EXPECT_TRUE(says(told, "below 1 mg/h\" is active"));
   EXPECT_TRUE(says(told, "is a prediction"));
   EXPECT_TRUE(says(told, "1 of 3 settings could not be run"));
   OptimumReport free = some();
   free.limits[0].binds = false;
-  EXPECT_TRUE(says(sentences(free), "does not bind"));
+  EXPECT_TRUE(says(sentences(free), "is not active"));
 }
 
 TEST(OptimumReport, says_no_more_than_that_the_best_is_told) {
   OptimumReport told = some();
   told.settings[1].probability_best = 1;
   for (OptimumKey& k : told.keys) k.model = k.best;
-  EXPECT_TRUE(says(sentences(told), "told from all others"));
-  EXPECT_FALSE(says(sentences(told), "expected to be lost"));
+  EXPECT_TRUE(says(sentences(told), "distinguished from all others"));
+  EXPECT_FALSE(says(sentences(told), "the expected loss is"));
   EXPECT_FALSE(says(sentences(told), "prediction"));
 }
 
 TEST(OptimumReport, says_that_there_is_no_best) {
   OptimumReport none = some();
   none.best.reset();
-  EXPECT_TRUE(says(sentences(none), "likely to keep the limits"));
+  EXPECT_TRUE(says(sentences(none), "likely to satisfy the limits"));
   none.failed = 3;
   EXPECT_TRUE(says(sentences(none), "could be run"));
   EXPECT_FALSE(holds(optimum_table(none), "best tried"));
@@ -165,7 +165,7 @@ TEST(OptimumReport, says_that_there_is_no_best) {
 TEST(OptimumReport, table_has_the_best_and_its_means) {
   const std::string table = optimum_table(some());
   EXPECT_TRUE(holds(table, "2.25 ± 0.12 W") || holds(table, "2.25 ± 0.13 W")) << table;
-  EXPECT_TRUE(holds(table, "of its own 4 replicates 2.5"));
+  EXPECT_TRUE(holds(table, "mean of its own 4 replicates: 2.5"));
   EXPECT_TRUE(holds(table, "3 settings tried, 6 runs"));
 }
 
@@ -230,14 +230,14 @@ MatchReport matched() {
 
 TEST(MatchReport, says_whether_the_mills_do_the_same) {
   MatchReport found = matched();
-  EXPECT_TRUE(says(sentences(found), "cannot be told apart"));
+  EXPECT_TRUE(says(sentences(found), "cannot be distinguished"));
   EXPECT_TRUE(says(sentences(found), "31 of 100"));
   EXPECT_TRUE(says(sentences(found), "mill.speed could not be matched within its range"));
   found.within_scatter = false;
   found.p_value = 0.001;
   EXPECT_TRUE(says(sentences(found), "still differ"));
   found.p_value = unknown;
-  EXPECT_TRUE(says(sentences(found), "scatter is not known"));
+  EXPECT_TRUE(says(sentences(found), "scatter is unknown"));
 }
 
 TEST(MatchReport, tells_of_a_best_outside_the_validity_of_its_engine_and_counts_both_mills) {
@@ -254,11 +254,11 @@ TEST(MatchReport, shows_both_mills) {
   EXPECT_TRUE(holds(table, "100.0 ± 5.0 W/kg")) << table;
   EXPECT_TRUE(holds(table, "1.1 (1.02 to 1.19)")) << table;
   EXPECT_TRUE(holds(table, "87 %"));
-  EXPECT_TRUE(holds(table, "chance of 98 %")) << table;
+  EXPECT_TRUE(holds(table, "probability of 98 %")) << table;
   const std::string page = match_page(matched(), "1");
   EXPECT_TRUE(holds(page, "distance of the means"));
-  EXPECT_TRUE(holds(page, "their scatter adds to theirs, 2.25"));
-  EXPECT_TRUE(holds(page, "Do they do the same?"));
+  EXPECT_TRUE(holds(page, "their scatter increases their distance, to 2.25"));
+  EXPECT_TRUE(holds(page, "Do the mills agree?"));
   EXPECT_FALSE(holds(page, "nan"));
   const Plot plot = match_plot(matched());
   EXPECT_EQ(plot.series[0].y, (std::vector<double>{50, 50}));

@@ -138,7 +138,7 @@ TEST(Paper, words_about_its_own_settings_are_left_out_where_others_were_run) {
   result.changed = {"run.time = 2 s"};
   for (const std::string& told : {paper_page(result, "1"), claims_text(result)}) {
     EXPECT_EQ(told.find("for reasons"), std::string::npos) << told;
-    EXPECT_NE(told.find("Run with run.time = 2 s, not as the paper's campaigns say."),
+    EXPECT_NE(told.find("Run with run.time = 2 s, unlike the campaigns of the paper."),
               std::string::npos)
         << told;
   }

@@ -110,7 +110,7 @@ TEST(PowderReport, catches_of_one_kind_of_pair_need_no_legend_and_shares_add_up)
   const double joules = 1e-3;  // the axis is in mJ: the hard hits are of 4 mJ
   for (std::size_t i = 0; i < energy.x.size(); ++i) {
     const double expected = 0.25 * joules * energy.x[i] / (grains.y[i] * each) / 1000;
-    states("J/g that caught grains get", energy.y[i], expected, 1e-12 * expected,
+    states("J/g that captured grains receive", energy.y[i], expected, 1e-12 * expected,
            "energy_share E/(N m_1)");
   }
   for (const Series& share : caught_grains_plot(o).series) {
@@ -143,8 +143,8 @@ TEST(PowderReport, has_at_most_forty_rows_of_results_before_its_plots_and_every_
 
 TEST(PowderReport, sections_are_there_for_what_the_case_asks_and_no_other) {
   const std::string all = report_page(ground_outcome(), "1");
-  for (const char* part : {"<h2>What collisions catch", "<h2>How fine it gets", "<h2>Dose", ">D90<",
-                           "25 % of it gets to the grains", "amorphous content"})
+  for (const char* part : {"<h2>Powder captured by collisions", "<h2>Fineness", "<h2>Dose", ">D90<",
+                           "the grains receive 25 % of it", "amorphous content"})
     EXPECT_TRUE(has(all, part)) << part;
   EXPECT_FALSE(has(all, "nan"));
   EXPECT_FALSE(has(all, "d90 "));
@@ -153,8 +153,8 @@ TEST(PowderReport, sections_are_there_for_what_the_case_asks_and_no_other) {
   caught.what.grinding.reset();
   caught.what.kinetics.reset();
   const std::string part = powder_sections(ended(caught));
-  EXPECT_TRUE(has(part, "What collisions catch"));
-  EXPECT_FALSE(has(part, "How fine"));
+  EXPECT_TRUE(has(part, "Powder captured by collisions"));
+  EXPECT_FALSE(has(part, "Fineness"));
   EXPECT_FALSE(has(part, "Dose"));
   Outcome nothing = ground_outcome();
   for (results::Replicate& r : nothing.replicates) r.grinding.reset();
@@ -168,10 +168,10 @@ TEST(PowderReport, says_where_grains_get_more_than_the_mill_gives_off) {
   EXPECT_TRUE(
       has(powder_sections(o), fmt::format("That is {:.0f} % of the dissipated power", share)));
   // Normal energies sum to 2 mJ a hit, of which each loses 1 mJ: at most a half may be given.
-  EXPECT_FALSE(has(powder_sections(o), "more than the mill gives off"));
+  EXPECT_FALSE(has(powder_sections(o), "more than the mill dissipates"));
   o.what.capture->energy_share = 1;
   for (results::Replicate& r : o.replicates) results::grind(o.what, r, 0);
-  EXPECT_TRUE(has(powder_sections(ended(o)), "more than the mill gives off"));
+  EXPECT_TRUE(has(powder_sections(ended(o)), "more than the mill dissipates"));
 }
 
 TEST(PowderReport, methods_name_models_and_numbers) {
@@ -185,13 +185,13 @@ TEST(PowderReport, methods_name_models_and_numbers) {
   Outcome strong = ground_outcome();
   strong.what.capture->model = powder::Barrios{0};  // as the breakage model says
   EXPECT_TRUE(has(methods(strong, "1"), "model barrios;"));
-  EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "catch"));
+  EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "capture"));
 }
 
 TEST(PowderReport, table_groups_rows_and_calls_them_by_their_names) {
   const auto list = results::summarise(ground_outcome()).quantities;
   const std::string text = table(list, 0.1);
-  for (const char* line : {"\n\nD10 ", "\nD50 ", "\nD90 ", "\n\npowder caught ",
+  for (const char* line : {"\n\nD10 ", "\nD50 ", "\nD90 ", "\n\npowder captured ",
                            "\namorphous content ", "\n\ndissipated power "})
     EXPECT_TRUE(has(text, line)) << line << "\n" << text;
   EXPECT_EQ(readable(0.00243, NAN, "kg/s").text(), "2.430 g/s");

@@ -128,7 +128,7 @@ TEST(Report, is_one_well_formed_page_that_loads_nothing) {
   EXPECT_FALSE(has(html, "<fake>"));
   EXPECT_TRUE(has(html, "<svg"));
   EXPECT_TRUE(has(html, "Assumed, not measured"));
-  EXPECT_TRUE(has(html, "default: on the ground"));
+  EXPECT_TRUE(has(html, "default: on Earth"));
   EXPECT_FALSE(has(html, "nan"));
   for (const char* outside : {"src=", "href=\"http", "@import", "url("})
     EXPECT_FALSE(has(html, outside));

@@ -67,42 +67,42 @@ TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
   EXPECT_NEAR(drawn[0].first + drawn[0].second, foot, 0.11);  // written to a tenth
   // 12 - 4 = 8 to the left, 28 - 12 = 16 to the right.
   EXPECT_NEAR(drawn[0].second / drawn[1].second, 0.5, 0.005);
-  EXPECT_TRUE(has(pictures[0].caption, "The case itself: 12.00 ± 0.30 W."));
+  EXPECT_TRUE(has(pictures[0].caption, "Base case: 12.00 ± 0.30 W."));
   EXPECT_TRUE(has(pictures[0].caption, "data-v=\"28\">28.00 ± 0.60<"));
 }
 
 TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
   EXPECT_EQ(sensitivity_words(one_at_a_time()),
-            "dissipated power: mill.speed matters most (it goes through 24.00 W over its range). "
-            "Not told from zero: the effect of contact.friction.");
+            "dissipated power: mill.speed matters most (changes it by 24.00 W over its range). "
+            "Not significant: the effect of contact.friction.");
   Sensitivity none = one_at_a_time();
   none.effects.pop_back();
   EXPECT_EQ(sensitivity_words(none),
-            "dissipated power: no key has an effect that can be told from zero.");
+            "dissipated power: no key has an effect that differs significantly from zero.");
   // Where it is not known nothing is said of zero.
   none.effects[0].significant = std::nullopt;
   EXPECT_EQ(sensitivity_words(none),
-            "dissipated power: contact.friction matters most (it goes "
-            "through 300.0 mW over its range).");
+            "dissipated power: contact.friction matters most (changes it by "
+            "300.0 mW over its range).");
 }
 
 TEST(Tornado, an_effect_is_never_said_to_matter_and_not_to_be_told_at_once) {
   Sensitivity s = one_at_a_time();
   s.effects[0].significant = true;
-  EXPECT_FALSE(has(sensitivity_words(s), "Not told from zero"));
+  EXPECT_FALSE(has(sensitivity_words(s), "Not significant"));
   s.effects[1].significant = false;
-  EXPECT_EQ(
-      sensitivity_words(s),
-      "dissipated power: of the effects that are told from zero that of contact.friction is "
-      "the largest (it goes through 300.0 mW over its range). Larger, but not told from zero: "
-      "that of mill.speed.");
+  EXPECT_EQ(sensitivity_words(s),
+            "dissipated power: of the effects that differ significantly from zero, that of "
+            "contact.friction is "
+            "the largest (changes it by 300.0 mW over its range). Larger, but not significant: "
+            "that of mill.speed.");
   s.effects[0].significant = std::nullopt;
-  EXPECT_EQ(
-      sensitivity_words(s),
-      "dissipated power: the largest effect, that of mill.speed (it goes through 24.00 W over "
-      "its range), is not told from zero.");
+  EXPECT_EQ(sensitivity_words(s),
+            "dissipated power: the largest effect, that of mill.speed (changes it by 24.00 W over "
+            "its range), does not differ significantly from zero.");
   s.effects[0].significant = false;
-  EXPECT_TRUE(has(sensitivity_words(s), "no key has an effect that can be told from zero"));
+  EXPECT_TRUE(
+      has(sensitivity_words(s), "no key has an effect that differs significantly from zero"));
 }
 
 TEST(Tornado, says_once_which_keys_change_nothing) {
@@ -112,13 +112,13 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
   power.effects[0].inactive = size.effects[0].inactive = true;
   c.sensitivities = {power, size};
   std::string html = campaign_page(c, "1");
-  EXPECT_TRUE(in_order(html, {"<p>Changes nothing in this case: contact.friction.</p>", "<svg"}));
-  EXPECT_FALSE(has(html, "Not told from zero"));
+  EXPECT_TRUE(in_order(html, {"<p>Without effect in this case: contact.friction.</p>", "<svg"}));
+  EXPECT_FALSE(has(html, "Not significant"));
   // It changes one of them.
   c.sensitivities[1].effects[0].inactive = false;
   html = campaign_page(c, "1");
-  EXPECT_FALSE(has(html, "Changes nothing"));
-  EXPECT_TRUE(has(html, "Not told from zero: the effect of contact.friction."));
+  EXPECT_FALSE(has(html, "Without effect in"));
+  EXPECT_TRUE(has(html, "Not significant: the effect of contact.friction."));
 }
 
 TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
@@ -177,12 +177,12 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
   EXPECT_TRUE(has(pictures[0].caption, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
-  EXPECT_TRUE(in_order(pictures[0].caption, {">of noise<", ">effects<", ">8.00 ± 0.60<",
+  EXPECT_TRUE(in_order(pictures[0].caption, {">from noise<", ">effects<", ">8.00 ± 0.60<",
                                              "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
   EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
   EXPECT_EQ(sensitivity_words(s),
             "D50: mill.speed matters most (on average 8.00 ± 0.60 µm over "
-            "its range). Not told from zero: the effect of "
+            "its range). Not significant: the effect of "
             "contact.friction.");
 }
 
@@ -213,13 +213,13 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
   ASSERT_EQ(drawn.size(), 4U);
   EXPECT_NEAR(drawn[0].second / drawn[1].second, 2.0 / 3, 0.005);
   EXPECT_EQ(sensitivity_words(s),
-            "D50: mill.speed matters most (with others it makes 0.750 ± "
-            "0.030 of the variance). Not told from zero: the effect of "
+            "D50: mill.speed matters most (0.750 ± "
+            "0.030 of the variance, with interactions). Not significant: the effect of "
             "contact.friction.");
-  EXPECT_TRUE(in_order(pictures[0].caption, {"Noise makes 12 % of the variance seen", ">groups<",
+  EXPECT_TRUE(in_order(pictures[0].caption, {"Noise is 12 % of the observed variance", ">groups<",
                                              ">0.75 (0.73 to 0.79)<", ">64<", ">63<"}));
   s.noise = NAN;
-  EXPECT_TRUE(has(sensitivity_pictures(s)[0].caption, "errors of the points are not known"));
+  EXPECT_TRUE(has(sensitivity_pictures(s)[0].caption, "errors of the points are unknown"));
 }
 
 TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
@@ -227,7 +227,7 @@ TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
   s.effects = {{.key = "mill.speed", .total = 0.75, .count = 64},
                {.key = "contact.friction", .total = 0.02, .count = 64}};
   const std::string below = sensitivity_pictures(s)[0].caption;
-  EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise makes")) << below;
+  EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise is")) << below;
   EXPECT_FALSE(has(below, ">groups<"));
 }
 
@@ -257,7 +257,7 @@ TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
                 .noise = 1.1,
                 .effects = {{.key = "mill.speed", .count = 64, .significant = false}}};
   EXPECT_EQ(sensitivity_words(s),
-            "D50: varies no more than the errors of its points: more replicates or points are "
+            "D50: does not vary more than the errors of its points: more replicates or points are "
             "needed.");
   EXPECT_TRUE(sensitivity_pictures(s).empty()) << "no empty plot";
   s.variance = 0;

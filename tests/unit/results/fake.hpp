@@ -84,7 +84,7 @@ inline Outcome fake_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   o.what.run.time = 10;
   o.what.run.replicates = static_cast<std::int64_t>(hits.size());
   o.what.observe.threshold = 0.1;
-  o.what.origins = {{"gravity", "9.81 m/s2", "default: on the ground", true, false},
+  o.what.origins = {{"gravity", "9.81 m/s2", "default: on Earth", true, false},
                     {"jar.diameter", "12 mm", "catalogue jars/some", false, true}};
   for (const int n : hits) o.replicates.push_back(fake_replicate(n));
   o.cpu_seconds = 0.5;

@@ -118,7 +118,7 @@ TEST_F(FramesTest, are_written_as_the_case_asks) {
   EXPECT_TRUE(fs::exists(scratch() / "b.pvd"));
 }
 
-/// The balls and the jar that fill `folder`, over the room that is reckoned with.
+/// Size on disk of `folder` over the size that the program estimates.
 double room(const fs::path& folder, const cases::Case& what, bool forces) {
   fs::create_directory(folder);
   std::vector<scene::Ball> balls(static_cast<std::size_t>(what.balls[0].count), ball(-1.0 / 3000));

@@ -173,7 +173,7 @@ TEST(ManyBodySolver, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared
   }
 }
 
-/// Several chunks, whose pairs across are reckoned by both.
+/// Several chunks: both compute the contacts between them (halo contacts).
 World drum_of(int count) {
   const scene::Chamber drum{geometry::Cylinder{0.06, 0.06},
                             kinematics::Tumbling{10},

@@ -71,7 +71,7 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
                               const std::string& file) {
   std::vector<Fault> found;
   if (parameters.empty())
-    found.push_back({what.file, "the case leaves no number open",
+    found.push_back({what.file, "the case has no free parameter",
                      "add [fit] with keys and their ranges, such as \"breakage.f_mat\" = "
                      "[\"0.01 kg/J/m\", \"100 kg/J/m\"]",
                      "nothing-to-fit"});
@@ -89,9 +89,8 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
     if (std::ranges::any_of(data.conditions, [&](const std::vector<cases::Override>& set) {
           return std::ranges::find(set, parameter.name, &cases::Override::key) != set.end();
         }))
-      found.push_back({file,
-                       fmt::format("the column {} sets what [fit] is to find", parameter.name),
-                       "take the column or the key of [fit] away", "nothing-to-fit"});
+      found.push_back({file, fmt::format("the column {} sets a parameter of [fit]", parameter.name),
+                       "remove the column or the key of [fit]", "nothing-to-fit"});
   return found;
 }
 
@@ -119,8 +118,8 @@ cases::Case case_for_fit(cases::Case what, std::size_t condition, const Measurem
 
 namespace {
 
-/// Whether beds stay as they are whatever the numbers that are sought: those of [capture] change
-/// what is caught, welding the classes there are, a strength that [breakage] lends to the bed both.
+/// Whether powder beds are independent of the free parameters: those of [capture] change the
+/// captured powder, welding the size classes, a strength that the bed takes from [breakage] both.
 bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& parameters) {
   if (what.grinding->bed == powder::Bed::mixed) return false;
   const bool lent = powder::has_median_strength(*what.grinding->breakage);
@@ -192,7 +191,7 @@ double residual(const Measurement& measured, double predicted) {
 
 namespace {
 
-/// Of what `predict` tells, beside what was measured; counts how often.
+/// Residuals of the prediction from the measurements; counts the evaluations.
 Residuals residuals(const Predictor& predict, const Measurements& data, const FitOptions& options,
                     int& evaluations) {
   return [&](const std::vector<double>& values) {
@@ -211,7 +210,7 @@ std::vector<double> values_of(const LeastSquaresResult& found) {
   return values;
 }
 
-/// As positions, the half-widths that the replicates' own fits give (fit.10).
+/// Half-widths from fits of single replicates, as positions (fit.10).
 std::vector<double> simulation_half_widths(const std::vector<results::Outcome>& mills,
                                            const Measurements& data,
                                            const std::vector<FreeParameter>& parameters,
@@ -237,7 +236,7 @@ std::vector<double> simulation_half_widths(const std::vector<results::Outcome>& 
   return widths;
 }
 
-/// Ends of intervals that are not open move away by what the mills' scatter adds (fit.11).
+/// Moves the closed ends of an interval outwards by the scatter of the mills (fit.11).
 void widen_interval(double width, const FreeParameter& parameter, FittedParameter& p) {
   if (!(width > 0) || !p.determined) return;
   const double position = position_of(parameter, p.value);
@@ -252,8 +251,8 @@ void widen_interval(double width, const FreeParameter& parameter, FittedParamete
   p.determined = p.determined && !(p.open_low && p.open_high);
   if (width > 0.5 * (below + above))
     p.remarks.emplace_back(
-        "it is the scatter of the simulated mill that makes it unsure: a longer "
-        "run or more replicates make it surer");
+        "its uncertainty comes mainly from the scatter of the simulated mill: a "
+        "longer run or more replicates reduce it");
 }
 
 }  // namespace
@@ -275,7 +274,7 @@ Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
     FittedParameter& p = made.result.parameters[i];
     const double width = made.simulation_ci95[i], position = position_of(parameters[i], p.value);
     widen_interval(width, parameters[i], p);
-    made.simulation_ci95[i] =  // positions beyond the range are its ends
+    made.simulation_ci95[i] =  // value_at limits positions to the range
         0.5 *
         (value_at(parameters[i], position + width) - value_at(parameters[i], position - width));
   }

@@ -15,38 +15,41 @@
 #include "mahlwerk/powder/size_evolution.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// Numbers of the powder's models, found from what was measured of it (docs/theory/fit.md).
+// Parameters of powder models, fitted to measurements (docs/theory/fit.md).
 namespace mahlwerk::campaign {
 
-/// The numbers that [fit] of a case leaves open but for those in `fixed`, in their units.
+/// The free parameters in [fit] of a case, without those in `fixed`, in their units.
 std::vector<FreeParameter> free_parameters(const cases::Case& what,
                                            const std::vector<std::string>& fixed = {});
 
-/// What keeps a case from telling what was measured, or leaves nothing to be found; `file` is that
+/// Faults of a fit: the case cannot predict a measurement, or no parameter is free. `file` is that
 /// of the measurements.
 std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
                               const std::vector<FreeParameter>& parameters,
                               const std::string& file);
 
-/// Measurements that say no time get that of the case under their condition.
+/// Gives measurements without a time that of the case under their condition.
 void fill_times(Measurements& data, const std::vector<cases::Case>& conditions);
 
-/// A case as a fit runs its mill: nothing is kept but what the powder needs, which mills by the
-/// balance as long as its longest measurement says, with each number in the middle of its range.
+/// The case that a fit runs for a condition: collisions and frames are not recorded, grinding is by
+/// population balance up to the longest time measured, each parameter is at the middle of its
+/// range.
 cases::Case case_for_fit(cases::Case what, std::size_t condition, const Measurements& data,
                          const std::vector<FreeParameter>& parameters);
 
-/// What the models say of the powder under collisions that stay as they are.
+/// Predicts measurements with the powder models from the collisions of mills that are simulated
+/// once.
 class Predictor {
  public:
-  /// `mills`: of each condition, kept by reference; each has a replicate that counted.
-  /// `measurements` have times no longer than its case mills. The mean of all replicates, or the
-  /// one that is `only`.
+  /// `mills`: one per condition, kept by reference; each has a replicate that counted.
+  /// `measurements` have times no longer than their case mills. Uses the mean of all replicates, or
+  /// replicate `only`.
   Predictor(const std::vector<results::Outcome>& mills, std::vector<FreeParameter> parameters,
             std::vector<Measurement> measurements, int threads = 0,
             std::optional<std::size_t> only = std::nullopt);
 
-  /// What each measurement should have given; NaN where the models give nothing.
+  /// The predicted value of each measurement for these parameter values; NaN where the models give
+  /// none.
   std::vector<double> operator()(const std::vector<double>& values) const;
 
  private:
@@ -54,9 +57,9 @@ class Predictor {
     const results::Outcome* outcome;
     std::vector<const results::Replicate*> replicates;
     powder::StressSpectrum stresses;
-    std::optional<powder::CaptureTable> beds;  ///< where no number that is sought changes them
-    bool grinds = false;                       ///< sizes are asked for
-    std::vector<std::size_t> measurements;     ///< places in measurements_
+    std::optional<powder::CaptureTable> beds;  ///< if no free parameter changes them
+    bool grinds = false;                       ///< has measurements of sizes
+    std::vector<std::size_t> measurements;     ///< indices in measurements_
   };
   void predict(const Mill& mill, const std::vector<double>& values,
                std::vector<double>& predicted) const;
@@ -67,25 +70,26 @@ class Predictor {
   int threads_;
 };
 
-/// (fit.8) for sizes and surfaces, (fit.9) for shares.
+/// Residual of a measurement: (fit.8) for sizes and surfaces, (fit.9) for shares.
 double residual(const Measurement& measured, double predicted);
 
 struct FitOptions {
   int threads = 0;                                     ///< 0: as many as the machine has
-  const std::atomic<bool>* stop = nullptr;             ///< set: Interrupted is thrown
-  std::function<void(int evaluations)> progress = {};  ///< after each time the powder was milled
+  const std::atomic<bool>* stop = nullptr;             ///< when set: throws Interrupted
+  std::function<void(int evaluations)> progress = {};  ///< called after each evaluation
 };
 
 struct Fit {
   LeastSquaresResult result;
-  std::vector<double> predicted;  ///< of each measurement, by what was found
+  std::vector<double> predicted;  ///< of each measurement, with the fitted parameters
   /// Half-widths of the 95 % intervals that the scatter of the simulated mills alone gives each
-  /// number (fit.10), in its unit; NaN with fewer than two replicates. Intervals allow for it.
+  /// parameter (fit.10), in its unit; NaN with fewer than two replicates. The intervals of `result`
+  /// include it.
   std::vector<double> simulation_ci95;
 };
 
-/// The numbers that bring the models nearest to what was measured. Throws RunError where no values
-/// give any powder, Interrupted once it is told to stop.
+/// Fits the parameters to the measurements. Throws RunError if no values give any powder,
+/// Interrupted if options.stop is set.
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
         const std::vector<FreeParameter>& parameters, const FitOptions& options = {});
 

@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using Overrides = std::vector<cases::Override>;
 
-/// What [fit] leaves open, but for what the command line gives.
+/// Gives the free parameters of [fit] a value in `anywhere`; returns those that the command line
+/// fixes.
 std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
                                    Overrides& anywhere) {
   std::vector<std::string> held;
@@ -27,8 +28,8 @@ std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
   return held;
 }
 
-/// Faults of a value that stands in for one to be found are told of [fit], too; those of a
-/// condition are the table's.
+/// Leaves out faults of the values in `anywhere` if there are others: [fit] has such faults, too.
+/// Faults of a condition become those of the table.
 std::vector<Fault> faults_to_show(std::vector<Fault> faults, const Overrides& anywhere,
                                   const Overrides& condition, const std::string& data_file) {
   const auto of = [](const Fault& fault, const Overrides& set) {
@@ -56,13 +57,13 @@ cases::Case read(const fs::path& file, const cases::Catalogue& known, const Over
   }
 }
 
-/// The case under each condition; each asks for no more than its engine can do.
+/// The case under each condition. Throws InputError with all faults, including those of the engine.
 std::vector<cases::Case> under_conditions(const FitJob& job, const fs::path& file,
                                           const cases::Catalogue& known, const Overrides& set,
                                           const Overrides& anywhere) {
   std::vector<cases::Case> made;
   std::vector<Fault> wrong;
-  const auto add = [&](const std::vector<Fault>& faults) {  // conditions may share them
+  const auto add = [&](const std::vector<Fault>& faults) {  // each fault once
     for (const Fault& fault : faults)
       if (std::ranges::none_of(wrong, [&](const Fault& other) {
             return other.where == fault.where && other.what == fault.what;
@@ -90,9 +91,9 @@ FitJob fit_job(const fs::path& file, const std::string& data_file, const cases::
   job.data_file = data_file;
   job.data = read_measurements(data_file);
   if (!job.base.sweep.empty())
-    throw InputError(Fault{job.base.file, "the case has a [sweep], fit takes a single case",
-                           "take the section [sweep] away; columns of the data may change the case",
-                           "one-case"});
+    throw InputError(Fault{
+        job.base.file, "the case has a [sweep], but fit takes a single case",
+        "remove the section [sweep]; columns of the data can vary keys of the case", "one-case"});
   job.parameters = free_parameters(job.base, held);
   if (auto wrong = fit_faults(job.base, job.data, job.parameters, job.data_file); !wrong.empty())
     throw InputError(std::move(wrong));

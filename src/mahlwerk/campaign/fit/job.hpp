@@ -11,17 +11,17 @@
 
 namespace mahlwerk::campaign {
 
-/// A case with what was measured of it, and the mills that stand for it.
+/// A case with its measurements, and the mills to simulate.
 struct FitJob {
-  cases::Case base;  ///< as the case file says, free numbers anywhere in their ranges
+  cases::Case base;  ///< of the case file; free parameters anywhere in their ranges
   std::string data_file;
   Measurements data;
   std::vector<FreeParameter> parameters;
-  std::vector<cases::Case> mills;  ///< of each condition
+  std::vector<cases::Case> mills;  ///< by condition
 };
 
-/// Of a case file with [fit] and a table of measurements. Throws InputError with the faults of all
-/// conditions.
+/// Reads a case file with [fit] and a table of measurements. Throws InputError with the faults of
+/// all conditions.
 FitJob fit_job(const std::filesystem::path& file, const std::string& data_file,
                const cases::Catalogue& known, const std::vector<cases::Override>& set);
 

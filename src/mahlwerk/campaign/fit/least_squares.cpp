@@ -21,7 +21,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Squares below this are no more than rounding.
+/// Differences of the sum of squares below this are rounding.
 double rounding(const std::vector<Evaluation>& seen) {
   std::vector<double> sums;
   for (const Evaluation& point : seen)
@@ -30,7 +30,7 @@ double rounding(const std::vector<Evaluation>& seen) {
   return 1e-20 * sums[sums.size() / 2];
 }
 
-/// By how much the sum of squares may rise within the interval (fit.4).
+/// Rise of the sum of squares at the ends of a 95 % interval (fit.4).
 double allowed_rise(double sum, int freedom, ErrorScale scatter) {
   constexpr double normal = 1.959963984540054;
   const double known = scatter == ErrorScale::known ? normal * normal : 0;
@@ -39,9 +39,10 @@ double allowed_rise(double sum, int freedom, ErrorScale scatter) {
   return std::max(known, t * t * sum / freedom);
 }
 
-/// How far parameter `i` goes from the best position towards 0 or 1 before the sum of squares, the
-/// others chosen anew, has risen by `rise` (fit.5). `guess` is what the slopes say, `along` how the
-/// others go along.
+/// Profile likelihood: the position of parameter `i`, from the best one towards 0 or 1, at which
+/// the sum of squares, minimised over the other parameters, has risen by `rise` (fit.5). `guess` is
+/// the linear estimate of the distance, `along` the linear change of all parameters by that of
+/// parameter `i`.
 struct Limit {
   double position;
   bool open;
@@ -54,14 +55,14 @@ Limit limit(Minimiser& search, const Evaluation& best, std::size_t i, bool up, d
   if (!std::isfinite(rise)) return {end, true};
   double inside = 0, inside_rise = 0, outside = infinite, outside_rise = 0;
   double way = std::min(guess, room);
-  std::vector<double> step(along.begin(), along.end());  // of all, by that of parameter i
+  std::vector<double> step(along.begin(), along.end());  // of all, relative to parameter i
   for (int round = 0; round < 15; ++round) {
     std::vector<double> position = best.position;
     for (std::size_t k = 0; k < position.size(); ++k)
       position[k] = std::clamp(position[k] + side * way * step[k], 0.0, 1.0);
     position[i] = way >= room ? end : best.position[i] + side * way;
     const Evaluation at = search.levenberg_marquardt(search.evaluate(position), i);
-    const double risen = std::sqrt(std::max(0.0, (at.sum - best.sum) / rise));  // nearly straight
+    const double risen = std::sqrt(std::max(0.0, (at.sum - best.sum) / rise));  // near linear
     if (risen <= 1) {
       if (way >= room) return {end, true};
       inside = way, inside_rise = risen;
@@ -82,11 +83,11 @@ Limit limit(Minimiser& search, const Evaluation& best, std::size_t i, bool up, d
   return {best.position[i] + side * std::min(outside, std::max(inside, way)), false};
 }
 
-/// What the slopes at the best position say of directions (fit.6) and of how parameters hang
-/// together.
+/// Linear analysis at the best position: covariance of the parameters, and directions that the data
+/// do not determine (fit.6).
 struct Curvature {
   MatrixXd covariance;  ///< in positions, for residuals of unit scatter
-  /// Of each direction along which nothing changes: the parameters in it.
+  /// For each direction along which no residual changes: its parameters.
   std::vector<std::vector<std::size_t>> flat;
 };
 Curvature curvature(const std::vector<std::vector<double>>& columns) {
@@ -127,8 +128,8 @@ std::vector<std::vector<double>> correlation(const MatrixXd& covariance) {
 
 using Limits = std::array<Limit, 2>;  // below and above
 
-/// The best position, and how far each parameter may go from it. Where going there finds a better
-/// position, all begins anew from that.
+/// The best position, and the limits of each parameter. If the search for limits finds a better
+/// position, all limits are searched again from there.
 struct BestFit {
   Evaluation best;
   double rise = 0;
@@ -164,8 +165,8 @@ BestFit find_best_fit(Minimiser& search, ErrorScale scatter) {
   }
 }
 
-/// Makes the limits of parameter `i` hold every position seen that fits as well; whether any lay
-/// far outside.
+/// Extends the limits of parameter `i` to all evaluated positions that fit as well; true if any of
+/// them lay far outside.
 bool widen(Limits& limits, const BestFit& best_fit, const std::vector<Evaluation>& seen,
            std::size_t i) {
   const double far = 0.05 * (limits[1].position - limits[0].position);
@@ -179,7 +180,7 @@ bool widen(Limits& limits, const BestFit& best_fit, const std::vector<Evaluation
   return limits[0].position < low || limits[1].position > high;
 }
 
-/// The names of the others in `of`, listed.
+/// The names of the other parameters in `of`, as a list.
 std::string others(const std::vector<std::size_t>& of, std::size_t i,
                    const std::vector<FreeParameter>& parameters) {
   std::string list;
@@ -188,7 +189,7 @@ std::string others(const std::vector<std::size_t>& of, std::size_t i,
   return list;
 }
 
-/// What there is to say of a parameter's interval.
+/// Adds remarks on a parameter's interval.
 void remark(const FreeParameter& range, double position, FittedParameter& p) {
   constexpr double at_end = 1e-6;
   if (p.open_low && p.open_high)
@@ -222,17 +223,17 @@ FittedParameter fitted(const BestFit& best_fit, const Minimiser& search,
     if (std::ranges::find(flat, i) == flat.end()) continue;
     p.determined = false;
     p.remarks.push_back(flat.size() == 1
-                            ? "nothing that was measured depends on it"
+                            ? "no measured quantity depends on it"
                             : fmt::format("the data determine only a combination of it and {}",
                                           others(flat, i, parameters)));
   }
-  if (!p.remarks.empty()) return p;  // nothing else is to be said of it
+  if (!p.remarks.empty()) return p;  // other remarks do not apply
   remark(range, position, p);
   if (elsewhere) p.remarks.push_back("values far from the best one fit as well");
   return p;
 }
 
-/// Says which parameters can hardly be told apart; of those in flat directions it is said already.
+/// Adds remarks on strongly correlated parameters. Those in flat directions already have a remark.
 void remark_correlation(LeastSquaresResult& fit, const Curvature& curvature) {
   constexpr double close = 0.98;
   std::vector<bool> flat(fit.parameters.size(), false);
@@ -243,7 +244,7 @@ void remark_correlation(LeastSquaresResult& fit, const Curvature& curvature) {
       if (const double c = fit.correlation[i][k];
           i != k && !flat[i] && !flat[k] && std::abs(c) > close)
         fit.parameters[i].remarks.push_back(fmt::format(
-            "hard to tell from {}: their correlation is {:.4f}", fit.parameters[k].name, c));
+            "hard to distinguish from {}: their correlation is {:.4f}", fit.parameters[k].name, c));
 }
 
 void remark_all(LeastSquaresResult& fit, ErrorScale scatter) {
@@ -253,8 +254,8 @@ void remark_all(LeastSquaresResult& fit, ErrorScale scatter) {
                                       fit.parameters.size()));
   if (fit.degrees_of_freedom == 0 && scatter == ErrorScale::estimated)
     fit.remarks.push_back(
-        "as many measured values as parameters: nothing is left to tell how they scatter, and no "
-        "interval can be given");
+        "as many measured values as parameters: there is no degree of freedom to estimate their "
+        "scatter, and no interval can be given");
   if (scatter == ErrorScale::known && fit.degrees_of_freedom > 0 &&
       fit.sum_of_squares > fit.degrees_of_freedom + 3 * std::sqrt(2.0 * fit.degrees_of_freedom))
     fit.remarks.push_back(
@@ -267,10 +268,10 @@ void remark_all(LeastSquaresResult& fit, ErrorScale scatter) {
 
 LeastSquaresResult least_squares(const Residuals& residuals,
                                  const std::vector<FreeParameter>& parameters, ErrorScale scatter) {
-  if (parameters.empty()) throw std::invalid_argument("no parameter to be found");
+  if (parameters.empty()) throw std::invalid_argument("no parameter to fit");
   for (const FreeParameter& p : parameters)
     if (!std::isfinite(p.least) || !std::isfinite(p.most) || !(p.least < p.most))
-      throw std::invalid_argument("no interval to look for " + p.name + " in");
+      throw std::invalid_argument("the range of " + p.name + " is not an interval");
   Minimiser search(residuals, parameters);
   const BestFit best = find_best_fit(search, scatter);
   LeastSquaresResult fit;

@@ -11,7 +11,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// 90 from "D90"; nothing if the word is no such quantile.
+/// 90 from "D90"; empty if the word is not such a quantile.
 std::optional<int> percent_of(std::string_view word) {
   if (word.size() < 2 || word.size() > 3 || word[0] != 'D' || word[1] == '0') return std::nullopt;
   int percent = 0;
@@ -22,7 +22,7 @@ std::optional<int> percent_of(std::string_view word) {
   return percent;
 }
 
-/// The column called `name`; nothing if there is none.
+/// The column with this name, without its unit; empty if there is none.
 std::optional<Column> column_called(std::string_view name) {
   constexpr std::string_view ending = "_error";
   if (name.ends_with(ending)) {
@@ -51,7 +51,7 @@ std::optional<Column> column_called(std::string_view name) {
   return std::nullopt;
 }
 
-/// "m2/kg" from "m2_per_kg", as headings of our own tables have it.
+/// "m2/kg" from "m2_per_kg", as in headings of Mahlwerk's own tables.
 std::string unit_from(std::string text) {
   for (const auto& [from, to] : {std::pair{"_per_", "/"}, std::pair{"_", " "}})
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from))

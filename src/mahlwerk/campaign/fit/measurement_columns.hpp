@@ -12,27 +12,27 @@
 // Columns of a table of measurements.
 namespace mahlwerk::campaign {
 
-/// What a column is.
+/// Role of a column.
 enum class Role { time, size, measured, error, condition };
 
 struct Column {
   Role role = Role::condition;
-  std::string name;  ///< "D90", also of its errors; the key of a condition
+  std::string name;  ///< "D90", also for its errors; the key of a condition
   std::string unit;  ///< as written
-  MeasuredQuantity what = MeasuredQuantity::quantile;  ///< of what is measured, and of its errors
+  MeasuredQuantity what = MeasuredQuantity::quantile;  ///< for measured values and their errors
   int percent = 0;                                     ///< of a quantile
-  std::optional<std::size_t> error_in;  ///< of what is measured: its column of errors
+  std::optional<std::size_t> error_in;  ///< for measured values: the column of their errors
 
-  std::string_view stored_unit() const;  ///< the unit its numbers are kept in
+  std::string_view stored_unit() const;  ///< unit in which its numbers are stored
 };
 
-/// The column of a heading: "D90 (um)", "D90 [um]", "D90_um" or "D90"; nothing if it is unknown.
+/// The column of a heading: "D90 (um)", "D90 [um]", "D90_um" or "D90"; empty if it is unknown.
 std::optional<Column> column_of(const std::string& heading);
 
-/// The heading that may have been meant; empty if none is near.
+/// The nearest known heading; empty if none is near.
 std::string heading_near(const std::string& heading);
 
-/// The cells of a line; between quotes separators are text, and two quotes are one.
+/// The cells of a line. Between quotes separators are text, and two quotes stand for one.
 std::vector<std::string> cells_of(std::string_view line, char separator);
 
 }  // namespace mahlwerk::campaign

@@ -19,7 +19,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_faults = 20;  // one wrong column would name every row
+constexpr std::size_t most_faults = 20;  // a wrong column gives a fault in every row
 constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
 
 class Reader {
@@ -112,26 +112,26 @@ class Reader {
       if (column.role == Role::measured) column.error_in = find(Role::error, column.name);
       if (column.role == Role::error && !find(Role::measured, column.name))
         fault(fmt::format("there is a column of errors, but none of \"{}\"", column.name),
-              "give what was measured, too");
+              "give the measured values, too");
     }
     const bool sizes = find(Role::size, "size").has_value();
     if (sizes != find(Role::measured, "passing").has_value())
-      fault("a distribution needs a column of sizes and one of what passes",
+      fault("a distribution needs a column of sizes and a column of the share passing",
             "give \"size (um)\" and \"passing (%)\"");
     else if (!measured && faults_.empty())
-      fault("no column says what was measured", fmt::format("columns are {}, passing", examples));
+      fault("no column holds measured values", fmt::format("columns are {}, passing", examples));
   }
 
-  /// The number in a cell in SI; NaN if it is empty, or wrong.
+  /// The number in a cell, in SI units; NaN if the cell is empty or wrong.
   double number(const std::string& cell, const Column& column) {
     if (cell.empty()) return no_value;
     std::string text = cell;
-    if (separator_ == ';') std::ranges::replace(text, ',', '.');  // as spreadsheets may write it
+    if (separator_ == ';') std::ranges::replace(text, ',', '.');  // decimal comma
     try {
       return parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit());
     } catch (const UnitError&) {
       fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
-            "write a number without its unit, or nothing", "bad-quantity");
+            "write a number without its unit, or leave the cell empty", "bad-quantity");
       return no_value;
     }
   }
@@ -155,7 +155,7 @@ class Reader {
     for (std::size_t i = 0; i < columns_.size(); ++i)
       if (columns_[i].role == Role::measured) take(shared, i, numbers, cells);
     if (faults_.size() == before && had == made_.values.size())
-      fault("the row says nothing that was measured", "fill it, or remove it");
+      fault("the row holds no measured value", "fill it, or remove it");
     check_order(had);
   }
 
@@ -180,7 +180,7 @@ class Reader {
     return index;
   }
 
-  /// Keeps what column `i` says, if it says something.
+  /// Keeps the value in column `i`, if there is one.
   void take(const Measurement& shared, std::size_t i, const std::vector<double>& numbers,
             const std::vector<std::string>& cells) {
     const Column& column = columns_[i];
@@ -204,11 +204,12 @@ class Reader {
     const std::string& size = cells[*find(Role::size, "size")];
     if (m.size <= 0) out_of_range("size", size, "above 0");
     if (size.empty() != empty)
-      fault(empty ? "a size, but not what passes" : "something passes, but no size is given",
+      fault(empty ? "a size, but no share passing" : "a share passing, but no size",
             "give both, or none");
   }
 
-  /// Sizes of a row rise with the share that is finer, and so does what passes from row to row.
+  /// Sizes in a row must rise with the percentage of their quantile, and the share passing with the
+  /// size from row to row.
   void check_order(std::size_t first) {
     const std::vector<Measurement>& all = made_.values;
     for (std::size_t i = first; i < all.size(); ++i)
@@ -224,15 +225,15 @@ class Reader {
         if (last != nullptr && last->condition == all[i].condition &&
             (last->time == all[i].time || std::isnan(last->time + all[i].time)) &&
             (all[i].size - last->size) * (all[i].value - last->value) < 0)
-          fault("what passes falls as the size rises",
-                "give what passes in all, not what lies between two sizes");
+          fault("the share passing falls as the size rises",
+                "give the cumulative share, not the share between two sizes");
         last_passing_ = i;
       }
   }
 
   void check_all() {
     if (made_.values.empty())
-      return fault_at(0, "there is no row under the headings", "give what was measured");
+      return fault_at(0, "there is no row under the headings", "give the measured values");
     if (made_.errors_known()) return;
     const auto without = std::ranges::count_if(
         made_.values, [](const Measurement& m) { return std::isnan(m.error); });

@@ -9,17 +9,18 @@
 
 #include "mahlwerk/cases/read.hpp"
 
-// What was measured of powder that a mill has milled (docs/formats.md, "Measurements").
+// Measurements of milled powder (docs/formats.md, "Measurements").
 namespace mahlwerk::campaign {
 
 enum class MeasuredQuantity {
-  quantile,          ///< [m] size that a share of the mass is finer than
-  passing,           ///< [1] of the mass, finer than a size
+  quantile,          ///< [m] size below which a share of the mass lies
+  passing,           ///< [1] share of the mass finer than a size
   specific_surface,  ///< [m2/kg]
   conversion         ///< [1]
 };
 
-/// "D90", "passing", "specific_surface" or "conversion"; the unit its value is kept in.
+/// Name ("D90", "passing", "specific_surface" or "conversion"), and unit in which values are
+/// stored.
 std::string name_of(MeasuredQuantity what, int percent);
 std::string_view unit_of(MeasuredQuantity what);
 
@@ -28,24 +29,24 @@ struct Measurement {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] of milling; NaN: as in the case
   MeasuredQuantity what = MeasuredQuantity::quantile;
   int percent = 0;  ///< of a quantile: 90 is D90
-  double size = 0;  ///< [m] of what passes
+  double size = 0;  ///< [m] for passing
   double value = 0;
   double error = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation; NaN: not known
   int line = 0;                                             ///< of the file
 };
 
 struct Measurements {
-  /// What the case is to be changed by; measurements share those that are equal.
+  /// Overrides of the case, one set per condition; measurements with equal sets share a condition.
   std::vector<std::vector<cases::Override>> conditions;
-  std::vector<Measurement> values;  ///< at least one; errors of all are known, or of none
+  std::vector<Measurement> values;  ///< at least one; errors are known for all, or for none
 
   bool errors_known() const;
 };
 
-/// Reads a table of measurements. Throws InputError with every fault found: line, what, remedy.
+/// Reads a table of measurements. Throws InputError with all faults found: line, what, remedy.
 Measurements read_measurements(const std::filesystem::path& file);
 
-/// The same from text; `file` is the name faults cite.
+/// The same from text; `file` is the name that faults cite.
 Measurements read_measurements_text(const std::string& text, const std::string& file);
 
 }  // namespace mahlwerk::campaign

@@ -20,7 +20,7 @@ VectorXd vector(const std::vector<double>& v) {
   return Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size()));
 }
 
-/// The n-th of points that fill 0 ... 1 ever more evenly (van der Corput).
+/// The n-th point of the van der Corput sequence in 0 ... 1.
 double van_der_corput(int n, int base) {
   double position = 0, digit = 1;
   for (; n > 0; n /= base) position += (digit /= base) * (n % base);
@@ -33,12 +33,14 @@ double steepness(const std::vector<double>& slope, const Evaluation& at) {
   return sum;
 }
 
-/// What is not worth a step: far less than the rise that intervals allow (fit.4).
+/// Decrease of the sum that is not worth a step: far less than the rise that intervals allow
+/// (fit.4).
 double worthless(const Evaluation& at) {
   return 1e-4 * at.sum / static_cast<double>(at.residuals.size());
 }
 
-/// What NLopt calls back. It would not let exceptions of others through.
+/// Callback of NLopt. NLopt does not pass on exceptions of other libraries: the callback keeps
+/// them.
 struct LocalSearch {
   Minimiser& search;
   Evaluation best;
@@ -64,7 +66,7 @@ double value_at(const FreeParameter& p, double position) {
   if (position <= 0) return p.least;
   if (position >= 1) return p.most;
   if (!p.logarithmic()) return p.least + (p.most - p.least) * position;
-  const double least = std::log(p.least);  // (fit.2), of ranges of any width
+  const double least = std::log(p.least);  // (fit.2), without overflow for wide ranges
   return std::exp(least + (std::log(p.most) - least) * position);
 }
 
@@ -127,7 +129,7 @@ Evaluation Minimiser::levenberg_marquardt(Evaluation at, std::optional<std::size
   return at;
 }
 
-/// The first lower position found by ever shorter steps; nothing where the bottom is reached.
+/// The first lower position found as the damping grows; empty at a minimum.
 std::optional<Evaluation> Minimiser::damped_step(const Evaluation& at,
                                                  const std::vector<std::vector<double>>& slopes,
                                                  double& damping) {
@@ -172,7 +174,7 @@ Evaluation Minimiser::subplex_search(const Evaluation& from) {
   double sum = 0;
   try {
     subplex.optimize(position, sum);
-  } catch (const nlopt::roundoff_limited&) {  // as low as it gets
+  } catch (const nlopt::roundoff_limited&) {  // limited by rounding: keeps the best point
   } catch (const nlopt::forced_stop&) {
     std::rethrow_exception(local_search.thrown);
   }
@@ -188,7 +190,7 @@ std::vector<Evaluation> Minimiser::start_points() {
     position.push_back(p.start ? position_of(p, *p.start) : 0.5);
   std::vector<Evaluation> all{evaluate(position)}, best;
   for (int n = 1; n <= 15 * static_cast<int>(count() + 1); ++n) {
-    for (std::size_t i = 0; i < count(); ++i)  // beyond the primes, the same again, shifted
+    for (std::size_t i = 0; i < count(); ++i)  // primes are reused with an offset
       position[i] =
           van_der_corput(n + static_cast<int>(i / primes.size()), primes[i % primes.size()]);
     all.push_back(evaluate(position));
@@ -204,8 +206,7 @@ std::vector<Evaluation> Minimiser::start_points() {
     if (best.size() < most && std::isfinite(point.sum) &&
         std::ranges::all_of(best, [&](const Evaluation& other) { return far(point, other); }))
       best.push_back(point);
-  if (best.empty())
-    throw RunError("none of the sets of parameters tried in their ranges gives a result");
+  if (best.empty()) throw RunError("no set of parameters tried within their ranges gives a result");
   return best;
 }
 

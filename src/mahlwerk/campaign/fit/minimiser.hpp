@@ -14,14 +14,14 @@ namespace mahlwerk::campaign {
 double value_at(const FreeParameter& p, double position);
 double position_of(const FreeParameter& p, double value);
 
-/// A set of parameters, by their positions, and how it fits.
+/// A set of parameters, as positions, with its residuals.
 struct Evaluation {
   std::vector<double> position, residuals;
   double sum = std::numeric_limits<double>::infinity();  ///< of squares (fit.1)
 };
 
-/// Goes down in the sum of squares, and remembers every position it saw. Keeps references to what
-/// it is made of.
+/// Minimises the sum of squares, and keeps every position that it has evaluated. Holds references
+/// to its arguments.
 class Minimiser {
  public:
   Minimiser(const Residuals& residuals, const std::vector<FreeParameter>& parameters)
@@ -34,18 +34,18 @@ class Minimiser {
 
   Evaluation evaluate(const std::vector<double>& position);
 
-  /// Of the residuals by each position but that of `fixed`, from both sides if they are to be
-  /// `fine`; zero where no neighbour has any.
+  /// Derivatives of the residuals by each position except that of `fixed`: from both sides if
+  /// `fine`; zero where no neighbour has residuals.
   std::vector<std::vector<double>> slopes(const Evaluation& at, bool fine,
                                           std::optional<std::size_t> fixed = std::nullopt);
 
-  /// By Levenberg and Marquardt, the parameter `fixed` staying where it is.
+  /// Levenberg-Marquardt method from `at`; parameter `fixed` keeps its position.
   Evaluation levenberg_marquardt(Evaluation at, std::optional<std::size_t> fixed = std::nullopt);
 
-  /// Anywhere near, for sums that are not smooth: by simplexes (Rowan 1990).
+  /// Subplex search near `from`, for sums that are not smooth (Rowan 1990).
   Evaluation subplex_search(const Evaluation& from);
 
-  /// The best of some positions spread over the ranges, far from each other. Throws RunError if
+  /// The best of many positions spread over the ranges, far from each other. Throws RunError if
   /// none of them has residuals.
   std::vector<Evaluation> start_points();
 

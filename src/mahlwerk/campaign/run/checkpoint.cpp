@@ -24,18 +24,18 @@ InputError refusal(const std::filesystem::path& file, std::string what, std::str
 }
 
 InputError damaged(const std::filesystem::path& file) {
-  return refusal(file, "the checkpoint is damaged", "start the run anew, without --resume");
+  return refusal(file, "the checkpoint is damaged", "start the run again, without --resume");
 }
 
 Fault no_checkpoint(const std::filesystem::path& file, const std::string& why) {
   return {file.generic_string(), "the checkpoint " + why,
-          "make room or mend the permissions; the run goes on without it, and its results are "
-          "written",
+          "free disk space or correct the permissions; the run continues without a checkpoint, "
+          "and its results are written",
           "bad-checkpoint"};
 }
 
-/// Takes the fingerprint of all else off the end of a file; whether it is right. A state with a bit
-/// turned would run on, wrongly.
+/// Removes the fingerprint from the end of a file's content; true if it matches. Without this check
+/// a run would continue with wrong results from a corrupted state.
 bool take_fingerprint(std::string& bytes) {
   std::uint64_t kept = 0;
   if (bytes.size() < sizeof kept) return false;
@@ -70,11 +70,12 @@ Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t
 void Checkpoint::load() {
   std::ifstream stream(file_, std::ios::binary);
   if (!stream)
-    throw refusal(file_, "there is no checkpoint to go on from",
-                  "start the run with --checkpoint; leave out --resume to start anew");
+    throw refusal(
+        file_, "there is no checkpoint to resume from",
+        "start the run with --checkpoint; leave out --resume to start from the beginning");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}}, title, what;
   const auto begins = [&](std::string_view with) {
-    return bytes.find(with) == sizeof(std::uint64_t);  // after its length
+    return bytes.find(with) == sizeof(std::uint64_t);  // after the length of the string
   };
   const bool ours = begins(magic);
   if (!begins(any_magic) || (ours && !take_fingerprint(bytes))) throw damaged(file_);
@@ -86,8 +87,8 @@ void Checkpoint::load() {
       throw damaged(file_);
     }
   if (!ours || what != run_id_ || states_.size() != saved_at_.size())
-    throw refusal(file_, "the checkpoint is of another run: case, settings or version differ",
-                  "resume with the case and settings it was started with, or start anew");
+    throw refusal(file_, "the checkpoint belongs to another run: case, settings or version differ",
+                  "resume with the original case and settings, or leave out --resume");
   loaded_ = true;
 }
 
@@ -128,7 +129,7 @@ void Checkpoint::flush() {
   if (unwritten_) write();
 }
 
-/// All that is kept, into the file.
+/// Writes all kept states to a temporary file, then renames it.
 void Checkpoint::write() {
   Archive archive;
   std::string title(magic);

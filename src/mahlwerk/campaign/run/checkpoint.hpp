@@ -15,33 +15,34 @@
 
 namespace mahlwerk::campaign {
 
-/// The states of all replicates of a run in one file, for a run that may be ended and gone on with
-/// later. The file is written aside and put in place whole. Threads may call at the same time.
+/// The states of all replicates of a run in one file, for a run that can be interrupted and
+/// resumed. The file is written under a temporary name, then renamed. Thread-safe.
 class Checkpoint {
  public:
-  /// Told when the file cannot be written, once until it can be again. The run goes on without.
+  /// Called when the file cannot be written, once until a write succeeds. The run continues.
   using WriteErrorCallback = std::function<void(const Fault&)>;
 
-  /// `what` tells the run of `jobs` replicates apart from others: cases and version. The state of
-  /// each is due every `every` [s]. What a process that was killed left half written is removed:
-  /// the file must be this process's alone.
+  /// `what` identifies the run of `jobs` replicates: cases and version. The state of each is due
+  /// every `every` [s]. Removes the partial file of a killed process: no other process may use
+  /// `file`.
   Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every,
              WriteErrorCallback on_write_error = {});
 
-  /// Takes the states from the file. Throws InputError if there is none, it is damaged, or it is of
-  /// another run.
+  /// Reads the states from the file. Throws InputError if there is none, it is damaged, or it
+  /// belongs to another run.
   void load();
   bool loaded() const { return loaded_; }
 
-  bool has_state(std::size_t job) const;                 ///< whether there is a kept state of it
-  void restore(std::size_t job, ReplicateRun& replica);  ///< to its kept state, if there is one
-  bool due(std::size_t job) const;
-  /// Into the file if `now`, or if that is due; else it waits for the next that is, or for flush().
+  bool has_state(std::size_t job) const;                 ///< whether a state of it is kept
+  void restore(std::size_t job, ReplicateRun& replica);  ///< sets its kept state, if there is one
+  bool due(std::size_t job) const;                       ///< whether a save of its state is due
+  /// Keeps the state of a replicate. Writes the file if `now` or if a write is due; otherwise the
+  /// next due write or flush() writes the state.
   void save(std::size_t job, ReplicateRun& replica, bool now = false);
-  void flush();
-  void remove();  ///< the run has ended as wanted
+  void flush();   ///< writes states that are not yet in the file
+  void remove();  ///< removes the file once the run has ended
 
-  /// That the last try to write the file did not succeed, and why; nothing if it did.
+  /// Why the last write of the file failed; empty if it succeeded.
   std::optional<Fault> write_error() const;
 
  private:
@@ -52,10 +53,10 @@ class Checkpoint {
   std::string run_id_;
   std::chrono::duration<double> interval_;
   std::vector<std::string> states_;                              // by job
-  std::vector<std::chrono::steady_clock::time_point> saved_at_;  // when
+  std::vector<std::chrono::steady_clock::time_point> saved_at_;  // of the last save, by job
   std::chrono::steady_clock::time_point written_at_ = std::chrono::steady_clock::now();
   bool loaded_ = false, unwritten_ = false;
-  std::optional<Fault> write_error_;  // the last try to write
+  std::optional<Fault> write_error_;  // of the last write
   WriteErrorCallback on_write_error_;
   mutable std::mutex mutex_;
 };

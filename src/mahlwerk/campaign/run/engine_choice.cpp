@@ -28,7 +28,7 @@ std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
-/// What the shares of a run, over all its replicates, say about its contacts.
+/// Shares of contact in a run, over all its replicates.
 struct Contacts {
   double share = 0;     ///< [1] of the balls' time in contact
   double withheld = 0;  ///< [1] power that the TC rule withheld, over the dissipated power
@@ -53,16 +53,17 @@ std::string percent(const ContactTimeEffect::Change& change) {
   return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.share, 100 * change.ci95);
 }
 
-/// "With a contact_time of 25 us instead of 0.1 ms the power of a pilot run changes by ...".
+/// "With a contact.contact_time of 25 us instead of 100 us the power of a pilot run changes by
+/// ...".
 std::string in_words(const ContactTimeEffect& effect, const cases::Case& what) {
   return fmt::format(
       "With a contact.contact_time of {:.3g} us instead of {:.3g} us the power of a pilot run "
-      "changes by {}, its hits above the threshold by {}.",
+      "changes by {}, the number of its hits above the threshold by {}.",
       1e6 * what.contact.contact_time * ContactTimeEffect::shorter, 1e6 * what.contact.contact_time,
       percent(effect.power), percent(effect.hits));
 }
 
-/// The name of the contact law, if bodies stick together by it.
+/// The name of the contact law if it is adhesive.
 std::optional<std::string_view> sticking(const cases::Case& what) {
   const contact::PairTable pairs = cases::pair_table(what);
   const auto any = [&](const contact::AdhesionParameter& adhesion) {
@@ -74,7 +75,7 @@ std::optional<std::string_view> sticking(const cases::Case& what) {
   return contact::name_of(law);
 }
 
-/// What keeps "auto" from the soft engine, as the end of a sentence; empty if nothing does.
+/// Why "auto" does not choose the soft engine, as the end of a sentence; empty if it may.
 std::string against_soft(const cases::Case& what) {
   cases::Case soft = what;
   soft.run.engine = cases::EngineName::soft;
@@ -84,22 +85,22 @@ std::string against_soft(const cases::Case& what) {
   const double work = static_cast<double>(balls(what)) * time / soft_settings(soft).rules.time_step;
   if (work <= most_soft_work) return "";
   return fmt::format(
-      "it would take some {:.0f} hours of a core; engine = \"soft\" asks for it, and softening "
-      "makes it fewer",
+      "it would take about {:.0f} hours of one core; engine = \"soft\" selects it nevertheless, "
+      "and contact.softening shortens it",
       std::max(2.0, work / most_soft_work));
 }
 
 std::string pilot_in_words(const Pilot& p) {
   return fmt::format(
-      "In a pilot run of {:.3g} s by the event engine the balls were in contact {} of the time.",
+      "In a pilot run of {:.3g} s with the event engine, balls were in contact {} of the time.",
       p.time, percent(p.contact_share));
 }
 
-/// Why the event engine is not advised, as a pilot run shows; empty if it is.
+/// Why the event engine is not recommended after a pilot run; empty if it is.
 std::string against_event(const Pilot& p) {
-  if (p.stopped) return "Physics stopped that run: balls are wedged.";
+  if (p.stopped) return "The pilot run stopped early: balls are wedged.";
   if (p.contact_share > contact_share_limit)
-    return fmt::format("Above {} contacts are better followed than counted as bounces.",
+    return fmt::format("Above {}, the soft engine is recommended, which resolves contacts in time.",
                        percent(contact_share_limit));
   return "";
 }
@@ -110,7 +111,7 @@ EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* sto
   if (what.run.engine != cases::EngineName::automatic) return {what.run.engine, {}};
   if (!geometry::exact_touches(*what.jar.shape))
     return {cases::EngineName::soft,
-            {fmt::format("Engine: soft, chosen by auto. The event engine does not take a jar of "
+            {fmt::format("Engine: soft, chosen by auto. The event engine does not support a jar of "
                          "kind \"{}\".",
                          geometry::name_of(*what.jar.shape))}};
   if (cases::fits_exactly(what))
@@ -119,12 +120,12 @@ EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* sto
              "spheres have no room to bounce."}};
   if (const auto law = sticking(what); law && against_soft(what).empty())
     return {cases::EngineName::soft,
-            {fmt::format("Engine: soft, chosen by auto. law = \"{}\" holds balls together, which "
-                         "the event engine does not know.",
+            {fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the event "
+                         "engine does not model adhesion.",
                          *law)}};
   if (balls(what) == 1)
     return {cases::EngineName::event,
-            {"Engine: event, chosen by auto. One ball flies, bounces, rolls and slides exactly."}};
+            {"Engine: event, chosen by auto. The motion of a single ball is computed exactly."}};
   cases::Case event = what;
   event.run.engine = cases::EngineName::event;
   const Pilot p = pilot(event, stop);
@@ -135,34 +136,37 @@ EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* sto
       against = in_words(effect, event);
   if (against.empty())
     return {cases::EngineName::event,
-            {fmt::format("Engine: event, chosen by auto. {} Up to {} it is advised.", seen,
-                         percent(contact_share_limit))}};
+            {fmt::format("Engine: event, chosen by auto. {} Up to {} this engine is recommended.",
+                         seen, percent(contact_share_limit))}};
   if (const std::string why = against_soft(what); !why.empty())
-    return {cases::EngineName::event,
-            {fmt::format(
-                "Engine: event, chosen by auto. {} {} The soft engine would be advised, but {}.",
-                seen, against, why)}};
+    return {
+        cases::EngineName::event,
+        {fmt::format(
+            "Engine: event, chosen by auto. {} {} The soft engine would be recommended, but {}.",
+            seen, against, why)}};
   return {cases::EngineName::soft,
           {fmt::format("Engine: soft, chosen by auto. {} {}", seen, against)}};
 }
 
 namespace {
 
-/// What sustained contacts do to a run of the event engine, by its shares and by two pilot runs.
+/// Effect of sustained contacts on a run of the event engine, from its shares of contact and two
+/// pilot runs.
 Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>* stop) {
   const Contacts contacts = contacts_of(outcome);
   Notices notes;
   if (contacts.share > contact_share_limit)
     notes.push_back(warning(
         "long-contacts",
-        fmt::format("The balls were in contact {} of the time. The event engine makes small "
-                    "bounces of such contacts: the number of all collisions and forces inside the "
-                    "bed are not those of lasting contacts. engine = \"soft\" follows them.",
+        fmt::format("Balls were in contact {} of the time. The event engine resolves such "
+                    "contacts into many small bounces: the total number of collisions and the "
+                    "forces inside the bed are not those of sustained contacts. engine = \"soft\" "
+                    "resolves these contacts.",
                     percent(contacts.share))));
   if (contacts.share <= contact_share_limit && contacts.withheld <= withheld_share_limit)
     return notes;
   if (stop != nullptr && *stop) return notes;
-  // A twentieth of the run's own work, but enough to tell something.
+  // A twentieth of the run's own collisions, but enough for an estimate.
   const std::int64_t work =
       std::clamp<std::int64_t>(contacts.collisions / 20, 20'000, pilot_collisions);
   const ContactTimeEffect effect = contact_time_effect(outcome.what, stop, work);
@@ -170,8 +174,9 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
   if (effect.matters())
     notes.push_back(invalid(
         "contact-time",
-        fmt::format("The result depends on contact.contact_time, which no measurement gives. {} "
-                    "Use a shorter contact_time until this goes away, or engine = \"soft\".",
+        fmt::format("The result depends on contact.contact_time, which cannot be measured. {} "
+                    "Shorten contact_time until this message disappears, or use "
+                    "engine = \"soft\".",
                     words)));
   else if (effect.known())
     notes.push_back(note("contact-time", words));
@@ -179,7 +184,7 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
     notes.push_back(
         {"contact-time",
          contacts.share > contact_share_limit ? Severity::invalid : Severity::warning,
-         fmt::format("Whether the result depends on contact.contact_time is not known well. {}",
+         fmt::format("It is uncertain whether the result depends on contact.contact_time. {}",
                      words)});
   return notes;
 }
@@ -199,8 +204,8 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   if (const auto law = sticking(outcome.what))
     notes.push_back(invalid(
         "sticking-law-ignored",
-        fmt::format("law = \"{}\" holds balls together. The event engine does not know that: its "
-                    "balls part without a pull (engine = \"soft\" follows it).",
+        fmt::format("law = \"{}\" is adhesive. The event engine does not model adhesion: its balls "
+                    "separate without a pull-off force. engine = \"soft\" models it.",
                     *law)));
   if (balls(outcome.what) > 1) append(notes, contact_notices(outcome, stop));
   return notes;

@@ -10,30 +10,32 @@
 
 namespace mahlwerk::campaign {
 
-/// Above this share of the balls' time in contact the event engine's answer is a gas of tiny
-/// bounces, and the soft engine is advised (docs/theory/many-balls.md).
+/// Above this share of the balls' time in contact, the event engine resolves sustained contacts
+/// into many small bounces, and the soft engine is recommended (docs/theory/many-balls.md).
 constexpr double contact_share_limit = 0.25;
-/// Above this share of power withheld by the TC rule two pilot runs measure what it does (man.8).
+/// Above this share of power withheld by the TC rule, two pilot runs measure the effect of the
+/// contact time (man.8).
 constexpr double withheld_share_limit = 0.02;
-/// Balls times steps that the soft engine does in about an hour on one core: "auto" does not ask
-/// for more.
+/// Balls times steps that the soft engine computes in about an hour on one core: the most for which
+/// "auto" chooses it.
 constexpr double most_soft_work = 6e10;
 
-/// The same that the check of an optimum asks for, about ten minutes on one core.
+/// The same for the check of an optimum, about ten minutes on one core.
 constexpr double most_check_work = 1e10;
 
-/// Which engine a case is run by, and why.
+/// The engine that runs a case, and why.
 struct EngineChoice {
   cases::EngineName engine;         ///< event or soft
-  std::vector<std::string> reason;  ///< empty where the case said it
+  std::vector<std::string> reason;  ///< empty if the case names the engine
 };
 
-/// As the case says; "auto" makes a short pilot run by the event engine, the same on any machine.
-/// `stop` set ends the pilot.
+/// The engine that the case names. For "auto", chosen from the case and, if necessary, a short
+/// pilot run of the event engine, which is the same on any machine. Setting `stop` ends the pilot
+/// run.
 EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* stop = nullptr);
 
-/// Which engine ran, why, and what to make of it.
-/// Where sustained contacts may matter two pilot runs say how much; `stop` set ends them.
+/// Notices on the engine that ran and on the validity of its results. Where sustained contacts may
+/// matter, two pilot runs measure their effect; setting `stop` ends them.
 Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choice,
                        const std::atomic<bool>* stop = nullptr);
 

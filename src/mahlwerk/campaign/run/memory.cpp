@@ -15,20 +15,20 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Twice what 5e4 to 2e5 balls at a filling of 30 % were seen to take, since a bed that has settled
-/// has more contacts (docs/performance.md, "Memory").
+/// [bytes] per ball: twice the memory measured with 5e4 to 2e5 balls at a filling of 30 %, because
+/// a settled bed has more contacts (docs/performance.md, "Memory").
 constexpr double soft_ball = 1600, event_ball = 1200;
 constexpr double any_replicate = 2e6;  // histograms, time series
 constexpr double pair_of_kinds = 8e3;  // a histogram and sums
 
-/// A number in a file that holds one, or "max".
+/// The number in a file; empty if the file holds the word "max".
 std::optional<double> number_in(const std::string& file) {
   std::ifstream stream(file);
   double number = 0;
   return stream >> number ? std::optional(number) : std::nullopt;
 }
 
-/// What a line "NAME:  NUMBER kB" of /proc/meminfo says.
+/// [bytes] The number of a line "NAME:  NUMBER kB" of /proc/meminfo.
 std::optional<double> meminfo(const std::string& file, const std::string& name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -40,7 +40,8 @@ std::optional<double> meminfo(const std::string& file, const std::string& name) 
   return std::nullopt;
 }
 
-/// What a control group leaves; its limit is "max", or beyond all memory, where there is none.
+/// [bytes] Memory left in a control group. Without a limit, its file holds "max" or a number above
+/// all memory.
 std::optional<double> left_by(const std::string& limit, const std::string& used) {
   const auto most = number_in(limit), now = number_in(used);
   if (!most || !now) return std::nullopt;
@@ -58,7 +59,7 @@ double memory_needed(const cases::Case& what) {
   const auto balls = static_cast<double>(cases::balls_count(what.balls));
   const auto sets = static_cast<double>(what.balls.size());
   const double each =
-      what.run.engine == cases::EngineName::event ? event_ball : soft_ball;  // "auto" may take it
+      what.run.engine == cases::EngineName::event ? event_ball : soft_ball;  // "auto": may be soft
   return any_replicate + pair_of_kinds * sets * (sets + 3) / 2 + each * balls;
 }
 
@@ -88,12 +89,12 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
                            ? fmt::format("run fewer replicates at once, --threads {:.0f}, or take ",
                                          std::max(1.0, std::floor(*available / each)))
                            : std::string("take ");
-  remedy += fmt::format("fewer or larger balls: one replicate of some {:.2g} fits", fits);
+  remedy += fmt::format("fewer or larger balls: one replicate of about {:.2g} balls fits", fits);
   return {{largest.powder && largest.powder->grain_size
                ? cases::location_of(largest, "powder.grain_size")
                : cases::location_of(largest, "balls.1.count"),
-           fmt::format("{:.3g} balls in {:.0f} replicate{} at once need about {} of memory, and "
-                       "there are {}",
+           fmt::format("{:.3g} balls in {:.0f} replicate{} at once need about {} of memory, but "
+                       "{} are available",
                        balls, running, running == 1 ? "" : "s", in_megabytes(needed),
                        in_megabytes(*available)),
            std::move(remedy), "not-enough-memory"}};

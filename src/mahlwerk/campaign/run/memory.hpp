@@ -9,15 +9,14 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
 
-// Memory a run takes and what there is of it.
+// Memory that a run needs, and memory that is available.
 namespace mahlwerk::campaign {
 
-/// [bytes] that one replicate of the case takes at most, about: what its engine keeps of a ball,
-/// and what is counted.
+/// [bytes] Estimated peak memory of one replicate: the engine's data for each ball, and statistics.
 double memory_needed(const cases::Case& what);
 
-/// [bytes] this process may still take: what the machine has free or, where that is less, what its
-/// control group leaves. Nothing where the system does not say. `root` is put before the paths
+/// [bytes] Memory still available to this process: that of the machine or, if less, that of its
+/// control group. Empty if the system does not report it. `root` is a prefix of the paths that are
 /// read.
 std::optional<double> memory_available(const std::string& root = "");
 

@@ -12,7 +12,8 @@
 
 namespace mahlwerk::campaign {
 
-/// Does `work(i)` for every i below `count`; the first failure ends it and is thrown again here.
+/// Calls `work(i)` for every i below `count`. The first exception ends the loop and is rethrown
+/// here.
 template <class Work>
 void in_parallel(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next = 0;

@@ -14,8 +14,8 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Counts hits, and ends the engine's work once there were enough collisions or the user wants it:
-/// wedged balls may make millions in a short time.
+/// Counts hits, and stops the engine after enough collisions or when the user asks for it: wedged
+/// balls may collide millions of times in a short time.
 struct HitCounter final : scene::Observer {
   HitCounter(double least, std::int64_t collisions, const std::atomic<bool>* user)
       : threshold(least), left(collisions), stop(user) {}
@@ -30,7 +30,7 @@ struct HitCounter final : scene::Observer {
   std::atomic<bool> enough = false;
 };
 
-/// The run at the end of one of its parts.
+/// State of the pilot run at the end of one of its parts.
 struct Sample {
   scene::EnergyBalance energy_balance;
   std::int64_t hits = 0;
@@ -68,7 +68,7 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
       if (trial->energy_balance().time > samples.back().energy_balance.time)
         samples.push_back({trial->energy_balance(), counter.hits});
     }
-  } catch (const RunError&) {  // what it showed until then has to do
+  } catch (const RunError&) {  // the samples so far are used
     seen.stopped = true;
   }
   samples.erase(samples.begin(), samples.begin() + std::ssize(samples) / 2);
@@ -82,7 +82,7 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
   return seen;
-} catch (const Interrupted&) {  // while balls were placed: it shows nothing
+} catch (const Interrupted&) {  // while balls were placed: no result
   return {};
 }
 

@@ -37,7 +37,7 @@ double thread_cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Progress of all replicates together, told at most ten times a second.
+/// Progress of all replicates together, reported at most ten times a second.
 class ProgressReporter {
  public:
   ProgressReporter(const RunOptions& options, double total) : options_(&options) {
@@ -63,7 +63,7 @@ class ProgressReporter {
   Clock::time_point reported_ = Clock::now();
 };
 
-/// Whether another point may fare better: not where a file cannot be written.
+/// Whether a failure concerns one point only. A file that cannot be written concerns all points.
 bool is_point_failure(const std::exception& why) {
   if (dynamic_cast<const std::system_error*>(&why) != nullptr) return false;
   const auto* input = dynamic_cast<const InputError*>(&why);
@@ -73,7 +73,7 @@ bool is_point_failure(const std::exception& why) {
          });
 }
 
-/// A point at work.
+/// An active point: its case, engine and replicates.
 struct ActivePoint {
   ActivePoint(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
       : index(point), choice(choose_engine(made, stop)), decided(made) {
@@ -87,12 +87,12 @@ struct ActivePoint {
 
   std::size_t index;
   EngineChoice choice;
-  cases::Case decided;  // with the engine that runs it
+  cases::Case decided;  // the case with the chosen engine
   results::Outcome outcome;
-  std::size_t next = 0;               // replicate to begin
+  std::size_t next = 0;               // next replicate to begin
   std::size_t left = 0;               // replicates that have not ended
-  std::exception_ptr failure;         // of the first that failed: no other is begun
-  std::atomic<bool> dropped = false;  // then, for those at work
+  std::exception_ptr failure;         // of the first failed replicate: no further one is begun
+  std::atomic<bool> dropped = false;  // tells active replicates to end after a failure
   Clock::time_point began = Clock::now();
 };
 
@@ -135,7 +135,7 @@ class CampaignRunner {
     changed_.notify_all();
   }
 
-  /// The next replicate of a point at work, else of a new point; nothing once all has begun.
+  /// The next replicate of an active point, else of a new point; empty once all have begun.
   std::optional<Task> next_task() {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -145,13 +145,13 @@ class CampaignRunner {
       if (next_ < queue_.size && !stopped())
         open_next(lock);
       else if (opening_ > 0)
-        changed_.wait(lock);  // it may bring work for more than one
+        changed_.wait(lock);  // the new point may have several replicates
       else
         return std::nullopt;
     }
   }
 
-  /// Others go on while the case is read.
+  /// Unlocks the mutex while the case is read, so that other threads continue.
   void open_next(std::unique_lock<std::mutex>& lock) {
     const std::size_t index = next_++;
     ++opening_;
@@ -170,7 +170,7 @@ class CampaignRunner {
     if (point) open_.push_back(std::move(point));
   }
 
-  /// Nothing if it failed, which has been said then.
+  /// Null if the point failed; the failure has been reported.
   std::shared_ptr<ActivePoint> open(std::size_t index) try {
     cases::Case what = queue_.open(index);
     std::vector<Fault> wrong = run_faults(what);
@@ -184,13 +184,13 @@ class CampaignRunner {
 
   int threads() const { return std::max(1, options_.threads); }
 
-  /// Runs a replicate; with the last of its point, gives the outcome away.
+  /// Runs a replicate; after the last one of a point, passes on the outcome.
   void finish(const Task& task) {
     ActivePoint& point = *task.point;
     std::exception_ptr error;
     try {
       point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
-    } catch (const Interrupted&) {  // before it began
+    } catch (const Interrupted&) {  // stopped before the replicate began
       point.outcome.replicates[task.replicate].complete = false;
     } catch (...) {
       error = std::current_exception();
@@ -211,7 +211,7 @@ class CampaignRunner {
     queue_.done(point.index, std::move(point.outcome));
   }
 
-  /// The gravest first.
+  /// Sorted by severity, the most severe first.
   Notices notices(const ActivePoint& point) const {
     Notices list = results::warnings(point.outcome);
     append(list, rolling_notices(point.outcome));
@@ -220,7 +220,7 @@ class CampaignRunner {
     return list;
   }
 
-  /// No further replicate of it is begun, those at work end soon.
+  /// Begins no further replicate of the point; active ones end soon.
   static void drop(ActivePoint& point, const std::exception_ptr& why) {
     point.failure = why;
     point.dropped = true;
@@ -240,7 +240,7 @@ class CampaignRunner {
     const CheckpointSlot slot =
         queue_.checkpoint_slot ? queue_.checkpoint_slot(point.index) : CheckpointSlot{};
     const std::size_t job = slot.first_job + replicate;
-    // What an earlier process computed is there again, even if nobody waits for more.
+    // A kept state is restored even after a stop, so that the outcome includes it.
     const bool begun = slot.checkpoint != nullptr && slot.checkpoint->has_state(job);
     ReplicateRun replica(point.decided, r,
                          options_.records ? options_.records(point.index, r) : nullptr,
@@ -250,7 +250,7 @@ class CampaignRunner {
     if (slot.checkpoint != nullptr) slot.checkpoint->restore(job, replica);
     const double weight = queue_.weight ? queue_.weight(point.index) : 1;
     progress_.add(weight * replica.energy_balance().time, 0,
-                  0);  // what was done by an earlier process
+                  0);  // simulated by an earlier process
     const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
     while (!replica.done() && !stopped() && !point.dropped) {
       const scene::EnergyBalance before = replica.energy_balance();
@@ -266,10 +266,10 @@ class CampaignRunner {
     return replica.result();
   }
 
-  /// `cpu`: [s] the thread's time when it would have begun here.
+  /// `cpu`: [s] CPU time of the thread minus that of the replicate.
   void save_final_state(const CheckpointSlot& slot, std::size_t job, ReplicateRun& replica,
                         double cpu) const {
-    constexpr double worth = 0.05;  // [s] of computing
+    constexpr double worth = 0.05;  // [s] CPU time worth a write
     const bool long_enough = thread_cpu_seconds() - cpu > worth;
     if (stopped() || slot.on_end == CheckpointSlot::OnEnd::write)
       slot.checkpoint->save(job, replica, true);
@@ -282,8 +282,8 @@ class CampaignRunner {
   ProgressReporter progress_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::list<std::shared_ptr<ActivePoint>> open_;  // points with replicates that have not ended
-  std::size_t next_ = 0;                          // point to open
+  std::list<std::shared_ptr<ActivePoint>> open_;  // points with unfinished replicates
+  std::size_t next_ = 0;                          // next point to open
   int opening_ = 0;                               // points being opened
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;

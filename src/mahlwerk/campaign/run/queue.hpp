@@ -9,40 +9,41 @@
 
 namespace mahlwerk::campaign {
 
-/// Where the states of a point's replicates are kept, from which job on.
+/// Where the states of a point's replicates are kept, and the job of its first replicate.
 struct CheckpointSlot {
-  /// What becomes of the state of a replicate that has ended.
+  /// What to do with the state of a replicate that has ended.
   enum class OnEnd {
-    write,           ///< at once
-    write_when_due,  ///< with the next that is due, if it took long enough to be worth it
-    discard          ///< nobody waits for it: the point ends with it
+    write,           ///< write it at once
+    write_when_due,  ///< write it with the next due write, if the replicate took long enough
+    discard          ///< not needed: the point ends with this replicate
   };
   Checkpoint* checkpoint = nullptr;
   std::size_t first_job = 0;
   OnEnd on_end = OnEnd::write;
 };
 
-/// Runs that wait to be done. Only those at work are in memory: a point's case is asked for when
-/// its first replicate begins, and its outcome is given away when the last one ends.
+/// A queue of runs. Only active points are in memory: `open` returns a point's case when its first
+/// replicate begins, `done` takes its outcome when the last one ends.
 struct RunQueue {
   std::size_t size = 0;
-  /// The case of a point; an InputError makes it fail. From several threads at once.
+  /// Returns the case of a point; an InputError makes the point fail. Called from several threads.
   std::function<cases::Case(std::size_t point)> open;
-  /// What came of it, interrupted or not; from several threads at once. What it throws ends all.
+  /// Takes the outcome of a point, interrupted or not. Called from several threads. An exception
+  /// ends the queue.
   std::function<void(std::size_t point, results::Outcome&& outcome)> done;
-  /// Instead of `done`, once none of its replicates is at work: why the point cannot be run. If
-  /// there is none, it ends all; so does trouble with files, which is not the point's.
+  /// Called instead of `done` when a point cannot be run, once none of its replicates is active. If
+  /// empty, the failure ends the queue. A failure to write files always does.
   std::function<void(std::size_t point, const std::exception& why)> failed;
-  std::function<CheckpointSlot(std::size_t point)> checkpoint_slot;  ///< none: no state is kept
-  int threads_per_replicate = 1;  ///< that share the work of one replicate
-  double total = 0;  ///< [s] to be simulated in all; with `weight`, of that; 0: not known
-  /// What a point's second counts towards `total`; none: 1.
+  std::function<CheckpointSlot(std::size_t point)> checkpoint_slot;  ///< empty: no state is kept
+  int threads_per_replicate = 1;  ///< threads that share the work of one replicate
+  double total = 0;               ///< [s] simulated in all, weighted by `weight`; 0: not known
+  /// Weight of a point's simulated time in `total`; empty: 1.
   std::function<double(std::size_t point)> weight;
 };
 
-/// Works a queue off, as many replicates at a time as options.threads, each point's replicates
-/// together. Returns when all is done, or options.stop was set. The outcomes do not depend on how
-/// many threads there are.
+/// Runs all points of a queue, at most options.threads replicates at a time, the replicates of a
+/// point together. Returns when all have ended, or when options.stop is set. Outcomes do not depend
+/// on the number of threads.
 void run_queue(const RunQueue& queue, const RunOptions& options);
 
 }  // namespace mahlwerk::campaign

@@ -37,7 +37,7 @@ event::Rules rules(const cases::Contact& c) {
       .contact_time = c.contact_time};
 }
 
-/// The change of everything between two looks, as one row of the time series.
+/// Differences between the start and the end of a window, as one row of the time series.
 results::Window window_between(double end, const scene::EnergyBalance& a,
                                const scene::EnergyBalance& b, const observe::CollisionSums& all,
                                const observe::CollisionSums& above,
@@ -56,7 +56,7 @@ results::Window window_between(double end, const scene::EnergyBalance& a,
 
 }  // namespace
 
-/// What is counted, and, if asked for, kept.
+/// Counts collisions, and passes them to the recorder if there is one.
 class ReplicateRun::RecordingObserver final : public scene::Observer {
  public:
   explicit RecordingObserver(ReplicateRun& replica) : replica_(replica) {}
@@ -103,7 +103,7 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int th
 
 namespace {
 
-/// A wait for certainty begins with stretches of this many periods of the mill, or seconds.
+/// [s] With `until`, the first windows take one period of the mill, or 0.05 s if it has none.
 double first_window_length(const cases::Case& what) {
   if (!what.run.until) return what.run.time / ReplicateRun::max_windows;
   const double period = kinematics::period(*what.mill.motion);
@@ -133,7 +133,7 @@ ReplicateRun::ReplicateRun(const cases::Case& what, int index,
     result_.replay =
         observe::Replay(mill, static_cast<std::size_t>(balls_), what.run.settle, what.run.time);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
-  // The soft engine's work is known beforehand: below 0.1 s for 1000 balls.
+  // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
   if (what.run.engine == cases::EngineName::soft)
     slice_ = std::min(slice_, 1e3 * soft_settings(what).rules.time_step);
 }
@@ -143,7 +143,7 @@ double ReplicateRun::window_end(int window) const {
   return what_->run.settle + (last ? what_->run.time : window_length_ * window);
 }
 
-/// All stretches are done, or there is certainty, or no more time for it.
+/// All windows are done, the requested precision is reached, or the time for it is over.
 bool ReplicateRun::finished() const {
   if (!what_->run.until) return window_ > max_windows;
   return converged_ || window_end(window_) > (what_->run.settle + what_->run.time) * (1 + 1e-12);
@@ -153,21 +153,21 @@ bool ReplicateRun::done() const {
   return finished() || !result_.stop_reason.empty();
 }
 
-/// To `time`, or to where physics stops it.
+/// Advances to `time`, or until a RunError.
 void ReplicateRun::advance(double time) {
   RecordingObserver recording(*this);
   try {
     engine_->advance(time, recording);
   } catch (const RunError& e) {
-    result_.stop_reason = fmt::format("{}. The balls as they were then: {}.csv", e.what(),
+    result_.stop_reason = fmt::format("{}. State of the balls at that time: {}.csv", e.what(),
                                       results::stopped_name(index_));
     result_.balls_at_stop = engine_->balls();
   }
   result_.energy_balance = engine_->energy_balance();
 }
 
-/// Times at which the charge is looked at, spread so that they meet a periodic motion in all its
-/// phases.
+/// [s] The next time at which the charge is sampled. The golden ratio spreads the times over all
+/// phases of a periodic motion.
 double ReplicateRun::next_charge_sample() const {
   if (window_ == 0 || charge_samples_taken_ == charge_samples_)
     return std::numeric_limits<double>::infinity();
@@ -177,7 +177,8 @@ double ReplicateRun::next_charge_sample() const {
          window_length_ * (charge_samples_taken_ + jitter) / charge_samples_;
 }
 
-/// So many looks in the next stretch that they cost little beside its work.
+/// Sets the number of charge samples in the next window so that they cost little compared with its
+/// work.
 void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
                                        const scene::EnergyBalance& now) {
   constexpr std::int64_t steps = 512, collisions = 200, most = 20;
@@ -188,7 +189,7 @@ void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
   charge_samples_taken_ = 0;
 }
 
-/// What is due at the time reached: frames, the film of the report, looks at the charge.
+/// Takes the samples that are due: frames, frames of the report's film, samples of the charge.
 void ReplicateRun::take_samples() {
   if (!result_.stop_reason.empty()) return;
   const double time = result_.energy_balance.time;
@@ -250,7 +251,7 @@ results::Replicate ReplicateRun::result() const {
   return given;
 }
 
-/// What was counted of the stretch that did not end.
+/// Adds the window that did not end.
 void ReplicateRun::add_partial_window(results::Replicate& given) const {
   if (window_ == 0)
     given.at_settled = given.energy_balance;

@@ -12,30 +12,32 @@
 
 namespace mahlwerk::campaign {
 
-/// One replicate of a case in the making: settles, then counts, stretch by stretch.
+/// One replicate of a case: settles, then counts collisions window by window.
 class ReplicateRun {
  public:
-  /// `recorder` gets every counted record, `frames` the frames that the case asks for. Once `*stop`
-  /// is set run_slice() returns early; throws Interrupted if that is so while balls are placed.
+  /// `recorder` receives every counted record, `frames` the frames that the case requests. Once
+  /// `*stop` is set, run_slice() returns early; throws Interrupted if `*stop` is set while balls
+  /// are placed.
   ReplicateRun(const cases::Case& what, int index,
                std::unique_ptr<scene::Observer> recorder = nullptr,
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
                const std::atomic<bool>* stop = nullptr);
 
-  /// Once `*stop` is set run_slice() returns early.
+  /// Once `*stop` is set, run_slice() returns early.
   void stop_on(const std::atomic<bool>* stop) { engine_->stop_on(stop); }
   bool done() const;
-  /// Goes on for about a twentieth of a second of work. How a run is cut changes no bit of it.
+  /// Advances by about a twentieth of a second of computing. The division of a run into slices
+  /// changes no bit of its results.
   void run_slice();
   const scene::EnergyBalance& energy_balance() const { return result_.energy_balance; }
-  double& cpu_seconds() { return result_.cpu_seconds; }  ///< for whoever measures it
-  /// What it has given so far.
+  double& cpu_seconds() { return result_.cpu_seconds; }  ///< measured by the caller
+  /// The result so far.
   results::Replicate result() const;
-  /// Writes the state to `archive`, or takes it from there (scene::Engine::serialize).
+  /// Writes the state to `archive`, or reads it from there (scene::Engine::serialize).
   void serialize(Archive& archive);
 
-  /// Rows of the time series, however long the run is; a run that waits for certainty has half as
-  /// many, or more.
+  /// Windows, which are the rows of the time series, in a run of any length. A run with `until` has
+  /// 50 or more.
   static constexpr int max_windows = 200;
 
  private:
@@ -55,23 +57,23 @@ class ReplicateRun {
   std::unique_ptr<results::FrameFiles> frames_;
   results::FrameTimes frame_times_;
   results::Replicate result_;
-  double window_length_;          // [s] length of a stretch
-  bool streams_;                  // energies are kept for a sample of the powder
-  bool converged_ = false;        // it is as sure as was asked for
-  int charge_samples_ = 4;        // at the charge in this stretch
-  int charge_samples_taken_ = 0;  // of them
+  double window_length_;          // [s]
+  bool streams_;                  // collision energies are kept for the powder sample
+  bool converged_ = false;        // the requested precision is reached
+  int charge_samples_ = 4;        // in this window
+  int charge_samples_taken_ = 0;  // taken in this window
   std::int64_t charge_samples_ever_ = 0;
   std::int64_t balls_ = 0;
   std::unique_ptr<scene::Engine> engine_;
   int window_ = 0;                      // 0: settling
-  scene::EnergyBalance last_;           // when the stretch began
-  observe::CollisionSums all_, above_;  // then
-  double slice_ = 1e-3;                 // [s] simulated
+  scene::EnergyBalance last_;           // at the start of the window
+  observe::CollisionSums all_, above_;  // at the start of the window
+  double slice_ = 1e-3;                 // [s] simulated time of a slice
 };
 
-/// The engine of one replicate at its start: run.engine, where "auto" counts as "event".
-/// `threads` may share its work; the result does not depend on them. Heeds `stop`
-/// (scene::Engine::stop_on) from the placing of the balls on, where it throws Interrupted.
+/// The engine of one replicate at its start: run.engine, where "auto" counts as "event". `threads`
+/// threads share its work; the result does not depend on their number. `stop` takes effect from the
+/// placement of the balls on (scene::Engine::stop_on), where it throws Interrupted.
 std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads = 1,
                                       const std::atomic<bool>* stop = nullptr);
 

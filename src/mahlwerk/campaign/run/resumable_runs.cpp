@@ -17,14 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that a point's outcome depends on.
+/// Text of all inputs that determine a point's outcome.
 std::string run_identity(const cases::Case& point, std::string_view version) {
   return fmt::format("version {}\n{}{}", version, cases::write(point),
                      cases::input_files_fingerprint(point));
 }
 
-/// The states of a point's replicates, as far as they are known, in `file`. Replicates that take
-/// less than `every` [s] are run again after a process was killed.
+/// The states of a point's replicates, read from `file` if it exists; null if the point records
+/// collisions or frames. Replicates that take less than settings.interval are run again after a
+/// process was killed.
 std::unique_ptr<Checkpoint> checkpoint_of(const cases::Case& point, const std::string& what,
                                           const fs::path& file,
                                           const ResumableRuns::CheckpointSettings& settings) {
@@ -37,7 +38,7 @@ std::unique_ptr<Checkpoint> checkpoint_of(const cases::Case& point, const std::s
   if (fs::exists(file)) try {
       states->load();
     } catch (const InputError&) {
-      return fresh();  // damaged: the run begins anew
+      return fresh();  // damaged: the run starts from the beginning
     }
   return states;
 }
@@ -75,7 +76,7 @@ std::vector<results::Outcome> ResumableRuns::compute(const std::vector<cases::Ca
   if (begun > 0 && settings.on_resume) settings.on_resume(begun);
   queue.size = points.size();
   queue.threads_per_replicate =
-      std::max(1, options.threads / std::max(1, static_cast<int>(jobs)));  // those to spare help
+      std::max(1, options.threads / std::max(1, static_cast<int>(jobs)));  // uses spare threads
   queue.open = [&](std::size_t i) { return points[i]; };
   queue.done = [&](std::size_t i, results::Outcome&& ended) {
     if (states[i]) states[i]->flush();

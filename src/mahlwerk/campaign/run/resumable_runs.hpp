@@ -14,8 +14,8 @@
 
 namespace mahlwerk::campaign {
 
-/// Runs that go on where a process was ended: their states stand beside the results they are for,
-/// in a folder of the same name with ".checkpoints" after it, which is this process's alone.
+/// Runs that resume where a process was ended. Their states are beside the results, in a folder of
+/// the same name with ".checkpoints" appended, which only this process uses.
 class ResumableRuns {
  public:
   /// For results in `results`. Throws InputError if another process is at work on them, or the
@@ -24,18 +24,17 @@ class ResumableRuns {
   const std::filesystem::path& folder() const { return folder_; }
 
   struct CheckpointSettings {
-    std::string_view version;  ///< of the program: it goes on with its own states only
-    double interval = 1;       ///< [s] between two states
-    std::function<void(std::size_t begun)> on_resume = {};  ///< how many points go on, if any
-    std::function<void(const Fault&)> on_write_error;       ///< states that cannot be kept
+    std::string_view version;  ///< of the program; states of other versions are not used
+    double interval = 1;       ///< [s] between two saves of a state
+    std::function<void(std::size_t begun)> on_resume = {};  ///< if points resume: how many
+    std::function<void(const Fault&)> on_write_error;       ///< called if states cannot be written
   };
-  /// All points computed together, those that have ended before taken as they ended. Points that
-  /// keep every collision, or frames, are run anew.
+  /// Computes all points together; the kept states of points that have ended are used. Points that
+  /// record every collision, or frames, start from the beginning.
   std::vector<results::Outcome> compute(const std::vector<cases::Case>& points,
                                         const Streams& streams, RunOptions options,
                                         const CheckpointSettings& settings);
-  /// The results have been written: forgets what was computed. States of runs with other settings
-  /// stay.
+  /// Removes the states once the results are written. States of runs with other settings stay.
   void remove();
 
  private:

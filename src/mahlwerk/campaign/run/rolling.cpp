@@ -27,7 +27,7 @@ struct ThresholdCounter final : scene::Observer {
   double above = 0;
 };
 
-/// What is compared between the two rules.
+/// Rates that are compared between the two rules.
 struct Rates {
   double time = 0;   ///< [s]
   double power = 0;  ///< [W]
@@ -48,7 +48,7 @@ double contact_share(const std::vector<const results::Replicate*>& chosen) {
   return time > 0 ? contact / time : 0;
 }
 
-/// The first replicate as it ran, over the same time.
+/// Rates of the first replicate in the outcome, over the first `time` [s].
 Rates recorded_rates(const results::Replicate& r, double time) {
   Rates found;
   for (const results::Window& w : r.windows) {
@@ -62,7 +62,8 @@ Rates recorded_rates(const results::Replicate& r, double time) {
   return found;
 }
 
-/// The first replicate by the TC rule, for some seconds or collisions. The same on any machine.
+/// Rates of the first replicate with the TC rule, over 1 s or 20 000 collisions. The same on any
+/// machine.
 Rates tc_rates(cases::Case what) {
   constexpr double long_enough = 1;  // [s]
   constexpr std::int64_t enough = 20'000;
@@ -83,7 +84,7 @@ Rates tc_rates(cases::Case what) {
       found.power = (trial->energy_balance().lost() - before.lost()) / found.time;
       found.hits = hits.above / found.time;
     }
-  } catch (const RunError&) {  // what it saw until then has to do
+  } catch (const RunError&) {  // the rates so far are used
   }
   return found;
 }
@@ -104,15 +105,15 @@ Notices rolling_notices(const results::Outcome& outcome) {
   const std::string other =
       tc.time > 0 && roll.time > 0
           ? fmt::format(
-                "Its first {} s by the TC rule (contact.lasting = \"tc\") dissipate {} instead "
+                "Its first {} s with the TC rule (contact.lasting = \"tc\") dissipate {} instead "
                 "of {}, with {:.3g} instead of {:.3g} hits above the threshold per second.",
                 two_digits(tc.time), show_rounded(tc.power, "W"), show_rounded(roll.power, "W"),
                 tc.hits, roll.hits)
           : "Compare with contact.lasting = \"tc\".";
   return {warning("mostly-rolling",
                   fmt::format("The ball rolled or slid on the wall {:.0f} % of the time, by a rule "
-                              "or a friction that the case does not give (contact.lasting, "
-                              "lasting_friction). {}",
+                              "or a friction that the case does not specify (contact.lasting, "
+                              "contact.lasting_friction). {}",
                               100 * rolled, other))};
 }
 

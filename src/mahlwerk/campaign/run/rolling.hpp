@@ -6,8 +6,9 @@
 
 namespace mahlwerk::campaign {
 
-/// Of one ball that rolled or slid on the wall for most of the time, by a rule or a friction that
-/// the case does not say: what the TC rule gives, by a short run of its own. Nothing else.
+/// For one ball that rolled or slid on the wall for most of the time, by a rule or a friction that
+/// the case does not specify: a notice with the results of a short run with the TC rule. Else
+/// empty.
 Notices rolling_notices(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::campaign

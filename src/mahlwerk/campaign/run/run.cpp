@@ -18,7 +18,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// All that is wrong with any of the points, and what there is to be done.
+/// Faults of all points, and their work.
 struct Load {
   std::vector<Fault> wrong;
   std::vector<std::size_t> first_job;  // of each point: replicates of those before it
@@ -37,7 +37,7 @@ Load load_of(const std::vector<cases::Case>& points) {
   return load;
 }
 
-/// Of a point that was never begun.
+/// Outcome of a point that was never begun.
 results::Outcome unstarted_outcome(const cases::Case& what) {
   const auto count = static_cast<std::size_t>(what.run.replicates);
   results::Outcome outcome{.what = what, .replicates = {count, results::empty_replicate(what)}};
@@ -56,7 +56,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
   own.threads = thread_count(options.threads);
   if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
   if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
-  own.memory = std::nullopt;  // looked at for all of them together
+  own.memory = std::nullopt;  // checked above for all points together
   std::vector<std::optional<results::Outcome>> ended(points.size());
   const auto started = std::chrono::steady_clock::now();
   RunQueue queue;
@@ -67,7 +67,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
     queue.checkpoint_slot = [&](std::size_t i) {
       return CheckpointSlot{options.checkpoint, load.first_job[i]};
     };
-  // Threads that no replicate is left for help those there are.
+  // Spare threads share the work of replicates.
   queue.threads_per_replicate = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
   queue.total = load.total;
   run_queue(queue, own);

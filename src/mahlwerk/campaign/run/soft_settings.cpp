@@ -17,10 +17,10 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Above this balls pass through each other, and through the wall.
+/// Overlap, relative to the radius, above which balls pass through each other and through the wall.
 constexpr double sinking = 1;
 
-/// One ball of each size and set, for what depends on sizes alone.
+/// One ball of each size and set, for quantities that depend on sizes alone.
 std::vector<scene::Ball> one_of_each(const cases::Case& what) {
   std::vector<scene::Ball> balls;
   for (std::size_t i = 0; i < what.balls.size(); ++i)
@@ -39,23 +39,23 @@ double meeting_speed(const cases::Case& what) {
   const auto most = kinematics::bounds(*what.mill.motion);
   const double parts = geometry::rotor_tip_speed(*what.jar.shape);
   const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
-  constexpr double least = 0.01;  // m/s, so that a charge at rest has a step, too
+  constexpr double least = 0.01;  // m/s: a charge at rest needs a finite step, too
   return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
 }
 
-/// Why the time step is as long as it is.
+/// What determines the length of the time step.
 std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
   if (what.run.time_step) return "as given";
   const double fraction = what.run.time_step_fraction;
   const double usual = steps.recommended(fraction);
   if (usual == fraction * steps.rayleigh)
-    return fmt::format("the asked {:.4g} % of the Rayleigh time", 100 * fraction);
+    return fmt::format("the requested {:.4g} % of the Rayleigh time", 100 * fraction);
   if (usual == steps.damper / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
   return fmt::format("a fiftieth of {}", contact::shortest_time_name(*what.contact.model.law));
 }
 
-/// The largest of what the step leaves collisions off by, over all pairs of the case.
+/// The largest error of a collision due to the time step, over all pairs of the case.
 soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   const contact::PairTable pairs = cases::pair_table(what);
   soft::StepError worst;
@@ -72,16 +72,16 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   return worst;
 }
 
-/// What a step means for the shortest collision, in words.
+/// Error of the shortest collision due to the time step, in words.
 std::string error_note(const cases::Case& what, const SoftSettings& s) {
   const soft::StepError e = step_error_of(what, s);
   return fmt::format(
-      "In that step the shortest collision is off by at most about {} % of its speed of "
-      "rebound, {} % of its speed across and {} % of its spin.",
+      "With this step, the shortest collision is off by at most about {} % of its rebound "
+      "speed, {} % of its tangential speed and {} % of its spin.",
       two_digits(100 * e.rebound), two_digits(100 * e.tangential), two_digits(100 * e.spin));
 }
 
-/// To two digits, downwards.
+/// Rounded down to two digits.
 double rounded_down(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::floor(x / unit * (1 + 1e-12)) * unit;
@@ -116,7 +116,7 @@ Notices soft_notices(const cases::Case& what) {
       note("time-step",
            fmt::format("Time step {}, {}: {} % of the Rayleigh time and {} % of the shortest "
                        "collision ({}) "
-                       "of balls that meet at {}, where they overlap by {} % of their radius.",
+                       "of balls that collide at {}, with an overlap of {} % of their radius.",
                        show_rounded(step, "s"), reason(what, s.steps),
                        two_digits(100 * step / s.steps.rayleigh),
                        two_digits(100 * step / s.steps.contact), show_rounded(s.steps.contact, "s"),
@@ -133,7 +133,7 @@ Notices overlap_warnings(const cases::Case& what) {
     notes.push_back(warning(
         "soft-contacts",
         fmt::format(
-            "Contacts are so soft that balls which meet at {} overlap by {} % of their "
+            "Contacts are so soft that balls which collide at {} overlap by {} % of their "
             "radius, more than {:.0f} %. Forces and contact times are then those of softer bodies; "
             "a larger "
             "contact.softening or stiffness makes them harder.",
@@ -147,12 +147,12 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   const SoftSettings s = soft_settings(what);
   if (s.steps.overlap > sinking)
     found.push_back({cases::location_of(what, "contact.softening"),
-                     fmt::format("contacts are so soft that balls, which may meet at {}, "
-                                 "would sink into each other by {} of their radius",
+                     fmt::format("contacts are so soft that balls, which may collide at {}, "
+                                 "would overlap by {} of their radius",
                                  show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap)),
                      "give a larger softening, modulus or stiffness, or a smaller cohesion",
                      "contacts-too-soft"});
-  constexpr double most_steps = 1e13;  // a month or more, and as far as a clock can count
+  constexpr double most_steps = 1e13;  // a month or more; near the resolution of the simulated time
   const double time = what.run.settle + what.run.time;
   if (time > most_steps * s.rules.time_step)
     found.push_back(
@@ -165,10 +165,10 @@ std::vector<Fault> run_faults(const cases::Case& what) {
   if (s.rules.time_step > s.steps.limit)
     found.push_back(
         {cases::location_of(what, "run.time_step"),
-         fmt::format("a time step of {} is unstable: at most {} for balls that may meet at {:.2g} "
-                     "m/s",
-                     show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"),
-                     s.speed),
+         fmt::format(
+             "a time step of {} is unstable: at most {} for balls that may collide at {:.2g} "
+             "m/s",
+             show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"), s.speed),
          fmt::format("write time_step = \"{}\" or less, or leave it out",
                      show(rounded_down(s.steps.recommended(what.run.time_step_fraction)), "s")),
          "time-step-too-large"});

@@ -12,24 +12,25 @@
 
 namespace mahlwerk::campaign {
 
-/// How the soft engine will run a case: its rules with the time step, and what that step rests on.
+/// Settings of the soft engine for a case: its rules with the time step, and the time scales that
+/// determine it.
 struct SoftSettings {
   soft::Rules rules;
   soft::TimeSteps steps;
-  double speed = 0;  ///< [m/s] at which balls may meet: peak wall speed and a fall through the jar
+  double speed = 0;  ///< [m/s] highest expected: peak wall speed and a fall through the jar
 };
 SoftSettings soft_settings(const cases::Case& what);
 
 /// [1] Balls times steps of one replicate by the soft engine.
 double soft_work(const cases::Case& what);
 
-/// In words: the time step, and what it rests on.
+/// Notices on the time step, what determines it, and its error.
 Notices soft_notices(const cases::Case& what);
-/// Before a run: whether balls that meet at the highest speed would overlap by much. A run tells
-/// what it reached (results::warnings).
+/// Before a run: warns if balls that collide at the highest expected speed overlap too much. After
+/// a run, results::warnings reports the actual overlap.
 Notices overlap_warnings(const cases::Case& what);
 
-/// What keeps the engine a case asks for from running it; empty if nothing does.
+/// Faults that prevent the requested engine from running a case; empty if there are none.
 std::vector<Fault> run_faults(const cases::Case& what);
 
 }  // namespace mahlwerk::campaign

@@ -15,28 +15,28 @@
 
 namespace mahlwerk::campaign {
 
-/// What runs write while they go, for those of their points that ask for it: every collision, and
+/// Files that runs write while they proceed, for points that request them: all collisions, and
 /// frames for replay.
 class Streams {
  public:
-  /// `version` of the program stands in the files.
+  /// `version` of the program is written to the files.
   explicit Streams(std::string_view version) : version_(version) {}
 
-  /// The next point of the run; its files go into `folder`, under `below`.
+  /// Adds the next point of the run; its files go into `folder`, with the prefix `below`.
   void add(const cases::Case& point, const results::Folder& folder, const std::string& below);
 
   std::unique_ptr<scene::Observer> records(std::size_t point, int replicate) const;
   std::unique_ptr<results::FrameFiles> frames(std::size_t point, int replicate) const;
-  /// Lets a run of all points added write its files; it must end before the streams do.
+  /// Lets a run of all added points write its files; the run must end before this object does.
   void attach(RunOptions& options) const;
 
-  /// Ends the files. Call it before the folders' commit.
+  /// Closes the files. Call it before the folders' commit.
   void close();
 
  private:
   struct Point {
     std::unique_ptr<results::CollisionFile> collisions;  // or null
-    /// Makes the files of frames of a replicate; empty: none is kept.
+    /// Makes the frame files of a replicate; empty: no frames.
     std::function<std::unique_ptr<results::FrameFiles>(int replicate)> frames;
   };
   std::string version_;

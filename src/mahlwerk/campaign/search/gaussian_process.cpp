@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Lets rounding not make a matrix indefinite; in parts of the variance.
+/// Keeps the matrix positive definite despite rounding; relative to the variance.
 constexpr double jitter = 1e-9;
 
 double matern(const Kernel& k, const double* a, const double* b) {
@@ -46,12 +46,12 @@ double normal_cdf(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// The process with its matrix taken apart.
+/// The process with the Cholesky factor of its covariance matrix.
 struct GaussianProcess::Factorisation {
   Kernel kernel;
   std::vector<Observation> observations;
   Eigen::LLT<MatrixXd> root;
-  VectorXd weights;  // of what was seen, in a guess
+  VectorXd weights;  // of the observations in the posterior mean: (K + V)^-1 y
 
   VectorXd covariances(const DesignPoint& point) const {
     VectorXd k(observations.size());
@@ -119,7 +119,7 @@ SamplePath GaussianProcess::sample_path(Random& random) const {
   const auto keys = static_cast<Index>(kernel.length_scales.size());
   MatrixXd pace(waves, keys);
   VectorXd phase(waves), weight(waves);
-  for (Index m = 0; m < waves; ++m) {  // frequencies of order 5/2: Student's t of 5 freedoms
+  for (Index m = 0; m < waves; ++m) {  // spectral density: Student's t with 5 degrees of freedom
     double square = 0;
     for (int i = 0; i < 5; ++i) square += std::pow(standard_normal(random), 2);
     for (Index i = 0; i < keys; ++i)
@@ -160,7 +160,7 @@ std::vector<std::vector<double>> GaussianProcess::joint_samples(
           covariance(factorisation_->kernel, point, points[static_cast<std::size_t>(j)]);
   }
   among -= apart.transpose() * apart;
-  // What is all but known may have lost its last digits: eigenvalues below 0 are rounding.
+  // Near observations the covariance is mostly rounding: eigenvalues below 0 become 0.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(among);
   const MatrixXd root =
       axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();

@@ -8,53 +8,55 @@
 
 #include "mahlwerk/base/random.hpp"
 
-// A function of points, guessed from values seen with noise (docs/theory/optimum.md).
+// Gaussian process regression: a function of points from noisy observations
+// (docs/theory/optimum.md).
 namespace mahlwerk::campaign {
 
 using DesignPoint = std::vector<double>;
 
-/// How alike values at two points are: Matern's of order 5/2 with a length for each key, and a
-/// constant (opt.1).
+/// Covariance function: Matern of order 5/2 with a length scale for each key, plus a constant
+/// (opt.1).
 struct Kernel {
-  double amplitude = 1;               ///< standard deviation of what varies
-  std::vector<double> length_scales;  ///< by key, in points
+  double amplitude = 1;               ///< standard deviation of the varying part
+  std::vector<double> length_scales;  ///< by key, in coordinates of a DesignPoint
   double constant = 0;                ///< standard deviation of the constant
 };
 double covariance(const Kernel& kernel, const DesignPoint& a, const DesignPoint& b);
 
-/// What was seen at a point: a mean, and the variance it has as one.
+/// Observed mean at a point, and the variance of that mean.
 struct Observation {
   DesignPoint point;
   double value = 0, variance = 0;
 };
 
-/// A normal guess.
+/// Mean and standard deviation of a normal posterior.
 struct Posterior {
   double mean = 0, deviation = 0;
 };
 
 using SamplePath = std::function<double(const DesignPoint&)>;
 
-/// Normal numbers by Box and Muller's rule.
+/// A standard normal number by the Box-Muller transform.
 double standard_normal(Random& random);
-/// Below z, of a normal number.
+/// Cumulative distribution function of the standard normal distribution.
 double normal_cdf(double z);
 
 class GaussianProcess {
  public:
   GaussianProcess(Kernel kernel, std::vector<Observation> observations);
 
-  Posterior at(const DesignPoint& point) const;  ///< of the function, without the noise (opt.2)
-  double log_evidence() const;                   ///< ln of the probability of what was seen (opt.3)
+  Posterior at(const DesignPoint& point) const;  ///< of the function, without noise (opt.2)
+  double log_evidence() const;  ///< log marginal likelihood of the observations (opt.3)
   const Kernel& kernel() const;
   const std::vector<Observation>& observations() const;
 
-  /// As if at `point` a value as expected had been seen.
+  /// Adds a fantasy observation: the posterior mean at `point`, with a variance.
   GaussianProcess with_fantasy(const DesignPoint& point, double variance) const;
 
-  /// A function drawn from all that may be (opt.11); it lives on without this object.
+  /// A sample path of the posterior (opt.11). Owns its data.
   SamplePath sample_path(Random& random) const;
-  /// Values of `count` such functions at some points: exact, where `sample_path` is nearly so.
+  /// Values of `count` sample paths at `points`, by sample: exact, where `sample_path`
+  /// approximates.
   std::vector<std::vector<double>> joint_samples(const std::vector<DesignPoint>& points, int count,
                                                  Random& random) const;
 
@@ -63,11 +65,11 @@ class GaussianProcess {
   std::shared_ptr<const Factorisation> factorisation_;
 };
 
-/// The kernel under which what was seen is likeliest, lengths and size being likelier in the middle
-/// of what is usual (opt.4); values should have a mean near 0 and scatter by about 1.
+/// The kernel of the highest posterior density: likelihood times priors of length scales and
+/// amplitude (opt.4). Values should have a mean near 0 and a standard deviation of about 1.
 Kernel most_probable_kernel(const std::vector<Observation>& observations);
 
-/// Kernels drawn as likely as they are, by slices (Neal 2003).
+/// Kernels drawn from their posterior by slice sampling (Neal 2003), starting at `likeliest`.
 std::vector<Kernel> sample_kernels(const std::vector<Observation>& observations,
                                    const Kernel& likeliest, int count, Random& random);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Kernels that what was seen makes likely (docs/theory/optimum.md).
+// Posterior of the kernel's parameters, given the observations (docs/theory/optimum.md).
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,8 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Logarithms of size and lengths: what is usual, how much it varies, and its ends (opt.4).
+/// Priors of the logarithms of amplitude and length scales: mean, standard deviation and bounds
+/// (opt.4).
 constexpr double usual_size = 0, size_spread = 1, length_spread = 0.6;
 constexpr double least_size = -3, most_size = 4, least_length = -4, most_length = 4;
 constexpr double usual_constant = 3;
@@ -37,7 +38,8 @@ double log_posterior(const std::vector<Observation>& observations,
   return likely + GaussianProcess(kernel_of(numbers), observations).log_evidence();
 }
 
-/// A new value of one number, as likely as it is while the others stay (Neal 2003, figures 3, 5).
+/// Draws number `i` from its conditional distribution by slice sampling with stepping out (Neal
+/// 2003, figures 3, 5).
 void draw_along(std::vector<double>& at, double& likely, std::size_t i,
                 const std::vector<Observation>& observations, Random& random) {
   constexpr double width = 1.5;
@@ -84,7 +86,7 @@ Kernel most_probable_kernel(const std::vector<Observation>& observations) {
 
 std::vector<Kernel> sample_kernels(const std::vector<Observation>& observations,
                                    const Kernel& likeliest, int count, Random& random) {
-  constexpr int forget = 5;  // sweeps before the first
+  constexpr int forget = 5;  // burn-in sweeps
   std::vector<double> at{std::log(likeliest.amplitude)};
   for (const double length : likeliest.length_scales) at.push_back(std::log(length));
   double likely = log_posterior(observations, at);

@@ -19,10 +19,10 @@ namespace {
 using observe::LogHistogram;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// Of ln energy, from edge to edge of a bin.
+/// Width of a bin in ln energy.
 const double bin_width = std::log(2) / LogHistogram::per_octave;
 
-/// Replicates of a mill last equally long, so their spectra count alike.
+/// Mean of spectra with equal weights: replicates of a mill last equally long.
 DoseSpectrum mean_of(const std::vector<const DoseSpectrum*>& some) {
   DoseSpectrum mean{
       .dose = none, .shares = std::vector<double>(LogHistogram::bins, 0), .mean_energy = none};
@@ -41,13 +41,13 @@ bool has_collisions(const DoseSpectrum& m) {
   return m.dose > 0 && m.mean_energy > 0;
 }
 
-/// Of a straight line from `a` to `b` over a unit: the area between it and zero.
+/// Area between zero and a straight line from `a` to `b` over a unit interval.
 double area(double a, double b) {
   if (a * b >= 0) return std::abs(a + b) / 2;
   return (a * a + b * b) / (2 * (std::abs(a) + std::abs(b)));
 }
 
-/// The ratio of what b and a give, with the interval that the scatter of its logarithm has.
+/// Ratio of `of` between b and a, with the interval from the scatter of its logarithm.
 template <class Of>
 Ratio ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
   const auto logarithm = [&](const MillSpectra& mill) {
@@ -60,11 +60,12 @@ Ratio ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
   return {std::exp(mean), std::exp(mean - half), std::exp(mean + half)};  // (opt.13)
 }
 
-/// How often as much lies between two heaps that the replicates are dealt to at random (opt.17).
+/// Permutation test: share of random assignments of replicates to two groups that are at least
+/// `seen` apart (opt.17).
 double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double seen,
                            std::uint64_t seed) {
   constexpr int deals = 999;
-  constexpr double rounding = 1e-9;  // sums in another order
+  constexpr double rounding = 1e-9;  // of sums in another order
   constexpr std::uint32_t stream = 0x53000000;
   if (a.replicates.size() < 2 || b.replicates.size() < 2 || !std::isfinite(seen)) return none;
   std::vector<const DoseSpectrum*> all;
@@ -72,7 +73,7 @@ double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double se
     for (const DoseSpectrum& m : mill->replicates) all.push_back(&m);
   const auto share = static_cast<std::ptrdiff_t>(a.replicates.size());
   Random random(seed, stream);
-  int as_much = 1;  // as they were dealt
+  int as_much = 1;  // the actual assignment
   for (int deal = 0; deal < deals; ++deal) {
     for (std::size_t i = all.size(); i > 1; --i) {
       const auto k = static_cast<std::size_t>(random.uniform() * static_cast<double>(i));

@@ -14,7 +14,8 @@ namespace {
 
 using Point = std::vector<double>;
 
-/// What NLopt calls back. It would not let exceptions of others through.
+/// Callback of NLopt. NLopt does not pass on exceptions of other libraries: the callback keeps
+/// them.
 struct NloptCallback {
   const std::function<double(const Point&)>& function;
   const Point &least, &most;
@@ -22,7 +23,7 @@ struct NloptCallback {
   std::exception_ptr thrown = {};
 
   double evaluate(Point point) {
-    constexpr double lowest = -1e300;               // NLopt stops at what is not finite
+    constexpr double lowest = -1e300;               // NLopt stops at values that are not finite
     for (std::size_t i = 0; i < point.size(); ++i)  // NLopt leaves the box by rounding
       point[i] = std::clamp(point[i], least[i], most[i]);
     const double value = function(point);
@@ -43,7 +44,7 @@ struct NloptCallback {
     by.set_max_objective(step, this);
     try {
       by.optimize(from, value);
-    } catch (const nlopt::roundoff_limited&) {  // as high as it gets
+    } catch (const nlopt::roundoff_limited&) {  // limited by rounding: keeps the best point
     } catch (const nlopt::forced_stop&) {
       std::rethrow_exception(thrown);
     }
@@ -64,7 +65,7 @@ nlopt::opt bounded_optimiser(nlopt::algorithm how, const Point& least, const Poi
 Maximum find_maximum(const std::function<double(const Point&)>& function, const Point& least,
                      const Point& most, const std::vector<Point>& starts,
                      const EvaluationBudget& budget) {
-  constexpr double first_step = 0.05, fine = 1e-4;  // of the box
+  constexpr double first_step = 0.05, fine = 1e-4;  // relative to the box
   NloptCallback callback{function, least, most};
   std::vector<Point> from = starts;
   for (const Point& point : starts) callback.evaluate(point);

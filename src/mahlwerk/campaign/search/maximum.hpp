@@ -7,10 +7,10 @@
 
 namespace mahlwerk::campaign {
 
-/// How hard a highest point is looked for, in evaluations.
+/// Budget of a search for a maximum, in function evaluations.
 struct EvaluationBudget {
-  int global = 0;  ///< over the whole box, by dividing it (DIRECT-L, Gablonsky 2001)
-  int local = 0;   ///< from each start, by simplexes (Subplex, Rowan 1990)
+  int global = 0;  ///< global search by dividing the box (DIRECT-L, Gablonsky 2001)
+  int local = 0;   ///< local search from each start (Subplex, Rowan 1990)
 };
 
 struct Maximum {
@@ -18,8 +18,9 @@ struct Maximum {
   double value = 0;
 };
 
-/// The highest point found of a function in a box; values that are NaN count as lowest. `starts`
-/// lie in the box; what the wide search finds is one more. At least one start, or a wide search.
+/// The highest point found of a function in the box from `least` to `most`; NaN counts as the
+/// lowest value. `starts` lie in the box; the result of the global search is one more start.
+/// Requires a start or a global budget.
 Maximum find_maximum(const std::function<double(const std::vector<double>&)>& function,
                      const std::vector<double>& least, const std::vector<double>& most,
                      const std::vector<std::vector<double>>& starts,

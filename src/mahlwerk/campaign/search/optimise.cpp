@@ -20,7 +20,7 @@ constexpr int first_replicates = 2;
 constexpr double told_apart = 0.95, still_possible = 0.05, small_loss = 0.01;
 constexpr double same_point = 1e-4;
 
-/// Tries settings, and keeps what they gave.
+/// Runs requested settings, and keeps their results.
 class Trials {
  public:
   Trials(const Goal& goal, const Simulation& simulation) : goal_(goal), simulation_(simulation) {}
@@ -31,8 +31,7 @@ class Trials {
     return std::ranges::any_of(trials_, [](const Trial& t) { return t.failure.empty(); });
   }
 
-  /// Asks for a point, or for more of a setting that is there already; false if neither makes
-  /// sense.
+  /// Requests a point, or more replicates of an existing setting; false if neither is possible.
   bool ask(const DesignPoint& wanted) {
     const DesignPoint point = goal_.snap ? goal_.snap(wanted) : wanted;
     const auto same = [&](const DesignPoint& other) {
@@ -50,7 +49,7 @@ class Trials {
     return true;
   }
 
-  /// Asks for as many replicates of a setting as it has; false if it has all.
+  /// Requests as many replicates of a setting as it has; false if it has all.
   bool ask_more(std::size_t setting) {
     const Trial& t = trials_[setting];
     const int have = static_cast<int>(t.replicates.size());
@@ -62,12 +61,12 @@ class Trials {
     return true;
   }
 
-  /// Runs what was asked for; false if that was nothing.
+  /// Runs all requests; false if there is none.
   bool run(int round) {
     if (asked_.empty()) return false;
     const std::vector<TrialResult> answers = simulation_(asked_);
     if (answers.size() != asked_.size())
-      throw std::logic_error("a simulation did not answer what it was asked");
+      throw std::logic_error("a simulation returned a wrong number of results");
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const TrialRequest& one = asked_[i];
       if (one.setting >= trials_.size())
@@ -89,17 +88,17 @@ class Trials {
       if (setting.failure.empty() && std::ranges::none_of(setting.replicates, [&](const auto& r) {
             return std::isfinite(r[outcome]);
           }))
-        setting.failure = "no replicate gave what is looked for";
+        setting.failure = "no replicate gave a value of every requested quantity";
   }
 
   const Goal& goal_;
   const Simulation& simulation_;
   std::vector<Trial> trials_;
   std::vector<TrialRequest> asked_;
-  std::size_t fresh_ = 0;  // settings asked for that are new
+  std::size_t fresh_ = 0;  // new settings among the requests
 };
 
-/// Settings by chance, the likeliest first, that may still be the best.
+/// Settings that may still be the best, by decreasing probability.
 std::vector<std::size_t> rivals(const std::vector<double>& chance) {
   std::vector<std::size_t> order(chance.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -109,7 +108,7 @@ std::vector<std::size_t> rivals(const std::vector<double>& chance) {
   return order;
 }
 
-/// Expected improvement below which nothing better is looked for (opt.7).
+/// Expected improvement below which the search ends (opt.7).
 double improvement_threshold(const Surrogate& model, const std::vector<Trial>& trials) {
   const std::optional<std::size_t> best = model.best();
   if (!best) return 0;
@@ -117,8 +116,9 @@ double improvement_threshold(const Surrogate& model, const std::vector<Trial>& t
                   1e-4 * model.objective().scale);
 }
 
-/// A round: settings that promise most, the last of them where the model is highest, and replicates
-/// of the two likeliest to be the best. False if that is nothing, or nothing is worth it.
+/// Requests a batch: settings of the highest acquisition, the last one at the model's highest mean,
+/// and replicates of the two settings most likely to be the best. False if nothing is requested, or
+/// nothing is worth a run.
 bool ask_round(Trials& trials, const Goal& goal, Optimum& found) {
   Surrogate model(goal, trials.all());
   const DesignPoint first = model.highest_acquisition();
@@ -142,8 +142,8 @@ bool ask_round(Trials& trials, const Goal& goal, Optimum& found) {
   return any;
 }
 
-/// Replicates of those that may be the best, until one of them is told, little is lost by taking
-/// the wrong one, or all have theirs (opt.10).
+/// Runs replicates of settings that may be the best until one is determined, the expected loss is
+/// small, or all have their replicates (opt.10).
 void decide(Trials& trials, const Goal& goal, int& round) {
   for (bool more = true; more;) {
     const Surrogate model(goal, trials.all());
@@ -162,9 +162,10 @@ void decide(Trials& trials, const Goal& goal, int& round) {
 void check(const Goal& goal) {
   constexpr std::size_t most_keys = 8;
   if (goal.keys < 1 || goal.keys > most_keys)
-    throw std::invalid_argument("an optimum is looked for over 1 to 8 keys");
+    throw std::invalid_argument("an optimisation takes 1 to 8 keys");
   if (goal.settings < 1 || goal.replicates < first_replicates)
-    throw std::invalid_argument("an optimum takes settings, and two replicates of each");
+    throw std::invalid_argument(
+        "an optimisation takes at least one setting, and two replicates of each");
 }
 
 }  // namespace
@@ -181,7 +182,7 @@ Optimum optimise(const Goal& goal, const Simulation& simulation) {
   trials.run(0);
   int round = 0;
   while (trials.left() > 0) {
-    if (!trials.ran()) {  // anywhere else
+    if (!trials.ran()) {  // none ran: try other points
       const DesignMatrix more = sobol_points(goal.keys, trials.all().size() + batch);
       bool any = false;
       for (std::size_t i = trials.all().size(); i < more.size(); ++i)

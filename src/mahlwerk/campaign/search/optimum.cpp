@@ -27,7 +27,7 @@ MeanCi95 observed_mean(const Trial& setting, std::size_t outcome) {
   return {e.mean, e.ci95};
 }
 
-/// In the sign of the outcome itself.
+/// The model's prediction, in the sign of the outcome itself.
 MeanCi95 prediction(const Goal& goal, const Surrogate& model, const DesignPoint& point) {
   const Posterior b = model.objective_at(point);
   return {goal.maximise ? b.mean : -b.mean, normal95 * b.deviation};
@@ -59,7 +59,7 @@ std::pair<double, double> middle(std::vector<double> values) {
   return {at(0.025), at(0.975)};
 }
 
-/// The model through its best point, one key moved alone, and how far that may be.
+/// The model along one key through its optimum, and the range of good values.
 void slice(const Goal& goal, const Surrogate& model, const Optimum& found, std::size_t key,
            KeyOptimum& made) {
   constexpr double good = 0.02, edge = 5e-3;

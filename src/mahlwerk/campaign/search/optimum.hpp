@@ -6,7 +6,7 @@
 
 namespace mahlwerk::campaign {
 
-/// Fills in what settings tried say of the optimum: all but how the search went.
+/// Fills in all results that follow from the trials: all but those about the course of the search.
 void conclude(const Goal& goal, Optimum& found);
 
 }  // namespace mahlwerk::campaign

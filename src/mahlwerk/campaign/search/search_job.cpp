@@ -21,7 +21,7 @@ std::string place_of_quantity(const cases::Case& what, const cases::Optimise& wa
   return cases::location_of(what, name == wanted.quantity ? goal : "optimise.limits." + name);
 }
 
-/// Names that mean the same with more behind: of "wear_rate" those of balls and of the jar.
+/// Known names that extend `name`: for "wear_rate" those of balls and of the jar.
 std::vector<std::string> longer(const std::string& name, const std::vector<std::string>& known) {
   std::vector<std::string> found;
   for (const std::string& one : known)
@@ -29,7 +29,7 @@ std::vector<std::string> longer(const std::string& name, const std::vector<std::
   return found;
 }
 
-/// What to write instead of a quantity that the case does not have.
+/// Remedy for a quantity that the case does not have.
 std::string instead_of(const std::string& name, std::vector<std::string> known,
                        const std::vector<results::MissingQuantity>& missing) {
   const auto section_of = [&](const std::string& of) {
@@ -37,20 +37,20 @@ std::string instead_of(const std::string& name, std::vector<std::string> known,
     return at == missing.end() ? std::string() : at->section;
   };
   if (const std::string section = section_of(name); !section.empty())
-    return fmt::format("it comes with {}: add that to the case", section);
+    return fmt::format("it needs {}: add that to the case", section);
   for (const results::MissingQuantity& one : missing) known.push_back(one.name);
   std::vector<std::string> meant = longer(name, known);
   if (const std::string near = nearest_word(name, known); !near.empty()) meant = {near};
-  if (meant.empty()) return "choose one of summary.json: docs/formats.md lists them";
+  if (meant.empty()) return "choose a quantity of summary.json: docs/formats.md lists them";
   std::string words;
   for (const std::string& one : meant)
     words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", one);
   const std::string section = section_of(meant.front());
   return fmt::format("did you mean {}?{}", words,
-                     section.empty() ? "" : fmt::format(" It comes with {}", section));
+                     section.empty() ? "" : fmt::format(" It needs {}", section));
 }
 
-/// Those that a search is judged by, in the order of their names here.
+/// Outcomes of a search: the objective, then the limited quantities.
 std::vector<SearchOutcome> search_outcomes(const cases::Case& what, const cases::Optimise& wanted) {
   const std::vector<results::Measure> known = results::measures(what);
   std::vector<std::string> names{wanted.quantity}, all;
@@ -91,12 +91,12 @@ void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& ove
   if (over.size() > most)
     wrong.push_back(
         {fmt::format("{}: {}", what.file, section),
-         fmt::format("{} keys are too many to look for a best setting over", over.size()),
-         fmt::format("give at most {}; design = \"morris\" tells which matter", most),
+         fmt::format("{} keys are too many for a search of the best setting", over.size()),
+         fmt::format("give at most {}; design = \"morris\" shows which keys matter", most),
          "too-many-keys"});
   if (!what.sweep.empty())
-    wrong.push_back({what.file, "the case has a [sweep] beside " + std::string(section),
-                     "take the section [sweep] away", "one-case"});
+    wrong.push_back({what.file, "the case has both a [sweep] and " + std::string(section),
+                     "remove the section [sweep]", "one-case"});
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }
 

@@ -19,22 +19,22 @@ struct SearchOutcome {
 struct SearchJob {
   const TrialRuns* runs = nullptr;
   Goal goal;
-  std::vector<SearchOutcome> outcomes;  ///< what is to be best, then what is limited
-  std::vector<cases::Limit> limits;     ///< of the latter
+  std::vector<SearchOutcome> outcomes;  ///< the objective, then the limited outcomes
+  std::vector<cases::Limit> limits;     ///< of the limited outcomes
   TrialRuns::Measure measure;
-  std::string measure_name = {};  ///< tells it apart from others
+  std::string measure_name = {};  ///< identifies `measure` in a TrialStore
 };
 
-/// Throws InputError if there are more keys than can be looked over, or the case has a [sweep].
+/// Throws InputError if there are more than 8 keys, or the case has a [sweep].
 void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
                 std::string_view section);
 
-/// Of a search over the keys of these runs, which are kept by reference.
+/// The goal of a search over the keys of these runs, which are kept by reference.
 Goal goal_of(const TrialRuns& runs, std::int64_t settings, std::int64_t replicates,
              bool maximise = false);
 
-/// What [optimise] of the runs' case asks for; the runs are kept by reference. Throws InputError
-/// where it names quantities that the case does not have.
+/// The search that [optimise] of the runs' case describes; the runs are kept by reference. Throws
+/// InputError if it names quantities that the case does not have.
 SearchJob optimise_job(const TrialRuns& runs);
 
 }  // namespace mahlwerk::campaign

@@ -22,7 +22,7 @@ double objective_sign(const Goal& goal, std::size_t outcome) {
   return outcome == 0 && !goal.maximise ? -1 : 1;
 }
 
-/// Mean and scatter of the replicates of a setting that have an outcome.
+/// Mean and sum of squares of an outcome over the replicates of a setting.
 struct SettingSample {
   std::size_t setting = 0;
   double count = 0, mean = 0, squares = 0;
@@ -45,8 +45,8 @@ std::vector<SettingSample> samples_of(const std::vector<Trial>& trials, std::siz
   return made;
 }
 
-/// Replicates of one setting tell little of its own scatter: that of all counts like three more
-/// (opt.9).
+/// A few replicates estimate their scatter poorly: the pooled scatter of all settings has the
+/// weight of three more replicates (opt.9).
 OutcomeModel model_of(const std::vector<Trial>& trials, std::size_t outcome, double sign) {
   constexpr double pooled_weight = 3, least = 1e-10;
   const std::vector<SettingSample> samples = samples_of(trials, outcome, sign);
@@ -89,7 +89,7 @@ double probability_satisfied(const Bound& bound, const Posterior& guess) {
   return guess.deviation > 0 ? normal_cdf(room / guess.deviation) : (room >= 0 ? 1 : 0);
 }
 
-/// By how much a value breaks a bound; 0 if it does not.
+/// By how much a value violates a bound; 0 if it does not.
 double violation(const Bound& bound, double value) {
   return std::max(0.0, bound.below ? value - bound.value : bound.value - value);
 }
@@ -140,7 +140,7 @@ std::optional<std::size_t> Surrogate::best() const {
   std::optional<std::size_t> found;
   double highest_one = -std::numeric_limits<double>::infinity();
   for (const std::size_t i : successful_) {
-    double kept = 1;  // it did run
+    double kept = 1;  // the trial ran
     for (std::size_t b = 0; b < goal_.bounds.size(); ++b)
       kept *= probability_satisfied(goal_.bounds[b], constraint(b).at(trials_[i].point));
     const double mean = objective_at(trials_[i].point).mean;
@@ -220,7 +220,7 @@ DesignPoint Surrogate::highest_acquisition() const {
 }
 
 DesignPoint Surrogate::highest_mean(bool bounds) const {
-  const double far = 1e3 * objective().scale;  // whatever is allowed is better
+  const double far = 1e3 * objective().scale;  // penalty: any feasible point is better
   const auto value = [&](const DesignPoint& x) {
     return objective_at(x).mean -
            far * std::max(0.0, 0.5 - (bounds ? probability_feasible(x) : probability_runnable(x)));
@@ -237,7 +237,7 @@ void Surrogate::add_fantasy(const DesignPoint& point) {
   for (OutcomeModel& model : models_)
     model.process = model.process.with_fantasy(point, model.noise);
   if (success_ && probability_runnable(point) <
-                      likely) {  // the worst, lest all of a batch fails for one reason
+                      likely) {  // pessimistic, so that a batch does not fail as a whole
     std::vector<Observation> observations = success_->observations();
     observations.push_back({.point = point, .value = -2, .variance = 0.01});
     success_ = GaussianProcess(success_->kernel(), std::move(observations));

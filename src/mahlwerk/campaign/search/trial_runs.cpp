@@ -18,7 +18,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Where in a range a text lies.
+/// Position of a value in a range, 0 to 1.
 double position_in_range(const cases::SweptKey& range, const std::string& text) {
   const double from = parse_quantity(range.values[0]).value;
   const double to = parse_quantity(range.values[1]).value;
@@ -28,7 +28,7 @@ double position_in_range(const cases::SweptKey& range, const std::string& text) 
   return std::clamp(position, 0.0, 1.0);
 }
 
-/// The first line of what is wrong.
+/// The first fault of an exception, else its text.
 std::string short_reason(const std::exception& why) {
   if (const auto* input = dynamic_cast<const InputError*>(&why);
       input != nullptr && !input->faults().empty())
@@ -36,8 +36,8 @@ std::string short_reason(const std::exception& why) {
   return why.what();
 }
 
-/// What is wrong with an end of a range, in its own words: `speed = 300: the unit is missing` is
-/// `from = 300`.
+/// A fault of a range's end in terms of the range: `speed = 300: the unit is missing` becomes `from
+/// = 300: the unit is missing`.
 std::string as_said(const std::string& what, const cases::SweptKey& range, std::size_t end) {
   const std::string name = range.key.substr(range.key.rfind('.') + 1) + " = ";
   if (!what.starts_with(name)) return what;
@@ -88,7 +88,8 @@ void TrialRuns::check(const cases::SweptKey& range, std::vector<Fault>& wrong) c
   for (const std::size_t end : {0, 1}) check_end(range, end, wrong);
 }
 
-/// A key, a unit or a number that no setting could have; what does not fit may fit elsewhere.
+/// Adds the faults of a range's end that hold for any setting: key, unit or number. Other faults
+/// may depend on other keys.
 void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
                           std::vector<Fault>& wrong) const {
   constexpr std::array sure{"unknown-key", "bad-quantity", "wrong-type", "unknown-word",
@@ -156,7 +157,7 @@ std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& asked,
     RunHash hash;
   };
   std::vector<TrialResult> result(asked.size());
-  std::vector<PendingRun> pending;  // that are to be run
+  std::vector<PendingRun> pending;  // not in the store
   for (std::size_t i = 0; i < asked.size(); ++i) try {
       cases::Case what = at(asked[i].point, asked[i].first, asked[i].count);
       const RunHash hash = run_hash(what, version);

@@ -11,14 +11,14 @@
 #include "mahlwerk/campaign/search/trial_store.hpp"
 #include "mahlwerk/cases/read.hpp"
 
-// Settings of a case that a search asks for, run (docs/theory/optimum.md).
+// Runs of the settings that a search requests (docs/theory/optimum.md).
 namespace mahlwerk::campaign {
 
-/// A case whose keys are changed within ranges.
+/// A case whose keys vary within ranges.
 class TrialRuns {
  public:
-  /// Over the ranges of [optimise] or [match], which the case must have; `set` is applied to it
-  /// before. Throws InputError where the case cannot be read, or an end of a range cannot be one,
+  /// Takes the ranges of [optimise] or [match], which the case must have; `set` is applied to the
+  /// case first. Throws InputError if the case cannot be read, or an end of a range is invalid
   /// whatever the other keys are.
   TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
             std::vector<cases::Override> set, cases::ValueSource source);
@@ -26,22 +26,23 @@ class TrialRuns {
   const cases::Case& base() const { return base_; }
   const std::vector<cases::SweptKey>& ranges() const { return ranges_; }
 
-  /// What the keys are set to, as the case says it, to six digits: "412.5 rpm".
+  /// Values of the keys at a point, as a case has them, to six digits: "412.5 rpm".
   std::vector<std::string> values(const DesignPoint& point) const;
-  /// The point of those values: of whole numbers and rounded ones not quite what was asked for.
+  /// The point of those values; it differs from `point` where values are whole numbers or rounded.
   DesignPoint snap(const DesignPoint& point) const;
-  /// The case there. Replicates from `first` on begin from another seed than those before. Throws
-  /// InputError where the setting cannot be read.
+  /// The case at a point, with `count` replicates. Its seed depends on `first`, so that further
+  /// replicates differ from earlier ones. Throws InputError if the setting is invalid.
   cases::Case at(const DesignPoint& point, int first, int count) const;
 
-  /// The same case by another engine.
+  /// The same case with another engine.
   TrialRuns with_engine(cases::EngineName engine) const;
 
-  /// What a search is told of a replicate.
+  /// The outcomes of a replicate that a search uses.
   using Measure =
       std::function<std::vector<double>(const results::Outcome&, const results::Replicate&)>;
-  /// A setting that cannot be built, or that physics stops, has failed. What `store` has been told
-  /// by the same `version` is not run again. Throws Interrupted where options.stop was set.
+  /// Runs all requests. A setting fails if it cannot be built, or if physics stops it. Results that
+  /// `store` has of the same `version` are not computed again. Throws Interrupted if options.stop
+  /// is set.
   std::vector<TrialResult> run(const std::vector<TrialRequest>& asked, const Measure& measure,
                                const RunOptions& options, TrialStore& store,
                                std::string_view version) const;

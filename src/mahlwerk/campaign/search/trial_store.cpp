@@ -60,7 +60,7 @@ void TrialStore::keep(RunHash run, const TrialResult& result) {
     if (!opened) open();
     write(run, result);
   } catch (const InputError& e) {
-    if (!opened) database_.reset();  // it may lack its tables
+    if (!opened) database_.reset();  // its tables may be missing
     on_write_error_(e.faults().front());
   }
 }

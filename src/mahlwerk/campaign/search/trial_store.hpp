@@ -15,17 +15,17 @@
 
 namespace mahlwerk::campaign {
 
-/// What a search was told so far, in a file beside its results, so that one that was ended goes on
-/// where it was. Threads may call at the same time.
+/// Results of a search so far, in a file beside its output, so that an interrupted search resumes.
+/// Thread-safe.
 class TrialStore {
  public:
-  /// `measure` names what was told of each replicate: other measures are strangers. The file is
-  /// made once there is something to keep. Throws InputError where it cannot be read;
-  /// `on_write_error` is told where it cannot be written, and the search goes on.
+  /// `measure` identifies the outcomes of each replicate: results of other measures are not found.
+  /// The file is made with the first result. Throws InputError if it cannot be read; if it cannot
+  /// be written, `on_write_error` is called and the search continues.
   TrialStore(const std::filesystem::path& file, std::string measure,
              std::function<void(const Fault&)> on_write_error);
 
-  std::optional<TrialResult> find(RunHash run);
+  std::optional<TrialResult> find(RunHash run);  ///< empty if there is none
   void keep(RunHash run, const TrialResult& result);
 
  private:

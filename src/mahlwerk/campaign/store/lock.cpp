@@ -8,7 +8,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// The lock, or the reason why there is none.
+/// The lock. Throws InputError if its file cannot be opened.
 std::unique_ptr<results::FileLock> taken(const std::filesystem::path& file,
                                          results::FileLock::Mode mode) try {
   return std::make_unique<results::FileLock>(file, mode);
@@ -27,11 +27,11 @@ CampaignLock::CampaignLock(const std::filesystem::path& file, Mode mode)
     throw InputError(
         Fault{file.generic_string(),
               "the file cannot be locked: " + std::generic_category().message(lock_->error()),
-              "use a file system that knows locks", "store"});
+              "use a file system that supports locks", "store"});
   if (lock_->state() == State::held_elsewhere)
     throw InputError(Fault{
         file.parent_path().generic_string(), "another process is at work on this campaign",
-        "wait until it ends; `mahlwerk sweep status` tells how far it is", "campaign-at-work"});
+        "wait until it ends; `mahlwerk sweep status` shows its progress", "campaign-at-work"});
 }
 
 bool CampaignLock::held(const std::filesystem::path& file) {

@@ -13,12 +13,12 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr int patience = 10'000;  // [ms] to wait for another process that writes
+constexpr int patience = 10'000;  // [ms] wait for a lock that another process holds
 
 std::string remedy_for(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "make room on the disk and start again: what is finished is kept";
+      return "free space on the disk and start again: finished work is kept";
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
@@ -28,9 +28,9 @@ std::string remedy_for(int code) {
       return "another process writes to it: wait until it ends, then start again";
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-      return "the file is no store, or damaged: move it away, then start again";
+      return "the file is not a store, or it is damaged: move it away, then start again";
     case SQLITE_IOERR:
-      return "check the disk and the space on it, then start again: what is finished is kept";
+      return "check the disk and its free space, then start again: finished work is kept";
     default:
       return "";
   }
@@ -126,8 +126,8 @@ void Database::Close::operator()(sqlite3* database) const {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
-  // Even who only reads must be able to take back what a killed process had begun to write; where
-  // the file cannot be written to, SQLite opens it for reading alone.
+  // Read access opens the file for writing, too: SQLite must be able to roll back the journal of a
+  // killed process. SQLite opens a file that is not writable read-only.
   const int flags = SQLITE_OPEN_READWRITE | (access == Access::read ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* made = nullptr;
   const int code = sqlite3_open_v2(file.c_str(), &made, flags | SQLITE_OPEN_FULLMUTEX, nullptr);
@@ -135,7 +135,7 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   if (code != SQLITE_OK) fail(made, code, file_);
   sqlite3_busy_timeout(made, patience);
   if (access == Access::read) run("PRAGMA query_only=1");
-  query_text("SELECT count(*) FROM sqlite_master");  // that it is a database shows only now
+  query_text("SELECT count(*) FROM sqlite_master");  // fails if the file is not a database
 }
 
 void Database::run(const std::string& sql) {
@@ -160,7 +160,7 @@ Transaction::~Transaction() {
   if (open_) try {
       database_.run("ROLLBACK");
     } catch (const InputError&) {
-      // SQLite has rolled back itself
+      // SQLite has already rolled back.
     }
 }
 

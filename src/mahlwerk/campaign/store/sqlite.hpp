@@ -11,31 +11,31 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-// A database in one file.
+// A database in one file (SQLite).
 namespace mahlwerk::campaign {
 
-/// One line of SQL, made ready to be run many times. Not for two threads at once. Every failure is
-/// an InputError that says what is wrong with the file.
+/// A prepared SQL statement that can be run many times. Not thread-safe. Every failure throws
+/// InputError with the cause and a remedy.
 class Statement {
  public:
   Statement(sqlite3* database, const std::filesystem::path& file, std::string_view sql);
 
-  /// Values for the question marks, from 1. NaN is NULL.
+  /// Binds a value to the question mark number `place`, counted from 1. NaN is bound as NULL.
   Statement& bind(int place, double value);
   Statement& bind(int place, std::int64_t value);
   Statement& bind(int place, std::string_view text);
   Statement& bind_null(int place);
 
-  bool step();  ///< to the next row; false after the last, when it is ready to be run again
-  void run();   ///< what gives no rows
+  bool step();  ///< advances to the next row; false after the last, then it can run again
+  void run();   ///< runs a statement that returns no rows
 
   int columns() const;
   std::string name(int column) const;
   bool is_null(int column) const;
   bool is_text(int column) const;
-  double number(int column) const;  ///< NaN of NULL
+  double number(int column) const;  ///< NaN for NULL
   std::int64_t integer(int column) const;
-  std::string text(int column) const;  ///< empty of NULL
+  std::string text(int column) const;  ///< empty for NULL
 
  private:
   void check(int code) const;
@@ -50,13 +50,13 @@ class Statement {
 class Database {
  public:
   enum class Access { write, read };
-  /// Throws InputError where there is no such file to be read, it is no database, or it cannot be
-  /// written to.
+  /// Opens `file`; Access::write creates it if necessary. Throws InputError if the file cannot be
+  /// opened, is not a database, or does not exist for Access::read.
   Database(const std::filesystem::path& file, Access access);
 
-  void run(const std::string& sql);  ///< one or more lines that give no rows
+  void run(const std::string& sql);  ///< runs statements that return no rows
   Statement prepare(std::string_view sql) const;
-  std::string query_text(const std::string& sql) const;  ///< the first value it gives, or nothing
+  std::string query_text(const std::string& sql) const;  ///< first value; empty if none
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -67,7 +67,8 @@ class Database {
   std::filesystem::path file_;
 };
 
-/// Runs what is written within it as one: all of it is kept by commit(), or nothing.
+/// A transaction. commit() keeps all changes since construction; without it the destructor rolls
+/// them back.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -81,7 +82,7 @@ class Transaction {
   bool open_ = true;
 };
 
-/// A name as SQL takes it, whatever stands in it.
+/// `name` as a quoted SQL identifier.
 std::string quoted_name(std::string_view name);
 
 }  // namespace mahlwerk::campaign

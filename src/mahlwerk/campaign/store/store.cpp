@@ -17,7 +17,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-constexpr int format = 2;  // of the tables
+constexpr int format = 2;  // schema version of the tables
 constexpr std::array<std::string_view, 3> state_words{"waiting", "done", "failed"};
 
 std::string_view word_of(RunState state) {
@@ -27,7 +27,7 @@ RunState state_of(std::string_view word) {
   return static_cast<RunState>(std::ranges::find(state_words, word) - state_words.begin());
 }
 
-/// "%" is no name for a column.
+/// Name of a column; the unit "%" is written "percent".
 std::string column_of(const std::string& key, std::string_view unit) {
   return results::column_name(key, unit == "%" ? "percent" : unit);
 }
@@ -59,12 +59,13 @@ Store::Store(const std::filesystem::path& file, Access access)
       database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
   if (access == Access::read) {
     if (database_.query_text("PRAGMA user_version") != std::to_string(format))
-      throw InputError(Fault{file.generic_string(), "this is no campaign's store of this version",
+      throw InputError(Fault{file.generic_string(),
+                             "this is not a campaign's store of this version",
                              "name the folder of a campaign", "store"});
     return;
   }
-  // Readers see the last commit while the campaign goes on. Journals shared between processes need
-  // memory of one machine, which a network's file system has not.
+  // With WAL, readers see the last commit while the campaign runs. WAL needs memory shared between
+  // processes of one machine, so shards on a network file system use a rollback journal.
   database_.run(access == Access::write
                     ? "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL"
                     : "PRAGMA journal_mode=TRUNCATE; PRAGMA synchronous=NORMAL");
@@ -72,17 +73,18 @@ Store::Store(const std::filesystem::path& file, Access access)
   if (found == "0")
     make_tables();
   else if (found != std::to_string(format))
-    throw InputError(Fault{file.generic_string(), "the campaign's store is of another version",
-                           "go on with the version that made it, or start anew with --force",
-                           "store"});
+    throw InputError(
+        Fault{file.generic_string(), "the campaign's store was made by another version",
+              "continue with the version that made it, or start from the beginning with --force",
+              "store"});
   database_.run(
       "CREATE TABLE IF NOT EXISTS forms(form TEXT, position INTEGER, name TEXT, unit TEXT, about "
       "TEXT,"
       " PRIMARY KEY(form, position)) WITHOUT ROWID");
 }
 
-/// With a journal that lies beside readers only while it is written to: whoever may not write to
-/// the folder can read what is finished.
+/// Switches from WAL to a rollback journal, so that a user without write permission for the folder
+/// can read the finished store.
 Store::~Store() {
   if (!writes_) return;
   run_done_.reset();
@@ -92,7 +94,7 @@ Store::~Store() {
   try {
     database_.run("PRAGMA busy_timeout=0; PRAGMA journal_mode=DELETE");
   } catch (const InputError&) {
-    // somebody reads it just now: it stays as it is
+    // Another process reads the store: WAL mode stays.
   }
 }
 
@@ -120,7 +122,7 @@ void Store::make_tables() {
   all.commit();
 }
 
-/// One row a point, with names as in campaign.csv.
+/// Makes the view `results`: one row per point, with the column names of campaign.csv.
 void Store::make_view() {
   std::string columns = "p.point";
   for (const SweptColumn& s : swept()) columns += ", p." + quoted_name(s.column);
@@ -132,7 +134,7 @@ void Store::make_view() {
   while (known.step())
     columns += fmt::format(", s.{}, s.{}", quoted_name(known.text(0)), quoted_name(known.text(1)));
   database_.run(
-      // Another store may be attached, whose view would be meant by the bare name.
+      // Names `main`: the bare name could mean the view of an attached store.
       fmt::format("DROP VIEW IF EXISTS main.results; CREATE VIEW main.results AS SELECT {} FROM "
                   "points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash "
                   "= p.hash ORDER BY p.point",
@@ -265,7 +267,7 @@ void Store::keep(const RunRecord& f) {
     summary_->run();
     all.commit();
   } catch (...) {
-    summary_.reset();  // its columns may have gone with the transaction
+    summary_.reset();  // its columns may have been rolled back
     throw;
   }
 }

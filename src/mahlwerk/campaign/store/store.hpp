@@ -20,46 +20,46 @@
 #include "mahlwerk/results/notices/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
-// What a campaign has done and has still to do, in one SQLite file (docs/formats.md).
+// Store of a campaign: planned points and records of runs in one SQLite file (docs/formats.md).
 namespace mahlwerk::campaign {
 
-/// A run by what it computes: its resolved case, what the files it names hold, and the version that
-/// runs it. The same run has the same number wherever it stands in a campaign.
+/// Identity of a run: a hash of its resolved case, the content of the files that the case names,
+/// and the program version. Independent of the run's position in a campaign.
 using RunHash = std::uint64_t;
 RunHash run_hash(const cases::Case& what, std::string_view version);
 std::string hash_text(RunHash hash);  ///< 16 hexadecimal digits
 
-/// The columns of a quantity: its value and its half-width, with their unit.
+/// Column names of a quantity: its value and its half-width, with their unit.
 std::array<std::string, 2> columns_of(const results::Quantity& q);
 
-/// A campaign as it is planned.
+/// The plan of a campaign.
 struct CampaignPlan {
   std::string title, version;
   std::filesystem::path case_file;
   std::vector<cases::Override> overrides;
-  std::vector<std::string> keys;            ///< that vary
-  std::vector<std::string> following_keys;  ///< of them: those that go side by side with others
+  std::vector<std::string> keys;            ///< varied keys
+  std::vector<std::string> following_keys;  ///< those of `keys` that vary together with another
   std::vector<RunHash> runs;                ///< by point
-  /// Of the keys at a point, as text; empty: not known.
+  /// Values of `keys` at a point, as text; empty: not known.
   std::function<std::vector<std::string>(std::size_t point)> values;
 };
 
 enum class RunState { waiting, done, failed };
 
-/// What came of a run.
+/// Record of a finished run.
 struct RunRecord {
   RunHash hash = 0;
-  std::string resolved;  ///< its case
+  std::string resolved;  ///< the resolved case as text
   std::string engine, regime;
-  std::string folder;  ///< of its results, relative to the store; empty: none is kept
+  std::string folder;  ///< of its results, relative to the store; empty: no results are kept
   std::string began;   ///< UTC, ISO 8601
   double wall_seconds = 0, cpu_seconds = 0;
-  std::string failure;  ///< why physics stopped it; empty: it ended as wanted
+  std::string failure;  ///< why physics stopped the run; empty: it ended regularly
   std::vector<results::Quantity> quantities;
   Notices notices;
 };
 
-/// A point of the plan with what is known of its run.
+/// A point of the plan with the record of its run.
 struct StoredPoint {
   std::size_t number = 0;  ///< from 1
   std::vector<std::string> values;
@@ -67,20 +67,19 @@ struct StoredPoint {
   std::string engine, regime, folder, message;
   std::string warnings;  ///< codes, separated by ";"
   double wall_seconds = 0, cpu_seconds = 0;
-  std::vector<double> value, ci95;  ///< of the quantities asked for; NaN where there is none
+  std::vector<double> value, ci95;  ///< of the requested quantities; NaN where there is none
 };
 
 struct RunCounts {
   std::size_t points = 0;                         ///< of the plan
-  std::size_t waiting = 0, done = 0, failed = 0;  ///< runs of the plan; points may share one
+  std::size_t waiting = 0, done = 0, failed = 0;  ///< runs of the plan; points may share a run
 };
 
-/// Threads may call at the same time. Every failure of the file is an InputError; what was kept
-/// before stays.
+/// Thread-safe. Every failure of the file throws InputError; committed data are kept.
 class Store {
  public:
   enum class Access {
-    write,  ///< by this process alone, beside readers; on a disk of this machine
+    write,  ///< no other writer, but concurrent readers; on a disk of this machine
     shard,  ///< the same on any file system, slower
     read
   };
@@ -89,17 +88,18 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// Makes this the plan. Runs that are known stay as they are, others wait.
+  /// Replaces the plan. Known runs keep their state, new runs wait.
   void plan(const CampaignPlan& planned);
-  std::unordered_map<RunHash, RunState> states() const;  ///< of all runs, those of old plans, too
+  std::unordered_map<RunHash, RunState> states() const;  ///< of all runs, also of earlier plans
 
-  /// Runs whose results should be in a folder below `place`, and are not.
+  /// Finished runs whose results folder does not exist below `place`.
   std::vector<RunHash> without_folder(const std::filesystem::path& place) const;
 
-  void keep(const RunRecord& finished);
-  void fail(RunHash hash, std::string_view why);
-  std::size_t retry();  ///< failed runs wait again; how many
-  /// Takes over what `other` has done, and its plan if that was made later; how many runs.
+  void keep(const RunRecord& finished);           ///< stores a run that has ended
+  void fail(RunHash hash, std::string_view why);  ///< stores a run that cannot be computed
+  std::size_t retry();  ///< sets failed runs to waiting; returns their number
+  /// Merges the finished runs of `other`, and its plan if that is newer. Returns the number of
+  /// runs.
   std::size_t merge(const std::filesystem::path& other);
 
   RunCounts counts() const;
@@ -107,15 +107,15 @@ class Store {
   std::filesystem::path case_file() const;
   std::vector<cases::Override> overrides() const;
   std::vector<std::string> keys() const;
-  bool follows(const std::string& key) const;  ///< it goes side by side with another
-  /// Name, unit and about of all that runs have given; values are missing.
+  bool follows(const std::string& key) const;  ///< whether the key varies together with another
+  /// Name, unit and description of the quantities of all runs; values are missing.
   std::vector<results::Quantity> quantities() const;
-  /// The notices of all points of the plan that have been run, by code.
+  /// Notices of all points of the plan that have been run, by code.
   results::NoticeCounts notices() const;
-  /// The points of the plan in order, with the quantities of these names.
+  /// Calls `take` for each point of the plan, in order, with the named quantities.
   void read(const std::vector<std::string>& quantities,
             const std::function<void(const StoredPoint&)>& take) const;
-  /// The view `results` as comma-separated text with a heading.
+  /// Writes the view `results` as comma-separated text with a heading.
   void write_csv(std::ostream& out) const;
 
  private:
@@ -138,18 +138,18 @@ class Store {
   void keep_notices(std::string_view hash, const Notices& notices);
   void prepare_summary(const std::vector<results::Quantity>& quantities);
 
-  bool writes_;  ///< and readers look on
+  bool writes_;  ///< opened with Access::write
   mutable std::mutex mutex_;
   Database database_;
   std::optional<Statement> run_done_, run_failed_, notice_, summary_;
-  std::vector<results::Quantity> summary_form_;  ///< quantities that summary_ takes
+  std::vector<results::Quantity> summary_form_;  ///< quantities bound by summary_
 };
 
-/// Holds a folder's campaign for this process, until it ends however it ends. The file stays.
+/// Locks a campaign's folder until the object or the process ends. The lock file stays.
 class CampaignLock {
  public:
-  using Mode = results::FileLock::Mode;  ///< shared: with other shards, each of a part of its own
-  /// Throws InputError where another process holds it, or it is held with others and wanted alone.
+  using Mode = results::FileLock::Mode;  ///< shared: several shards, each running its own part
+  /// Throws InputError if another process holds the lock in a conflicting mode.
   explicit CampaignLock(const std::filesystem::path& file, Mode mode = Mode::exclusive);
   static bool held(const std::filesystem::path& file);  ///< by any process
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The columns of a campaign's results: those that any run has given, in an order that does not
-// depend on which run ended first.
+// Columns of a campaign's results: the quantities of all runs, in an order that does not depend on
+// the order in which runs end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,8 @@ Quantity quantity(const Statement& row, int name) {
   return q;
 }
 
-/// The longest first, each after the one before it in its form.
+/// Merges lists of quantities, the longest first. A new quantity is inserted after its predecessor
+/// in its own list.
 Quantities merged(std::vector<Quantities> forms) {
   std::ranges::sort(forms, [](const Quantities& a, const Quantities& b) {
     if (a.size() != b.size()) return a.size() > b.size();
@@ -65,7 +66,7 @@ Quantities Store::known_quantities() const {
   return list;
 }
 
-/// Whether it is a new one.
+/// Keeps a list of quantities; true if it is new.
 bool Store::keep_form(const Quantities& form) {
   const std::string name = name_of_form(form);
   Statement known = database_.prepare("SELECT 1 FROM main.forms WHERE form = ? LIMIT 1");
@@ -84,13 +85,13 @@ bool Store::keep_form(const Quantities& form) {
   return true;
 }
 
-/// Of a store of an earlier version.
+/// Keeps the list of a store that an earlier version made.
 void Store::keep_old_form() {
   if (database_.query_text("SELECT count(*) FROM main.forms") != "0") return;
   if (const Quantities old = known_quantities(); !old.empty()) keep_form(old);
 }
 
-/// Columns for quantities that no run has given yet, and all of them in their order.
+/// Adds columns for new quantities, and puts all columns in order.
 void Store::add_columns(const Quantities& quantities) {
   keep_old_form();
   if (!keep_form(quantities)) return;
@@ -98,7 +99,7 @@ void Store::add_columns(const Quantities& quantities) {
   put_in_order();
 }
 
-/// The same of those that another store, attached as `other`, has.
+/// The same for the store attached as `other`.
 void Store::add_columns_of_other(const Quantities& quantities) {
   const bool has_forms =
       database_.query_text("SELECT count(*) FROM other.sqlite_master WHERE name = 'forms'") !=

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What runs of a campaign say besides their numbers.
+// Notices of a campaign's runs.
 #include "mahlwerk/campaign/store/store.hpp"
 
 namespace mahlwerk::campaign {
 
-/// Those of an earlier attempt go.
+/// Replaces the notices of an earlier attempt.
 void Store::keep_notices(std::string_view hash, const Notices& notices) {
   database_.prepare("DELETE FROM notices WHERE hash = ?").bind(1, hash).run();
   if (!notice_) notice_.emplace(database_.prepare("INSERT INTO notices VALUES(?, ?, ?, ?, ?)"));

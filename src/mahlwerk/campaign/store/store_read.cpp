@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is asked of a campaign's store, and how stores of shards become one.
+// Queries of a campaign's store, and merging of the stores of shards.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::size_t count(const Database& database, const std::string& sql) {
   return static_cast<std::size_t>(std::stoull(database.query_text(sql)));
 }
 
-/// Another store beside the one that is open, as `other`.
+/// Attaches another store as `other`; the destructor detaches it.
 class AttachedDatabase {
  public:
   AttachedDatabase(Database& database, const std::filesystem::path& file) : database_(database) {
@@ -30,7 +30,7 @@ class AttachedDatabase {
     try {
       database_.run("DETACH other");
     } catch (const InputError&) {
-      // it goes with the database
+      // Closing the database detaches it.
     }
   }
   AttachedDatabase(const AttachedDatabase&) = delete;
@@ -174,18 +174,17 @@ void Store::write_csv(std::ostream& out) const {
   }
 }
 
-/// Throws InputError if `other`, attached, has points and shares none with this plan.
+/// Throws InputError if both the plan and that of `other`, attached, have points and share none.
 void Store::refuse_other_campaign(const std::filesystem::path& other) const {
   if (count(database_, "SELECT count(*) FROM main.points") > 0 &&
       count(database_, "SELECT count(*) FROM other.points") > 0 &&
       count(database_,
             "SELECT count(*) FROM other.points WHERE hash IN (SELECT hash FROM main.points)") == 0)
     throw InputError(Fault{other.generic_string(), "this is a shard of another campaign",
-                           "take it away, or join it in a folder of its own", "store"});
+                           "remove it, or merge it in a folder of its own", "store"});
 }
 
-/// The plan of the store that is attached as `other`, if it was made later: the case has changed
-/// since.
+/// Takes the plan of the store attached as `other` if it is newer: the case has changed since.
 void Store::take_newer_plan() {
   const auto made = [&](const std::string& store) {
     return database_.query_text("SELECT value FROM " + store + ".campaign WHERE key = 'planned'");
@@ -204,7 +203,7 @@ void Store::take_newer_plan() {
 }
 
 std::size_t Store::merge(const std::filesystem::path& other) {
-  const Store source(other, Access::read);  // that it is one
+  const Store source(other, Access::read);  // throws if `other` is not a store
   const std::vector<results::Quantity> quantities = source.quantities();
   const std::lock_guard lock(mutex_);
   const AttachedDatabase attached(database_, other);

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_folders = 1000;  // of results; of more runs only the store is kept
+constexpr std::size_t most_folders = 1000;  // of results; larger campaigns keep only the store
 
 std::string name_of(const Shard& shard) {
   return shard.whole() ? "campaign"
@@ -50,7 +50,7 @@ void refuse_foreign_folder(const fs::path& place, bool force) {
   if (!is_free(place) && !holds_campaign(place)) const results::Folder tried(place, force);
 }
 
-/// The lock's file, in a folder that is a campaign's or has been made one.
+/// Path of the lock file. The folder belongs to a campaign, or becomes that of one here.
 fs::path opened(const fs::path& place, const Shard& shard, bool force) {
   const fs::path lock = place / (name_of(shard) + ".lock");
   if (is_free(place)) {
@@ -82,7 +82,7 @@ CampaignFolder::CampaignFolder(CampaignSettings settings, const fs::path& case_f
   refuse_foreign_folder(path_, settings_.force);
 }
 
-/// Only once the case is known to be sound: until then nothing is written.
+/// Called once the case is known to be valid; nothing is written before.
 void CampaignFolder::open() {
   const fs::path own = opened(path_, shard_, settings_.force);
   own_lock_.emplace(own);
@@ -96,7 +96,7 @@ void CampaignFolder::open() {
   remove_leftovers();
 }
 
-/// Two cases of one name would take turns in one folder. A case that was moved is the same.
+/// Two case files of one name would share a folder. A case file that was moved is the same.
 void CampaignFolder::refuse_other_case() const {
   const fs::path last = store_->case_file();
   std::error_code none;
@@ -108,7 +108,7 @@ void CampaignFolder::refuse_other_case() const {
                          "other-campaign"});
 }
 
-/// What runs of this part of the campaign that were killed had begun to write, and pages.
+/// Removes partial files of killed runs of this shard, and partial pages.
 void CampaignFolder::remove_leftovers() const {
   std::error_code none;
   std::vector<fs::path> remains;
@@ -174,8 +174,8 @@ void CampaignFolder::plan(Plan plan) {
   store_->plan(planned);
 }
 
-/// Points whose runs wait, the longest first so that the last to end are short; those that a shard
-/// or the whole has done are not done again.
+/// Points whose runs wait, the longest first so that all threads end at about the same time. Runs
+/// that another shard or the whole campaign has done are left out.
 std::vector<std::size_t> CampaignFolder::waiting_runs(WorkSummary& worked) const {
   auto states = store_->states();
   for (const auto& entry : fs::directory_iterator(path_)) {
@@ -186,11 +186,11 @@ std::vector<std::size_t> CampaignFolder::waiting_runs(WorkSummary& worked) const
       for (const auto& [hash, state] : Store(entry.path(), Store::Access::read).states())
         if (state == RunState::done) states[hash] = state;
     } catch (const InputError&) {
-      // another shard's that is being made just now, or cannot be read: it has done nothing for us
+      // The store of another shard is being made or cannot be read: it counts as empty.
     }
   }
   for (const RunHash hash : store_->without_folder(path_))
-    states[hash] = RunState::waiting;  // somebody took its results away
+    states[hash] = RunState::waiting;  // its results were deleted
   std::vector<std::size_t> points;
   std::unordered_set<RunHash> met;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -213,8 +213,8 @@ Store open_store(const fs::path& place) {
   std::error_code none;
   if (!fs::exists(file, none))
     throw InputError(Fault{place.string(), "the folder holds no campaign",
-                           "name the folder that `mahlwerk sweep` made; after shards, join them "
-                           "first: mahlwerk sweep merge FOLDER",
+                           "name the folder that `mahlwerk sweep` made; if it holds shards, merge "
+                           "them first: mahlwerk sweep merge FOLDER",
                            "no-campaign"});
   return {file, Store::Access::read};
 }

@@ -16,59 +16,59 @@
 
 namespace mahlwerk::campaign {
 
-/// Which part of a campaign a process does: each `of`-th run, from `number`, which is 1 ... of.
+/// The part of a campaign that a process runs: every `of`-th run, from `number`, which is 1 ... of.
 struct Shard {
   std::size_t number = 1, of = 1;
   bool whole() const { return of == 1; }
 };
 
-/// How a stretch of work on a campaign went.
+/// Summary of one session of work on a campaign.
 struct WorkSummary {
   std::size_t done = 0, failed = 0;  ///< runs
-  std::size_t already_done = 0;      ///< that were done before
+  std::size_t already_done = 0;      ///< done before this session
   double seconds = 0;
   bool interrupted = false;
 };
 
-/// Where the work on a campaign stands, for the line a user watches.
+/// Progress of the work on a campaign, for the progress line.
 struct WorkProgress {
   double share = 0;                          ///< [1] of the work, estimated
   double seconds = 0;                        ///< since it began
   std::size_t done = 0, failed = 0, of = 0;  ///< runs
 };
 
-/// How a campaign is worked on.
+/// Settings of the work on a campaign.
 struct CampaignSettings {
   std::string version;  ///< of the program
   cases::Catalogue catalogue;
-  int threads = 0;                          ///< 0: as many as the machine has
-  bool force = false;                       ///< what is in the folder is replaced
-  std::optional<bool> folders;              ///< of each run; by default of up to 1000 runs
-  const std::atomic<bool>* stop = nullptr;  ///< set: end cleanly, keep what was computed
+  int threads = 0;              ///< 0: as many as the machine has
+  bool force = false;           ///< replace the content of the folder
+  std::optional<bool> folders;  ///< keep a folder of each run; by default for up to 1000 runs
+  const std::atomic<bool>* stop = nullptr;  ///< when set: end regularly, keep what was computed
   /// Writes the results of a run.
   std::function<void(const results::Folder&, const results::Outcome&)> write;
-  std::function<void(const WorkProgress&)> progress;  ///< never from two threads at once
-  std::function<void(const Fault&)> on_write_error;   ///< states that cannot be kept
+  std::function<void(const WorkProgress&)> progress;  ///< never called from two threads at once
+  std::function<void(const Fault&)> on_write_error;   ///< called if states cannot be written
 };
 
-/// A campaign in its folder: the store, and the results of runs beside it. It belongs to this
-/// process alone until it is destroyed; what is in it stays, however the process ends.
+/// A campaign in its folder: the store, and the results of runs beside it. Locked for this process
+/// until it is destroyed; the content stays, however the process ends.
 class CampaignFolder {
  public:
-  /// Of what is in `place`, or anew there; with settings.force always anew. Throws InputError where
-  /// it holds something else.
+  /// Continues the campaign in `place`, or begins one there; with settings.force always begins a
+  /// new one. Throws InputError if the folder holds something else.
   CampaignFolder(CampaignSettings settings, const std::filesystem::path& case_file,
                  std::vector<cases::Override> set, std::filesystem::path place,
                  const Shard& shard = {});
 
-  /// Reads the cases of all points, then opens the folder. A point whose case has faults fails as
-  /// its turn comes; throws InputError if all have, the folder cannot be written to, or another
-  /// process is at work there. Does nothing once a stop is wanted.
+  /// Reads the cases of all points, then opens the folder. A point whose case has faults fails in
+  /// its turn; throws InputError if all points have faults, the folder cannot be written to, or
+  /// another process is at work there. Does nothing once a stop is requested.
   void plan(Plan plan);
-  /// Does the runs of the plan that wait. Throws InputError where results cannot be kept.
+  /// Runs the waiting points of the plan. Throws InputError if results cannot be written.
   WorkSummary work();
 
-  Store& store() { return *store_; }  ///< once there is a plan
+  Store& store() { return *store_; }  ///< requires plan()
   const std::filesystem::path& path() const { return path_; }
   std::size_t size() const { return runs_.size(); }  ///< points
   RunHash run(std::size_t point) const { return runs_[point].hash; }
@@ -100,11 +100,11 @@ class CampaignFolder {
   std::vector<Run> runs_;
 };
 
-/// Makes the folder of a campaign that others will work on. Throws InputError if it holds something
-/// else, or cannot be made.
+/// Makes the folder of a campaign for other processes to work on. Throws InputError if it holds
+/// something else, or cannot be made.
 void prepare_folder(const std::filesystem::path& place);
 
-/// The store of a campaign's folder, for those who only look. Throws InputError if there is none.
+/// Opens the store of a campaign's folder for reading. Throws InputError if there is none.
 Store open_store(const std::filesystem::path& place);
 
 }  // namespace mahlwerk::campaign

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A campaign's runs at work: from the queue into folders and the store.
+// Execution of a campaign's runs: from the queue into folders and the store.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::string failure_of(const results::Outcome& outcome) {
 
 }  // namespace
 
-/// What lies open while runs are at work: their folders, streams and states.
+/// Folders, streams and checkpoints of active runs.
 class CampaignFolder::ActiveRuns {
  public:
   ActiveRuns(CampaignFolder& owner, std::vector<std::size_t> todo)
@@ -126,7 +126,7 @@ class CampaignFolder::ActiveRuns {
     if (!streams && fs::exists(kept)) try {
         made->checkpoint->load();
       } catch (const InputError&) {
-        no_state();  // it was another version's, or damaged: the run begins anew
+        no_state();  // of another version, or damaged: the run starts from the beginning
       }
     const std::lock_guard lock(mutex_);
     active_[i] = std::move(made);
@@ -185,7 +185,7 @@ class CampaignFolder::ActiveRuns {
   std::vector<std::size_t> todo_;
   double total_ = 0;  // [s] of work, estimated
   std::mutex mutex_;
-  std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;  // by place in todo_
+  std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;  // by index in todo_
   WorkSummary summary_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

@@ -13,19 +13,19 @@
 
 namespace mahlwerk::campaign {
 
-/// The points of a case, read without running them, and what is wrong with any: each fault once,
-/// with the first point that has it. A case without [sweep] is a campaign of one point.
+/// The points of a case, read without running them, and their faults: each fault once, with the
+/// first point that has it. A case without [sweep] is a campaign of one point.
 class CheckedPoints {
  public:
-  static constexpr std::size_t most = 1000;  ///< that are read, however many there are
+  static constexpr std::size_t most = 1000;  ///< points that are read at most
 
   CheckedPoints(const cases::Case& what, const std::filesystem::path& file,
                 const cases::Catalogue& known, const std::vector<cases::Override>& set);
 
-  const std::vector<cases::Case>& good() const { return good_; }  ///< that can be run
+  const std::vector<cases::Case>& good() const { return good_; }  ///< points that can be run
   const std::vector<Fault>& faults() const { return faults_; }
-  std::size_t size() const { return size_; }  ///< of the whole campaign
-  std::size_t bad() const { return bad_; }    ///< of those read
+  std::size_t size() const { return size_; }  ///< points of the whole campaign
+  std::size_t bad() const { return bad_; }    ///< points with faults, of those read
 
  private:
   void add_faults(std::vector<Fault> more, const std::string& point);

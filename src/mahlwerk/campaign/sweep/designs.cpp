@@ -13,7 +13,8 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Streams of random numbers, one for each key from here on; engines use those near 0.
+/// First streams of random numbers, one stream for each key or trajectory; engines use streams near
+/// 0.
 constexpr std::uint32_t hypercube_stream = 0x10000000, trajectory_stream = 0x20000000,
                         shift_stream = 0x30000000;
 
@@ -33,7 +34,7 @@ Random stream(std::uint64_t seed, std::uint32_t first, std::size_t which) {
   return {seed, first + static_cast<std::uint32_t>(which)};
 }
 
-/// Sobol's sequence in whole numbers of 2^-64.
+/// Sobol' sequence as integers in units of 2^-64.
 class Sobol {
  public:
   explicit Sobol(std::size_t dimensions) : dimensions_(dimensions), engine_(engine(dimensions)) {}
@@ -75,7 +76,7 @@ DesignMatrix latin_hypercube(std::size_t keys, std::size_t samples, std::uint64_
 }
 
 DesignMatrix sobol_points(std::size_t keys, std::size_t samples) {
-  Sobol sequence(keys);  // boost's begins behind the corner
+  Sobol sequence(keys);  // without the corner, as in Boost
   DesignMatrix rows(samples);
   for (std::vector<double>& row : rows)
     for (const std::uint64_t digits : sequence.next()) row.push_back(unit_interval(digits));
@@ -115,7 +116,7 @@ DesignMatrix morris_design(std::size_t keys, std::size_t trajectories, std::uint
 
 DesignMatrix saltelli_design(std::size_t keys, std::size_t base, std::uint64_t seed) {
   Sobol sequence(2 * keys);
-  // The plain sequence begins with rows whose halves are alike, which would tell nothing.
+  // The first rows of the plain sequence have nearly equal halves, which give no information.
   std::vector<std::uint64_t> shift(2 * keys);
   for (std::size_t i = 0; i < shift.size(); ++i) {
     Random random = stream(seed, shift_stream, i);
@@ -124,7 +125,7 @@ DesignMatrix saltelli_design(std::size_t keys, std::size_t base, std::uint64_t s
   DesignMatrix rows;
   rows.reserve(base * (keys + 2));
   for (std::size_t group = 0; group < base; ++group) {
-    // The corner belongs to the sequence: with it 2^m rows are a net.
+    // The corner is added: with it 2^m rows are a digital net.
     const std::vector<std::uint64_t> digits =
         group == 0 ? std::vector<std::uint64_t>(2 * keys) : sequence.next();
     std::vector<double> a, b;

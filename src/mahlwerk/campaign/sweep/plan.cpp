@@ -20,7 +20,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Keys whose values are whole numbers.
+/// Whether the values of a key are whole numbers.
 bool is_count(std::string_view key) {
   static const std::set<std::string_view> names{
       "count",   "replicates", "cycles", "classes",     "classes_per_octave",
@@ -34,7 +34,7 @@ bool is_count(std::string_view key) {
       what, "write for instance { from = \"200 rpm\", to = \"600 rpm\" }", "bad-range"});
 }
 
-/// The ends of a range, measured in the unit its upper end is written in.
+/// The ends of a range, in the unit of its upper end.
 struct Ends {
   double from = 0, to = 1;
   std::string unit;
@@ -43,24 +43,25 @@ struct Ends {
 Ends ends_of(const cases::SweptKey& range) {
   const std::string& last = range.values[1];
   const auto [number, unit] = number_text(last);
-  if (std::isnan(number)) refuse(range, fmt::format("\"{}\" is no number", last));
+  if (std::isnan(number)) refuse(range, fmt::format("\"{}\" is not a number", last));
   Ends ends{.to = number, .unit = std::string(unit)};
   try {
     const mahlwerk::Quantity first = parse_quantity(range.values[0]), second = parse_quantity(last);
-    if (first.dimension != second.dimension) refuse(range, "the ends have units of two kinds");
+    if (first.dimension != second.dimension)
+      refuse(range, "the units of the ends differ in dimension");
     ends.from = parse_in(range.values[0], unit);
   } catch (const UnitError& error) {
     refuse(range, error.what());
   }
   if (!(ends.from < ends.to)) refuse(range, "the first end is not below the second");
-  if (range.logarithmic && !(ends.from > 0)) refuse(range, "a logarithmic range lies above 0");
+  if (range.logarithmic && !(ends.from > 0)) refuse(range, "a logarithmic range must lie above 0");
   return ends;
 }
 
 std::vector<std::string> list_of(const cases::SweptKey& key) {
   if (!key.range) return key.values;
   std::vector<std::string> list;
-  constexpr int all_digits = 9;  // without the rounding of sums: 0.15, not 0.15000000000000002
+  constexpr int all_digits = 9;  // hides rounding: 0.15, not 0.15000000000000002
   for (std::int64_t i = 0; i < key.steps; ++i)
     list.push_back(value_in_range(key, static_cast<double>(i) / static_cast<double>(key.steps - 1),
                                   all_digits));
@@ -68,7 +69,8 @@ std::vector<std::string> list_of(const cases::SweptKey& key) {
 }
 
 [[noreturn]] void too_many(std::string remedy) {
-  throw InputError(Fault{"[sweep]", fmt::format("these are more than {} points", Plan::most_points),
+  throw InputError(Fault{"[sweep]",
+                         fmt::format("the sweep has more than {} points", Plan::most_points),
                          std::move(remedy), "too-many-points"});
 }
 
@@ -81,7 +83,7 @@ void check_size(const cases::Sweep& sweep) {
   if (samples * each > static_cast<double>(Plan::most_points)) too_many("give fewer samples");
 }
 
-/// Places in the ranges; NaN where a key stays as the case has it.
+/// Positions in the ranges; NaN where a key keeps the value of the case.
 DesignMatrix rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
   const std::size_t keys = sweep.keys.size();
   const auto samples = static_cast<std::size_t>(sweep.samples);
@@ -121,7 +123,7 @@ Plan::Plan(const cases::Sweep& sweep, std::uint64_t seed) {
     following_keys_.insert(following_keys_.end(), group.begin() + 1, group.end());
   if (sweep.design != cases::Design::grid && !keys_.empty()) {
     ranges_ = sweep.keys;
-    for (const cases::SweptKey& range : ranges_) ends_of(range);  // that it is one
+    for (const cases::SweptKey& range : ranges_) ends_of(range);  // throws if the range is invalid
     check_size(sweep);
     design_ = rows_of(sweep, seed);
     size_ = design_.size();
@@ -160,7 +162,7 @@ std::vector<std::string> Plan::values(std::size_t point) const {
         values[k] = value_in_range(ranges_[k], place);
     return values;
   }
-  // The last group runs fastest.
+  // The last group varies fastest.
   for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
     for (const std::size_t key : group->keys) values[key] = lists_[key][point % group->length];
     point /= group->length;

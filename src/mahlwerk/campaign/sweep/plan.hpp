@@ -11,29 +11,29 @@
 
 namespace mahlwerk::campaign {
 
-/// The points of a campaign: which values the keys of [sweep] take at each. The same sweep and seed
+/// The points of a campaign: the values of the keys of [sweep] at each. The same sweep and seed
 /// give the same points.
 class Plan {
  public:
-  /// Throws InputError where the values of a key leave no plan: ends of a range that are no numbers
-  /// of one unit, too many points.
+  /// Throws InputError if the values of a key give no plan: the ends of a range are not numbers of
+  /// one unit, or there are too many points.
   Plan(const cases::Sweep& sweep, std::uint64_t seed);
 
   std::size_t size() const { return size_; }
-  const std::vector<std::string>& keys() const { return keys_; }  ///< by name
-  /// Of the keys, those whose lists go side by side with another's.
+  const std::vector<std::string>& keys() const { return keys_; }  ///< names of the varied keys
+  /// Keys whose lists vary together with the list of another key.
   const std::vector<std::string>& following_keys() const { return following_keys_; }
-  /// Of the keys at a point, as text; empty where a key stays as the case has it.
+  /// Values of the keys at a point, as text; empty where a key keeps the value of the case.
   std::vector<std::string> values(std::size_t point) const;
-  /// What makes the case that of a point: the values it does not have already.
+  /// Overrides that turn the case into that of a point.
   std::vector<cases::Override> overrides(std::size_t point) const;
-  /// By point: where in the ranges it lies, 0 to 1 for each key; none on a grid.
+  /// By point: position in the ranges, 0 to 1 for each key; empty for a grid.
   const std::vector<std::vector<double>>& design() const { return design_; }
 
   static constexpr std::size_t most_points = 10'000'000;
 
  private:
-  /// Keys that take their values side by side; of a grid.
+  /// Keys of a grid whose values vary together.
   struct Group {
     std::vector<std::size_t> keys;
     std::size_t length = 1;
@@ -41,22 +41,23 @@ class Plan {
   void make_groups(const cases::Sweep& sweep);
 
   std::vector<std::string> keys_, following_keys_;
-  std::vector<std::vector<std::string>> lists_;  ///< of a grid: by key
-  std::vector<cases::SweptKey> ranges_;          ///< of any other design
+  std::vector<std::vector<std::string>> lists_;  ///< values of a grid, by key
+  std::vector<cases::SweptKey> ranges_;          ///< ranges of any other design
   std::vector<Group> groups_;
   std::vector<std::vector<double>> design_;
   std::size_t size_ = 0;
 };
 
-/// The keys of a plan at a point; those that stay as the case has them, as `own` says, by key.
+/// Values of a plan's keys at a point; a key that keeps the value of the case takes it from `own`,
+/// by key.
 std::vector<std::string> point_values(const Plan& plan, std::size_t point,
                                       const std::vector<std::string>& own);
-/// What the case says of the keys of a plan; empty where it says nothing.
+/// Values of a plan's keys in the case; empty where it has none.
 std::vector<std::string> base_values(const Plan& plan, const cases::Case& what);
 
-/// The text of the value at `place`, 0 to 1 from end to end of a range, to `digits` digits; of keys
-/// that count something a whole number. Throws InputError where an end is no number, their units do
-/// not fit, or a logarithmic range does not lie above 0.
+/// The value at `place`, 0 to 1 from end to end of a range, as text with `digits` digits; a whole
+/// number for keys that count something. Throws InputError if an end is not a number, the units do
+/// not fit, or a logarithmic range is not above 0.
 std::string value_in_range(const cases::SweptKey& range, double place, int digits = 6);
 
 }  // namespace mahlwerk::campaign

@@ -16,7 +16,7 @@ namespace {
 void check(std::size_t rows, const std::vector<double>& outcomes,
            const std::vector<double>& errors) {
   if (outcomes.size() != rows || (!errors.empty() && errors.size() != rows))
-    throw std::invalid_argument("a design and its outcomes differ in rows");
+    throw std::invalid_argument("a design and its outcomes have different numbers of rows");
 }
 
 int count_failed(const std::vector<double>& outcomes) {
@@ -34,12 +34,12 @@ IntervalEstimate mean_of(const std::vector<double>& values) {
   return around(e.mean, e.ci95);
 }
 
-/// From the sums of values and of their squares.
+/// Standard deviation from the sums of values and of their squares.
 double deviation(double sum, double squares, double count) {
   return std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1)));
 }
 
-/// Its error from how much it changes as one value after the other is left out (Quenouille 1956).
+/// Standard deviation with a jackknife interval (Quenouille 1956).
 IntervalEstimate deviation_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return {unknown, unknown, unknown};
@@ -64,7 +64,8 @@ std::optional<bool> either(std::optional<bool> one, std::optional<bool> other) {
   return one && other ? std::optional(false) : std::nullopt;
 }
 
-/// Whether mu* is more than errors make it. Without an interval chance may have made it larger.
+/// Whether mu* exceeds the effect of errors; empty: not known. Without an interval, mu* may be
+/// larger by chance.
 std::optional<bool> is_significant(double noise, const IntervalEstimate& mean_absolute) {
   if (mean_absolute.value <= (std::isfinite(noise) ? noise : 0)) return false;
   if (!std::isfinite(mean_absolute.low)) return std::nullopt;
@@ -72,7 +73,7 @@ std::optional<bool> is_significant(double noise, const IntervalEstimate& mean_ab
   return mean_absolute.low > 0 ? std::nullopt : std::optional(false);
 }
 
-/// Steps of a key, as they are met along the ways.
+/// Steps of a key along all trajectories.
 struct Steps {
   std::vector<double> effects, sizes;
   double noise = 0;  // sum of the squares that errors alone would give
@@ -83,7 +84,7 @@ std::vector<Steps> steps_of(const DesignMatrix& design, const std::vector<double
   const std::size_t keys = design.empty() ? 0 : design.front().size();
   std::vector<Steps> steps(keys);
   for (std::size_t row = 0; row + 1 < design.size(); ++row) {
-    if ((row + 1) % (keys + 1) == 0) continue;  // a new way begins
+    if ((row + 1) % (keys + 1) == 0) continue;  // a new trajectory begins
     const double change = outcomes[row + 1] - outcomes[row];
     if (!std::isfinite(change)) continue;
     std::size_t key = 0;
@@ -97,7 +98,7 @@ std::vector<Steps> steps_of(const DesignMatrix& design, const std::vector<double
   return steps;
 }
 
-/// Squares of errors are right on the mean however few replicates they come from; errors are not.
+/// Squared errors are unbiased for any number of replicates; errors are not.
 double of_noise(const Steps& steps) {
   if (steps.effects.empty()) return unknown;
   const double square = steps.noise / static_cast<double>(steps.effects.size());
@@ -111,8 +112,7 @@ std::vector<double> standard_errors(const std::vector<double>& outcomes,
                                     const std::vector<double>& replicates) {
   if (ci95.empty() || replicates.empty()) return {};
   check(outcomes.size(), ci95, replicates);
-  constexpr double over_time =
-      2;  // t_95 of the ten batches and more that one replicate is cut into
+  constexpr double over_time = 2;  // t_95 of the ten or more batch means of one replicate
   std::vector<double> errors(outcomes.size(), unknown);
   for (std::size_t row = 0; row < outcomes.size(); ++row) {
     if (!std::isfinite(outcomes[row])) continue;

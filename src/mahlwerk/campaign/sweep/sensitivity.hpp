@@ -9,18 +9,18 @@
 
 #include "mahlwerk/campaign/sweep/designs.hpp"
 
-// How much each key does to an outcome, from the points of a design (docs/theory/sensitivity.md).
-// Outcomes are given by row of the design, NaN where a run failed: what rests on it is left out.
-// `errors` are their standard errors, `ci95` half-widths of their 95 % intervals; empty: not known.
-// What a key does is `significant` if it is more than chance makes; nothing: that is not known. It
-// is `inactive` if no outcome changes, not by a digit, where it alone moves. Wrong numbers of rows
-// throw std::invalid_argument.
+// Sensitivity of an outcome to each key, from the points of a design (docs/theory/sensitivity.md).
+// Outcomes are given by row of the design, NaN where a run failed; effects that need a failed run
+// are left out. `errors` are standard errors of the outcomes, `ci95` half-widths of their 95 %
+// intervals; empty: not known. An effect is `significant` if it exceeds the noise; empty: not
+// known. A key is `inactive` if all outcomes stay identical where only this key changes. Wrong
+// numbers of rows throw std::invalid_argument.
 namespace mahlwerk::campaign {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Standard errors of outcomes from half-widths over so many replicates each (sen.10). Empty if one
-/// is not known of a row that has an outcome.
+/// Standard errors of outcomes from half-widths over the given numbers of replicates (sen.10).
+/// Empty if that of any row with an outcome is not known.
 std::vector<double> standard_errors(const std::vector<double>& outcomes,
                                     const std::vector<double>& ci95,
                                     const std::vector<double>& replicates);
@@ -30,11 +30,11 @@ struct IntervalEstimate {
   double value = 0, low = 0, high = 0;
 };
 
-/// What a key does alone, in units of the outcome.
+/// Effect of one key alone, in units of the outcome.
 struct Swing {
   IntervalEstimate at_low, at_high;  ///< the outcome with the key at 0 and at 1
   std::optional<bool>
-      significant;  ///< one of them differs from the base by more than their intervals
+      significant;  ///< an end differs from the base by more than the joint half-width
   bool inactive = false;
 };
 struct Swings {
@@ -42,42 +42,45 @@ struct Swings {
   std::vector<Swing> keys;
   int failed = 0;  ///< rows
 };
+/// Effects of one key at a time; rows as of `one_at_a_time_design`.
 Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci95);
 
-/// Change of an outcome over the whole range of a key, here and there in the ranges of the others.
+/// Elementary effects of a key: changes of an outcome over its whole range, at several points in
+/// the ranges of the other keys.
 struct KeyEffects {
   IntervalEstimate mean_absolute;   ///< mu* (sen.3)
   IntervalEstimate mean;            ///< mu (sen.3)
-  IntervalEstimate deviation;       ///< sigma (sen.4): what it does bends, or hangs on other keys
+  IntervalEstimate deviation;       ///< sigma (sen.4): nonlinearity, or interaction with other keys
   double of_noise = 0;              ///< mu* that errors alone would give (sen.5); NaN: not known
-  std::size_t count = 0;            ///< of steps that both have outcomes
-  std::optional<bool> significant;  ///< mu* is surely more than errors alone would give
+  std::size_t count = 0;            ///< of steps with outcomes at both ends
+  std::optional<bool> significant;  ///< the interval of mu* lies above of_noise
   bool inactive = false;
 };
 struct ElementaryEffects {
   std::vector<KeyEffects> keys;
   int failed = 0;
 };
+/// Elementary effects of a design as of `morris_design`.
 ElementaryEffects elementary_effects(const DesignMatrix& design,
                                      const std::vector<double>& outcomes,
                                      const std::vector<double>& errors);
 
-/// A key's shares of the variance that an outcome has over all ranges. Estimates may fall a little
-/// below 0.
+/// Sobol' indices of a key: its shares of the variance of an outcome over all ranges. Estimates may
+/// be slightly below 0.
 struct SobolIndices {
-  IntervalEstimate first;           ///< what is lost if it alone is known (sen.8)
-  IntervalEstimate total;           ///< what is left if all but it are known (sen.9)
+  IntervalEstimate first;           ///< first-order index (sen.8)
+  IntervalEstimate total;           ///< total index (sen.9)
   std::size_t count = 0;            ///< of groups used
-  std::optional<bool> significant;  ///< the total is surely above 0, and errors are taken off
+  std::optional<bool> significant;  ///< the interval of `total` lies above 0, and errors are known
   bool inactive = false;
 };
 struct VarianceDecomposition {
   std::vector<SobolIndices> keys;
   double variance = 0;  ///< of the outcome, without that of errors (sen.7)
-  double noise = 0;     ///< share of errors in the variance seen; NaN: not known, or none is seen
+  double noise = 0;  ///< share of errors in the observed variance; NaN: not known, or no variance
   int failed = 0;
 };
-/// Rows as of `saltelli_design`; intervals by drawing groups anew (Efron 1979), the same for the
+/// Rows as of `saltelli_design`; intervals by bootstrap over groups (Efron 1979), the same for the
 /// same seed. All NaN if the outcome varies no more than its errors.
 VarianceDecomposition variance_decomposition(std::size_t keys, const std::vector<double>& outcomes,
                                              const std::vector<double>& errors,

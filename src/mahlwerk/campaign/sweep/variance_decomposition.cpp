@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Shares of variance from groups of runs (docs/theory/sensitivity.md).
+// Variance decomposition from groups of runs (docs/theory/sensitivity.md).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Outcomes of one group; squares of their errors.
+/// Outcomes of one group, and squares of their errors.
 struct Group {
   double a = 0, b = 0;
   std::vector<double> mixed;
@@ -41,7 +41,7 @@ std::vector<Group> groups_of(std::size_t keys, const std::vector<double>& outcom
   return groups;
 }
 
-/// Mean and variance of what a and b give; the variance is without that of errors.
+/// Mean and variance of the outcomes of a and b; the variance is without that of errors.
 struct Moments {
   double mean = 0, variance = 0, noise = 0;
 };
@@ -84,8 +84,8 @@ IndexPair indices_of(const std::vector<Group>& groups, const std::vector<std::si
   return {first / whole, total / whole, count};  // (sen.8, sen.9)
 }
 
-/// The middle 95 % of values. Those that are NaN had no variance to share: where they are more than
-/// lie beyond one end, the shares may be of any size.
+/// The 95 % percentile interval. NaN values come from samples without variance: if there are more
+/// than one tail holds, the index is unbounded, and there is no interval.
 IntervalEstimate percentile_interval(double value, std::vector<double> values) {
   constexpr double beyond = 0.025;
   const auto drawn = static_cast<double>(values.size());
@@ -101,12 +101,12 @@ IntervalEstimate percentile_interval(double value, std::vector<double> values) {
   return {value, at(beyond), at(1 - beyond)};
 }
 
-/// How often groups are drawn anew: fewer times where there are so many that it would take long.
+/// Number of bootstrap samples: fewer for large designs, to limit the time.
 std::size_t bootstrap_samples(std::size_t groups, std::size_t keys) {
   return std::clamp<std::size_t>(200'000'000 / (groups * (keys + 2)), 200, 1000);
 }
 
-/// Whether a key does the same to no group: then its runs are one and the same, errors included.
+/// Whether a key changes no outcome in any group: its runs are then identical, errors included.
 bool is_inactive(const std::vector<Group>& groups, std::size_t key) {
   bool any = false;
   for (const Group& g : groups) {
@@ -118,20 +118,20 @@ bool is_inactive(const std::vector<Group>& groups, std::size_t key) {
   return any;
 }
 
-/// Errors that are not taken off look like a share, too.
+/// Errors that are not subtracted look like a share of variance.
 std::optional<bool> is_significant(const SobolIndices& shares, bool errors_known) {
   if (shares.count < 2) return std::nullopt;
   if (!(shares.total.low > 0)) return false;
   return errors_known ? std::optional(true) : std::nullopt;
 }
 
-/// Of each key what groups drawn anew give (Efron 1979).
+/// Indices of each key in the bootstrap samples (Efron 1979).
 struct BootstrapSample {
   std::vector<std::vector<double>> firsts, totals;
 };
 
 BootstrapSample bootstrap(const std::vector<Group>& groups, std::size_t keys, std::uint64_t seed) {
-  constexpr std::uint32_t stream = 0x40000000;  // designs use those below
+  constexpr std::uint32_t stream = 0x40000000;  // designs use lower streams
   Random random(seed, stream);
   BootstrapSample made{std::vector<std::vector<double>>(keys),
                        std::vector<std::vector<double>>(keys)};
@@ -153,7 +153,7 @@ BootstrapSample bootstrap(const std::vector<Group>& groups, std::size_t keys, st
 
 SobolIndices with_intervals(const IndexPair& best, std::vector<double> firsts,
                             std::vector<double> totals) {
-  if (best.count < 2) firsts = totals = {};  // one group drawn again and again knows no scatter
+  if (best.count < 2) firsts = totals = {};  // one group gives no scatter
   return {.first = percentile_interval(best.first, std::move(firsts)),
           .total = percentile_interval(best.total, std::move(totals)),
           .count = best.count,
@@ -166,7 +166,7 @@ VarianceDecomposition variance_decomposition(std::size_t keys, const std::vector
                                              const std::vector<double>& errors,
                                              std::uint64_t seed) {
   if (outcomes.size() % (keys + 2) != 0 || (!errors.empty() && errors.size() != outcomes.size()))
-    throw std::invalid_argument("a design and its outcomes differ in rows");
+    throw std::invalid_argument("a design and its outcomes have different numbers of rows");
   VarianceDecomposition found;
   found.failed =
       static_cast<int>(std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));

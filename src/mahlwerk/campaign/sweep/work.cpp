@@ -10,8 +10,9 @@
 namespace mahlwerk::campaign {
 
 double work_estimate(const cases::Case& what) {
-  // Of a step of the soft engine: at least, and for each ball. Of a ball in flight, in a second:
-  // some hundred collisions of a microsecond (docs/performance.md).
+  // Soft engine: minimum time of a step, and time of a step for each ball. Event engine: time for
+  // each ball and simulated second, some hundred collisions of a microsecond each
+  // (docs/performance.md).
   constexpr double step = 2e-7, ball_step = 1e-7, ball_second = 2e-4;
   const auto balls = static_cast<double>(cases::balls_count(what.balls));
   double each = ball_second * balls;

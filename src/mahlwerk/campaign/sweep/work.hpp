@@ -6,8 +6,8 @@
 
 namespace mahlwerk::campaign {
 
-/// [s] of one core that a run of the case takes, to an order of magnitude: for the order of a
-/// campaign's runs and the time it has left, which corrects itself as runs end.
+/// [s] Estimated time of a run of the case on one core, to an order of magnitude. Used to sort a
+/// campaign's runs and to predict its remaining time, which is corrected as runs end.
 double work_estimate(const cases::Case& what);
 
 }  // namespace mahlwerk::campaign

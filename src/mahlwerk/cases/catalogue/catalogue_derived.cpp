@@ -14,7 +14,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr double standard_gravity = 9.81;  // [m/s2] the maker's unit of acceleration
+constexpr double standard_gravity = 9.81;  // [m/s2] unit of manufacturers' g values
 constexpr double pi = std::numbers::pi;
 
 InputError missing(const CatalogueEntry& entry, std::string_view key) {
@@ -30,7 +30,7 @@ double number(const CatalogueEntry& entry, const std::string& key, std::string_v
   return parse_in(value->second.text, unit);
 }
 
-/// The first of several values that the entry gives.
+/// The value of the first of several keys that the entry gives.
 double first_of(const CatalogueEntry& entry, std::initializer_list<std::string> keys,
                 std::string_view unit) {
   for (const std::string& key : keys)
@@ -42,7 +42,7 @@ struct Swing {
   double omega, amplitude;  // [rad/s], [m]
 };
 
-/// The fastest circle or swing a mill's centre of jar can be driven through.
+/// The fastest circle or oscillation of the jar's centre that a mill offers.
 Swing fastest(const CatalogueEntry& e) {
   if (e.kind == "planetary" || e.kind == "circular")
     return {first_of(e, {"speed_most", "speed"}, "rad/s"),
@@ -61,7 +61,7 @@ double peak_wall_speed(const CatalogueEntry& e) {
   return s.omega * s.amplitude;
 }
 
-/// The volume if the jar is a `Shape`.
+/// The volume of a jar of kind `Shape`, else no value.
 template <class Shape>
 std::optional<double> volume_as(const CatalogueEntry& e) {
   if (e.kind != Shape::name) return std::nullopt;
@@ -102,7 +102,7 @@ struct Row {
 
 constexpr Row derived_rows[] = {
     {{"relative_centrifugal_acceleration", "",
-      "largest acceleration on the circle of the jar's centre over 9.81 m/s2: the maker's g "
+      "largest acceleration of the jar's centre on its circle over 9.81 m/s2: the maker's g "
       "figure"},
      acceleration_number},
     {{"peak_acceleration_number", "",

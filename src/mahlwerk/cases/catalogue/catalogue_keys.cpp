@@ -12,22 +12,22 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// What a category adds to the fields of its motions or shapes.
+/// A key of all entries of a category or kind, besides the fields of motions or shapes.
 struct Extra {
-  std::string_view category, kind;  // an empty kind stands for all
+  std::string_view category, kind;  // an empty kind stands for all kinds
   std::string_view key, unit;
   Range range;
   std::string_view about;
 };
 
 constexpr Extra extras[] = {
-    {"mills", "", "jars_carried", "", positive, "how many jars it moves at once"},
+    {"mills", "", "jars_carried", "", positive, "number of jars that the mill moves at once"},
     {"mills", "", "power", "W", positive, "power of the motor"},
     {"mills", "arc-shaker", "arc_amplitude", "m", positive,
      "half the length of the arc: arm times swing"},
-    {"jars", "", "volume", "m3", positive, "nominal volume, as it is called and sold"},
-    {"jars", "", "wall", "m", positive, "thickness of its wall"},
-    {"jars", "", "material", a_material, any_number, "what its wall is made of"},
+    {"jars", "", "volume", "m3", positive, "nominal volume, as sold"},
+    {"jars", "", "wall", "m", positive, "thickness of the wall"},
+    {"jars", "", "material", a_material, any_number, "material of the wall"},
     {"materials", "", "density", "kg/m3", positive, "density of the solid"},
     {"materials", "", "youngs_modulus", "Pa", positive, "Young's modulus"},
     {"materials", "", "poisson_ratio", "", poisson_ratios, "Poisson's ratio"},
@@ -36,21 +36,23 @@ constexpr Extra extras[] = {
     {"materials", "", "heat_capacity", "J/kg/K", positive, "specific heat capacity"},
     {"materials", "", "e_infinity", "J/kg", positive,
      "median specific fracture energy of large grains, of the breakage model tavares"},
-    {"materials", "", "d_0", "m", positive, "size below which grains are stronger, of the same"},
-    {"materials", "", "phi", "", positive, "exponent of that, of the same"},
+    {"materials", "", "d_0", "m", positive,
+     "size below which grains are stronger, of the breakage model tavares"},
+    {"materials", "", "phi", "", positive,
+     "exponent of this size effect, of the breakage model tavares"},
     {"materials", "", "size_least", "m", positive, "least grain size of the powder as fed"},
     {"materials", "", "size_most", "m", positive, "largest grain size of the powder as fed"},
     {"media", "", "diameter", "m", positive, "diameter of the balls"},
-    {"media", "", "count", "", positive, "how many balls"},
+    {"media", "", "count", "", positive, "number of balls"},
     {"media", "", "density", "kg/m3", positive, "density of the balls"},
-    {"media", "", "material", a_material, any_number, "what the balls are made of"},
+    {"media", "", "material", a_material, any_number, "material of the balls"},
     {"media", "", "jar_volume", "m3", positive, "nominal volume of the jar the set is meant for"},
     {"media", "", "sample_least", "m3", positive, "least amount of sample for such a jar"},
     {"media", "", "sample_most", "m3", positive, "largest amount of sample for such a jar"},
     {"media", "", "feed_most", "m", positive, "largest grain to feed into such a jar"},
 };
 
-/// Calls `visit` with a default-made value of every type of a register.
+/// Calls `visit` with a default-constructed value of every type of a register.
 template <class Visit, class... Models>
 void for_each_model(const std::variant<Models...>*, Visit visit) {
   (visit(Models{}), ...);

@@ -38,7 +38,7 @@ class EntryReader {
                        std::move(remedy), std::string(bad_file)});
   }
 
-  /// A text that must be there and not be blank.
+  /// The text of a key that is required and must not be blank.
   std::string text(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
     const auto found = node ? node->value_exact<std::string>() : std::nullopt;
@@ -73,7 +73,7 @@ class EntryReader {
     if (key == "check") return read_checks(node);
     const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
     if (known != keys.end()) return read_value(*known, node);
-    if (!kind_known_) return;  // its keys are not known either
+    if (!kind_known_) return;  // the keys of an unknown kind are unknown, too
     std::vector<std::string> words{"title", "about", "check"};
     for (const CatalogueKey& k : keys) words.push_back(k.key);
     fault(node, fmt::format("unknown key '{}'", key), suggestion(key, words));
@@ -90,7 +90,7 @@ class EntryReader {
       value.unverified = text(*table, "confidence") == "unverified";
       if (!value.unverified)
         fault(*table->get("confidence"), "confidence can only be \"unverified\"",
-              "leave it out where the source can be looked up");
+              "leave it out if the source can be looked up");
     }
     if (!value.text.empty()) check_number(key, value.text, *table->get("value"));
     entry_.values.emplace(key.key, std::move(value));
@@ -147,7 +147,7 @@ class EntryReader {
     try {
       const double share = parse_in(within, "");
       if (share > 0 && share < 1) return share;
-      fault(at, fmt::format("within = \"{}\" is no tolerance", within), remedy);
+      fault(at, fmt::format("within = \"{}\" is not a tolerance", within), remedy);
     } catch (const UnitError& error) {
       fault(at, fmt::format("within: {}", error.what()), remedy);
     }
@@ -164,7 +164,7 @@ toml::table parsed(std::string_view text, std::string_view file) {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw InputError(Fault{fmt::format("{}:{}", file, error.source().begin.line),
-                           std::string(error.description()), "mend the TOML there",
+                           std::string(error.description()), "correct the TOML there",
                            std::string(bad_file)});
   }
 }
@@ -172,7 +172,7 @@ toml::table parsed(std::string_view text, std::string_view file) {
 }  // namespace
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {
-  std::string line;  // fmt::join of texts trips a false warning of g++ 12
+  std::string line;  // fmt::join of texts causes a false warning of g++ 12
   for (const std::string& word : words) line.append(line.empty() ? "" : between).append(word);
   return line;
 }

@@ -10,15 +10,15 @@
 
 namespace mahlwerk::cases {
 
-/// Reads the text of a catalogue file. `file` is the name faults cite. Throws InputError with every
-/// fault: unknown keys, values without a source, values that are not what their key asks for.
+/// Reads the text of a catalogue file. Faults cite the name `file`. Throws InputError with all
+/// faults: unknown keys, values without a source, values of a wrong type, unit or range.
 CatalogueEntry read_entry(std::string_view text, std::string_view category, std::string_view name,
                           std::string_view file);
 
-/// The words with `between` between them.
+/// The words, separated by `between`.
 std::string joined(const std::vector<std::string>& words, std::string_view between);
 
-/// What to write instead of a word that is not known.
+/// Remedy for an unknown word: the nearest known word, or all of them.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace mahlwerk::cases

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double touch_rounding = 1e-9;  // of a radius: balls may touch
 
-/// A ball whose place the case gives.
+/// A ball with a given position.
 struct GivenBall {
   Vec3 position;
   double radius = 0;
@@ -27,7 +27,7 @@ std::string name_of(const GivenBall& ball) {
   return fmt::format("ball {} of balls.{}", ball.number + 1, ball.set + 1);
 }
 
-/// [m] from the wall, negative outside; half a period's way where there is none.
+/// [m] Distance from the wall, negative outside the jar or the periodic box.
 double wall_distance(const geometry::AnyShape& shape, const GivenBall& ball) {
   const Vec3 half = 0.5 * geometry::periods(shape), p = ball.position;
   const bool inside = std::abs(p.x) <= half.x && std::abs(p.y) <= half.y && std::abs(p.z) <= half.z;
@@ -65,10 +65,10 @@ class PositionCheck {
           distance < 0 ? fmt::format("{} starts outside the jar", name_of(ball))
                        : fmt::format("{} reaches {} into the wall", name_of(ball),
                                      show_rounded(ball.radius - distance, "m")),
-          "places are of centres, in the jar's own axes about its centre");
+          "positions are of ball centres, in the jar's own axes from its centre");
     return false;
   }
-  /// The first of those before it that it overlaps.
+  /// Reports the first overlap with a ball that is already in the grid.
   void check_overlaps(const GivenBall& ball, const Grid& grid) {
     grid.for_each_near(ball.position, [&](int i) {
       const GivenBall& other = balls_[static_cast<std::size_t>(i)];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Values that are out of range, each for itself.
+// Single values that are out of range.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Checks of single values, for a case that no reader has seen.
+/// Checks single values, for a case that was constructed without a reader.
 class ValueCheck : public CaseVisitor {
  public:
   explicit ValueCheck(const Case& c) : c_(c) {}
@@ -46,7 +46,7 @@ class ValueCheck : public CaseVisitor {
   void custom(const CustomKey& key, const std::function<std::string()>&) override {
     if (!key.sound) fault(key.key, "{} is out of range: {}", key.about);
   }
-  /// `what` with the dotted key as its first value.
+  /// Adds a fault; the dotted key is the first value formatted into `what`.
   template <class... Values>
   void fault(std::string_view key, fmt::format_string<const std::string&, const Values&...> what,
              const Values&... values) {
@@ -62,7 +62,7 @@ class ValueCheck : public CaseVisitor {
   std::string prefix_;
 };
 
-/// Classes that do not make up their set.
+/// Reports size classes that do not sum to the count of their set.
 void check_classes(ValueCheck& check, BallSet& set) {
   if (set.classes.empty()) return;
   std::int64_t count = 0;
@@ -80,19 +80,19 @@ void check_classes(ValueCheck& check, BallSet& set) {
 std::vector<Fault> bad_values(const Case& c) {
   ValueCheck check(c);
   if (c.balls.empty()) check.fault("balls", "there are no {}");
-  Case copy = c;  // a visitor may change values; this one does not
+  Case copy = c;  // describe() needs a mutable case; ValueCheck does not change it
   describe(check, copy);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     BallSet& set = copy.balls[i];
     check.section("balls", i + 1);
-    if (set.grains) describe(check, set, copy.jar);  // a case says them in [powder]
+    if (set.grains) describe(check, set, copy.jar);  // describe() of a case skips grains
     if (set.distribution.law != Distribution::Law::equal)
       check.number({"diameter", "m", positive, ""}, set.diameter);
     check_classes(check, set);
   }
   if (c.grinding && c.grinding->classes_per_octave % size_step != 0) {
     check.section("grinding");
-    check.fault("classes_per_octave", "{} = {} is no multiple of {}",
+    check.fault("classes_per_octave", "{} = {} is not a multiple of {}",
                 c.grinding->classes_per_octave, size_step);
   }
   return std::move(check.found);

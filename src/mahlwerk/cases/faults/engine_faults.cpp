@@ -11,7 +11,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// A soft contact has one damping, whatever the speed.
+/// Faults for the soft engine: its contacts have one damping for all speeds.
 std::vector<Fault> soft_faults(const Case& c) {
   std::vector<Fault> found;
   const auto check = [&](const std::string& section, const contact::Restitution& e) {
@@ -36,7 +36,7 @@ std::vector<Fault> event_faults(const Case& c) {
   if (!geometry::exact_touches(*c.jar.shape))
     return {{location_of(c, "run.engine"),
              fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
-                         "times of touch from a formula",
+                         "contact times from a formula",
                          geometry::name_of(*c.jar.shape)),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
   if (c.run.engine == EngineName::event && fits_exactly(c))
@@ -50,7 +50,7 @@ std::vector<Fault> event_faults(const Case& c) {
   const std::int64_t count = balls_count(c.balls);
   if (count > 1)
     return {{location_of(c, "contact.lasting"),
-             fmt::format("lasting = \"roll\" carries one ball, the case has {}", count),
+             fmt::format("lasting = \"roll\" is for one ball, the case has {}", count),
              "write lasting = \"tc\"", "roll-one-ball"}};
   if (c.contact.model.rolling == contact::Rolling::viscous)
     return {{location_of(c, "contact.rolling"),
@@ -65,7 +65,7 @@ std::vector<Fault> event_faults(const Case& c) {
 bool fits_exactly(const Case& c) {
   constexpr double tight = 1e-6;
   const double jar = 2 * geometry::inradius(*c.jar.shape);
-  std::vector<double> diameters;  // those there are two of, twice
+  std::vector<double> diameters;  // of each size class; twice if it has two or more balls
   for (const BallSet& set : c.balls)
     for (const SizeClass& size : set.sizes())
       diameters.insert(diameters.end(), size.count > 1 ? 2 : 1, size.diameter);
@@ -76,7 +76,7 @@ bool fits_exactly(const Case& c) {
 }
 
 std::vector<Fault> engine_faults(const Case& c) {
-  const bool exact = geometry::exact_touches(*c.jar.shape);  // others "auto" takes to soft
+  const bool exact = geometry::exact_touches(*c.jar.shape);  // else "auto" chooses soft
   const bool soft =
       c.run.engine == EngineName::soft || (!exact && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);

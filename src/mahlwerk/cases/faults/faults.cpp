@@ -25,7 +25,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// The key that says how large the balls of a set are.
+/// The key that determines the largest ball of a set.
 std::string size_key(const Case& c, std::size_t set) {
   using Law = Distribution::Law;
   const Law law = c.balls[set].distribution.law;
@@ -36,7 +36,7 @@ std::string size_key(const Case& c, std::size_t set) {
 }
 
 void balls_too_large(const Case& c, std::vector<Fault>& found) {
-  constexpr double room = 1e-6;  // of the jar: less would leave no place to start from
+  constexpr double room = 1e-6;  // of the jar: less leaves no room for an initial position
   const double jar = 2 * geometry::inradius(*c.jar.shape);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     if (c.balls[i].count < 1) continue;  // reported elsewhere
@@ -64,7 +64,7 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
 
 /// Parts of a jar that do not fit together.
 void impossible_jar(const Case& c, std::vector<Fault>& found) {
-  if (std::isnan(geometry::volume(*c.jar.shape))) return;  // a size was no good: said already
+  if (std::isnan(geometry::volume(*c.jar.shape))) return;  // invalid size, reported elsewhere
   const std::string flaw = geometry::flaw(*c.jar.shape);
   if (flaw.empty()) return;
   found.push_back({location_of(c, "jar.kind"),
@@ -72,7 +72,7 @@ void impossible_jar(const Case& c, std::vector<Fault>& found) {
                    "see docs/theory/geometry.md for what the sizes mean", "impossible-jar"});
 }
 
-/// Without walls there is nothing that could move or carry the balls.
+/// A periodic box has no walls that could move or carry the balls.
 void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
   const auto* box = geometry::as<geometry::PeriodicBox>(*c.jar.shape);
   if (box == nullptr) return;
@@ -83,14 +83,15 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
     fault("mill.kind", "a periodic box has no walls that a mill could move",
           "write kind = \"still\", or take a jar with walls");
   if (c.gravity != 0)
-    fault("gravity", "in a periodic box balls would fall for ever",
+    fault("gravity", "in a periodic box balls would fall without end",
           "write gravity = \"0 m/s2\", or take a jar with walls");
   if (c.heat)
-    fault("heat.milling", "a periodic box has no wall that heat could pass", "remove [heat]");
+    fault("heat.milling", "a periodic box has no wall for heat to pass through", "remove [heat]");
   const double widest = largest_ball(c.balls);
   const double period = 2 * box->inradius();
   if (period <= 2 * widest && widest < period)
-    fault("balls.1.diameter", "a ball of half a periodic box meets another and its image at once",
+    fault("balls.1.diameter",
+          "a ball of half the box's width touches another ball and its periodic image at once",
           "give smaller balls or a larger box");
 }
 
@@ -100,11 +101,11 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
   const double jar = jar_volume(c.jar);
   std::set<double> sizes;
   for (const BallSet& set : c.balls) {
-    double last = 0;  // of a distribution those count that are small enough to fill gaps
+    double last = 0;  // of a distribution, only sizes small enough to fill gaps count
     for (const SizeClass& size : set.sizes())
       if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);
   }
-  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller ones fill the gaps
+  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller balls fill the gaps
   if (!(volume > most * jar)) return;
   found.push_back(
       {location_of(c, "balls.1.count"),
@@ -114,7 +115,7 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
        "give fewer or smaller balls or a larger jar", "too-many-balls"});
 }
 
-/// A wall faster than any material bears: a slip of a unit.
+/// A wall faster than any material bears: probably a wrong unit.
 void wall_too_fast(const Case& c, std::vector<Fault>& found) {
   constexpr double most = 1000;  // [m/s]
   const kinematics::Bounds bounds = kinematics::bounds(*c.mill.motion);
@@ -127,7 +128,7 @@ void wall_too_fast(const Case& c, std::vector<Fault>& found) {
                    "check the units of the mill's numbers", "absurd-speed"});
 }
 
-/// Each two have rules and statistics of their own.
+/// The number of sets is limited, because each pair of sets has its own rules and statistics.
 void too_many_sets(const Case& c, std::vector<Fault>& found) {
   if (c.balls.size() <= most_sets) return;
   found.push_back({location_of(c, "balls"),
@@ -137,7 +138,7 @@ void too_many_sets(const Case& c, std::vector<Fault>& found) {
                    "too-many-sets"});
 }
 
-/// A file that nobody can want, by a slip of the unit.
+/// Too many frames or too large files, probably because of a wrong unit.
 void too_many_frames(const Case& c, std::vector<Fault>& found) {
   if (!c.observe.frames || !(*c.observe.frames > 0)) return;
   const double count = c.run.time / *c.observe.frames;
@@ -154,8 +155,8 @@ void too_many_frames(const Case& c, std::vector<Fault>& found) {
                    "too-many-frames"});
 }
 
-/// Names that mean nobody, and pairs that never meet. Silent where the jar or its balls could not
-/// be read.
+/// Unknown names in [[contact.pairs]], and pairs of the jar with itself. Ignored if the jar or its
+/// balls could not be read.
 void unmatched_pairs(const Case& c, std::vector<Fault>& found) {
   if (c.balls.empty() || std::isnan(jar_volume(c.jar))) return;
   const std::vector<std::string> known = pair_selector_names(c);

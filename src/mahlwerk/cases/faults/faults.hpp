@@ -7,21 +7,22 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
 
-// What is wrong with a case, part by part; faults() of read.hpp is all of it.
+// The parts of faults() of read.hpp.
 namespace mahlwerk::cases {
 
-/// Values out of range, for a case that no reader has seen.
+/// Values out of range, for a case that was constructed without a reader.
 std::vector<Fault> bad_values(const Case& c);
-/// Faults of parts that were read but do not go together; silent about what is `invalid_value`.
+/// Inconsistencies between valid parts of a case. Ignores values that are `invalid_value`.
 std::vector<Fault> inconsistencies(const Case& c);
 
-// Within inconsistencies().
+// Called by inconsistencies().
 
-/// Given starting places outside the jar, in its wall or in each other. For parts that fit
-/// otherwise.
+/// Given initial positions outside the jar, and overlaps with its wall or between balls. For a case
+/// without other inconsistencies.
 void bad_positions(const Case& c, std::vector<Fault>& found);
-/// Of the powder and the sections of grinding.
+/// Solid volume of powder and balls larger than the jar.
 void bad_powder(const Case& c, std::vector<Fault>& found);
+/// Inconsistencies of [powder], [capture], [fragments], [grinding] and [kinetics].
 void bad_grinding(const Case& c, std::vector<Fault>& found);
 
 }  // namespace mahlwerk::cases

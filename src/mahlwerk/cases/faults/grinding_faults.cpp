@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Powder that does not fit its jar, and sections of grinding that do not go together.
+// Powder that does not fit its jar, and inconsistent sections of grinding.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,26 +36,26 @@ class GrindingCheck {
       fault("capture.model", fmt::format("[capture] needs {}", what), std::move(remedy),
             "missing-value");
     };
-    if (!c_.powder) return needs("a powder to catch", "add [powder] with mass, density and size");
+    if (!c_.powder) return needs("a powder to capture", "add [powder] with mass, density and size");
     if (!c_.powder->density)
       needs("the density of the powder's solid",
-            "write density = \"2650 kg/m3\" or so in [powder], or material with a name `mahlwerk "
-            "list materials` shows");
+            "write density = \"2650 kg/m3\" or so in [powder], or material with a name from "
+            "`mahlwerk list materials`");
     if (!sized())
       needs("the size of the powder as fed",
             "write size = \"1 mm\" or so in [powder], or a distribution");
     else
       feed();
     if (c_.powder->grain_size)
-      fault("powder.as", "powder that takes part as grains cannot be caught by [capture] as well",
-            "leave out `as`: collisions of the balls then tell what is caught",
+      fault("powder.as", "powder that is simulated as grains cannot use [capture] as well",
+            "leave out `as`: the captured mass then follows from collisions of the balls",
             "grains-and-capture");
     const auto* barrios = std::get_if<powder::Barrios>(&*c_.capture->model);
     const bool known = c_.grinding && powder::has_median_strength(*c_.grinding->breakage);
     if (barrios != nullptr && barrios->fracture_energy == 0 && !known)
       fault("capture.fracture_energy",
-            "capture.fracture_energy = 0 leaves it to [breakage], which knows none",
-            "give it, or choose [breakage] model = \"tavares\"", "missing-value");
+            "capture.fracture_energy = 0 uses that of [breakage], which has none",
+            "give a value, or choose [breakage] model = \"tavares\"", "missing-value");
   }
 
   void feed() {
@@ -70,7 +70,7 @@ class GrindingCheck {
 
   void grinding(const Grinding& g) {
     if (!c_.capture)
-      fault("grinding.time", "[grinding] needs [capture]: what a collision catches of the powder",
+      fault("grinding.time", "[grinding] needs [capture]: the powder that a collision captures",
             "add [capture] with model = \"barrios\" or another", "lone-section");
     const auto* t10 = std::get_if<powder::T10Fragments>(&*g.fragments);
     const auto& [told, name] = std::visit(
@@ -81,20 +81,20 @@ class GrindingCheck {
         },
         *g.breakage);
     if (t10 != nullptr && t10->t10 == 0 && !told)
-      fault("fragments.model",
-            fmt::format("[fragments] lacks `t10`, and [breakage] model = \"{}\" tells none", name),
-            "write t10 = 0.3 or so, or choose \"shi-kojovic\" or \"tavares\"", "missing-value");
+      fault(
+          "fragments.model",
+          fmt::format("[fragments] lacks `t10`, and [breakage] model = \"{}\" predicts none", name),
+          "write t10 = 0.3 or so, or choose \"shi-kojovic\" or \"tavares\"", "missing-value");
     const bool remembers = powder::tracks_strength(*g.breakage);
     if (remembers && g.bed == powder::Bed::mixed && g.method != Grinding::Method::statistical)
-      fault(
-          "grinding.bed",
-          "the balance of a mixed bed under tavares would take hours: each change of the bed asks "
-          "for its thousand states anew",
-          "write method = \"statistical\", or bed = \"by-size\"", "mixed-tavares");
+      fault("grinding.bed",
+            "the balance of a mixed bed under tavares would take hours: its thousand states are "
+            "computed again at each change of the bed",
+            "write method = \"statistical\", or bed = \"by-size\"", "mixed-tavares");
     if (sized()) classes(g);
   }
 
-  /// Whether the feed knows its largest size.
+  /// Whether the feed has a largest size.
   bool sized() const {
     if (!c_.powder) return false;
     const powder::Feed& feed = c_.powder->feed;
@@ -134,7 +134,8 @@ class GrindingCheck {
       fault("kinetics.dose_constant", "[kinetics] needs a powder that takes the dose",
             "add [powder] with mass", "missing-value");
     if (k.dose == Kinetics::Dose::captured && !c_.capture)
-      fault("kinetics.dose", "dose = \"captured\" needs [capture]: what collisions catch",
+      fault("kinetics.dose",
+            "dose = \"captured\" needs [capture]: the powder that collisions capture",
             "add [capture], or write dose = \"dissipated\"", "lone-section");
   }
 
@@ -145,7 +146,7 @@ class GrindingCheck {
 }  // namespace
 
 void bad_powder(const Case& c, std::vector<Fault>& found) {
-  if (!c.powder || !c.powder->density || c.powder->grain_size) return;  // grains count as balls
+  if (!c.powder || !c.powder->density || c.powder->grain_size) return;  // grains are ball sets
   const double powder = c.powder->mass / *c.powder->density, balls = balls_volume(c.balls);
   const double jar = jar_volume(c.jar);
   if (!(powder + balls > jar)) return;

@@ -38,13 +38,14 @@ std::string unit_name(const Dimension& d) {
   return above.empty() && !below.empty() ? "1" + below : above + below;
 }
 
-/// The dimension with each exponent times `power`; a fault where that is no whole number.
+/// The dimension with each exponent multiplied by `power`. Throws FormulaError if an exponent is
+/// not an integer.
 Dimension raised(const Dimension& d, double power) {
   Dimension result;
   for (const auto exponent : exponents) {
     const double n = power * d.*exponent;
     if (std::abs(n - std::round(n)) > 1e-9 || std::abs(n) > 100)
-      throw FormulaError(fmt::format("a power {} of {} has no unit", power, unit_name(d)));
+      throw FormulaError(fmt::format("the power {} of {} has no unit", power, unit_name(d)));
     result.*exponent = static_cast<std::int8_t>(std::lround(n));
   }
   return result;
@@ -58,7 +59,7 @@ Quantity product(const Quantity& a, const Quantity& b, int sign) {
   return result;
 }
 
-/// By recursive descent: sum, product, signed, power, atom.
+/// Recursive descent parser: sum, product, sign, power, atom.
 class Parser {
  public:
   Parser(std::string_view text, const ValueOf& value_of) : text_(text), value_of_(value_of) {}
@@ -147,13 +148,13 @@ class Parser {
     if (left.empty()) throw FormulaError("the formula ends where a value is missing");
     if (is_digit(left.front()) || left.front() == '.') return number();
     if (is_letter(left.front())) return word();
-    throw FormulaError(fmt::format("\"{}\" is no value", left));
+    throw FormulaError(fmt::format("\"{}\" is not a value", left));
   }
   Quantity number() {
     const std::string_view left = rest();
     Quantity result;
     const auto read = std::from_chars(left.data(), left.data() + left.size(), result.value);
-    if (read.ec != std::errc{}) throw FormulaError(fmt::format("\"{}\" is no number", left));
+    if (read.ec != std::errc{}) throw FormulaError(fmt::format("\"{}\" is not a number", left));
     at_ += static_cast<std::size_t>(read.ptr - left.data());
     const std::size_t before = at_;
     if (rest().empty() || !is_letter(rest().front())) return result;
@@ -162,13 +163,13 @@ class Parser {
     if (name.find('.') == std::string_view::npos) {
       if (!rest().empty() && rest().front() == '^')
         throw FormulaError(
-            fmt::format("the power of \"{0} {1}^\" may be that of the unit or of all; "
+            fmt::format("the power in \"{0} {1}^\" may apply to the unit or to the quantity; "
                         "write {0} {1}2 or ({0} {1})^2",
                         result.value, name));
       return product(result, unit(name), 1);
     }
-    at_ = before;  // "2 jar.diameter" lacks its sign
-    throw FormulaError(fmt::format("a sign is missing before \"{}\"", rest()));
+    at_ = before;  // "2 jar.diameter" lacks an operator
+    throw FormulaError(fmt::format("an operator is missing before \"{}\"", rest()));
   }
   std::string_view take_name() {
     const std::string_view left = rest();
@@ -177,13 +178,14 @@ class Parser {
     at_ += n;
     return left.substr(0, n);
   }
-  /// Not a multiple of a unit: 20 degC are 293.15 K.
+  /// A temperature in degC, which is not a multiple of a unit: 20 degC are 293.15 K.
   Quantity temperature(double number) const {
-    if (negated_) throw FormulaError("degC has no sign in a formula; write for instance 268.15 K");
+    if (negated_)
+      throw FormulaError("degC takes no minus sign in a formula; write for instance 268.15 K");
     return parse_quantity(fmt::format("{} degC", number));
   }
   static Quantity unit(std::string_view name) {
-    if (name == "degC") throw FormulaError("degC stands behind a number alone");
+    if (name == "degC") throw FormulaError("degC may only follow a number");
     try {
       return parse_quantity(fmt::format("1 {}", name));
     } catch (const UnitError& error) {
@@ -224,7 +226,7 @@ class Parser {
   const ValueOf& value_of_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  bool negated_ = false;  // a minus stands before the value that is read
+  bool negated_ = false;  // a minus sign precedes the value being read
 };
 
 }  // namespace

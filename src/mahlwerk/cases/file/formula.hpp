@@ -9,23 +9,24 @@
 
 #include "mahlwerk/base/units.hpp"
 
-// Values of a case that follow from others: "5 ml / (pi/4 * jar.diameter^2)".
+// Formulas for values of a case that follow from others: "5 ml / (pi/4 * jar.diameter^2)".
 namespace mahlwerk::cases {
 
-/// What is wrong with a formula; complete without a place.
+/// An error in a formula; the message does not name the place.
 class FormulaError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The value of a dotted key, or of "gravity"; throws FormulaError where there is none.
+/// Returns the value of a dotted key, or of "gravity"; throws FormulaError if there is none.
 using ValueOf = std::function<Quantity(std::string_view key)>;
 
-/// Sums, differences, products, quotients, powers, brackets, pi, sqrt, cbrt, abs, min and max over
-/// numbers with units and keys of the case. Units must fit: throws FormulaError, saying where.
+/// Evaluates a formula of numbers with units and keys of the case, with + - * / ^, brackets, pi,
+/// sqrt, cbrt, abs, min and max. Throws FormulaError for a syntax error or units that do not match.
 Quantity evaluate(std::string_view formula, const ValueOf& value_of);
 
-/// In SI units, so that a case can hold it: "0.0442 m". Throws FormulaError for what is not finite.
+/// The quantity in SI units, as written in a case: "0.0442 m". Throws FormulaError if it is not
+/// finite.
 std::string text_of(const Quantity& quantity);
 
 }  // namespace mahlwerk::cases

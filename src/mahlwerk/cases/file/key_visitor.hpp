@@ -18,14 +18,14 @@
 
 namespace mahlwerk::cases {
 
-/// A number a section may or must give; a Field without the place where it lives.
+/// A number that a section may or must give: a Field without its pointer to member.
 struct NumberSpec {
   std::string_view key, unit;
   Range range;
   std::string_view about;
   std::optional<double> standard = std::nullopt;
   std::string_view source = "";
-  std::string_view instead = "";  ///< another key that would do as well
+  std::string_view instead = "";  ///< alternative key, for the remedy of a fault
 
   constexpr NumberSpec(std::string_view k, std::string_view u, Range r, std::string_view a,
                        std::optional<double> s = std::nullopt, std::string_view from = "")
@@ -47,41 +47,41 @@ struct NumberSpec {
   }
 };
 
-/// A word a section may give, one of a few.
+/// A key that takes one of several words.
 struct Choice {
   std::string_view key;
   std::vector<std::string> words;
-  std::string standard;  ///< empty: the user must say it
+  std::string standard;  ///< default; empty: the user must give the key
   std::string_view source = "";
 };
 
-/// A whole number a section may or must give.
+/// An integer that a section may or must give.
 struct IntegerSpec {
   std::string_view key;
   std::int64_t least, most;
   std::string_view about;
-  std::optional<std::int64_t> standard = std::nullopt;  ///< none: the user must say it
+  std::optional<std::int64_t> standard = std::nullopt;  ///< default; none: the key is required
   std::string_view source = "";
 };
 
-/// True or false.
+/// A key that takes true or false.
 struct Flag {
   std::string_view key;
   bool standard;
   std::string_view source;
 };
 
-/// A value with a form of its own, a list for instance.
+/// A value with a format of its own, for instance a list.
 struct CustomKey {
   std::string_view key, about;
-  bool sound = true;  ///< whether the value makes sense
+  bool sound = true;  ///< whether the value is valid
 };
 
 class SectionReader;
 
-/// Visits the keys of a section, which a function `describe` of the section names one by one, each
-/// with its value. SectionReader reads them, Writer writes them, ValueCheck looks for values out of
-/// range, KeyList lists the keys.
+/// Visitor of the keys of a section. The section's function `describe` calls it for each key, with
+/// a reference to the value. SectionReader reads the values, Writer writes them, ValueCheck finds
+/// values out of range, KeyList lists the keys.
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
@@ -90,24 +90,24 @@ class KeyVisitor {
   virtual void optional_number(const NumberSpec& spec, std::optional<double>& value) = 0;
   virtual void integer(const IntegerSpec& spec, std::int64_t& value) = 0;
   virtual void flag(const Flag& flag, bool& value) = 0;
-  virtual void text(std::string_view key, std::string& value) = 0;  ///< empty: left out
-  /// `word_index` is that of the word; false after a fault, the first then.
+  virtual void text(std::string_view key, std::string& value) = 0;  ///< an empty text is omitted
+  /// `word_index` is the index of the word; false and index 0 after a fault.
   virtual bool choose(const Choice& choice, std::size_t& word_index) = 0;
-  /// `text` is how it is written. Its own function reads it.
+  /// `text` returns the value as written in a case. The section's own function reads the value.
   virtual void custom(const CustomKey& key, const std::function<std::string()>& text) = 0;
-  /// A number that may be given in place of others, where they are read.
+  /// A number that a case file may give instead of another key; it is never written.
   virtual void alternative(const NumberSpec&) {}
 
-  /// The section, where it is read: some values are found in more ways than they are written. Null
-  /// for other visitors.
+  /// The SectionReader if the visitor is one, else null. Some values have more forms when read than
+  /// when written.
   virtual SectionReader* reader() { return nullptr; }
-  /// Whether the section is read and says something under `key`.
+  /// Whether the visitor reads a section that gives `key`.
   virtual bool gives(std::string_view) { return false; }
-  /// Whether keys are asked for, too, that say nothing under the values there are.
+  /// Whether the visitor wants all keys, including keys without meaning under the present values.
   virtual bool visits_all() { return false; }
-  /// What else the section may say depends on a value that had a fault: no key is called unknown.
+  /// Suppresses faults for unknown keys, after a fault of a value that determines the known keys.
   virtual void ignore_unknown_keys() {}
-  /// Keys that have no meaning `why`: a fault where they are read.
+  /// Keys that have no meaning, for the reason `why`: a fault for each that the section gives.
   virtual void refuse(std::initializer_list<std::string_view>, std::string_view /*why*/,
                       const std::string& /*remedy*/) {}
 
@@ -115,7 +115,7 @@ class KeyVisitor {
   void fields(Model& model, const Fields& all) {
     for (const auto& f : all) number(NumberSpec(f), model.*f.value);
   }
-  /// A word by its place in an enum; false after a fault.
+  /// A word for an enum value; false after a fault.
   template <class Enum>
   bool word(const Choice& choice, Enum& value) {
     auto word_index = static_cast<std::size_t>(value);
@@ -123,15 +123,15 @@ class KeyVisitor {
     value = static_cast<Enum>(word_index);
     return sound;
   }
-  /// The same of a value that is the word itself.
+  /// The same for a value that is stored as the word itself.
   void word_text(const Choice& choice, std::string& value) {
     auto word_index =
         static_cast<std::size_t>(std::ranges::find(choice.words, value) - choice.words.begin());
     choose(choice, word_index);
     if (word_index < choice.words.size()) value = choice.words[word_index];
   }
-  /// One of a register, by its name, with its default numbers where it is read; false after a
-  /// fault, `any` is then as it was.
+  /// A model of a register (a variant), by name. A reader sets it to its default numbers. False
+  /// after a fault; `any` is then unchanged.
   template <class... Models>
   bool model(std::string_view key, std::variant<Models...>& any, std::string standard = "",
              std::string_view source = "") {
@@ -143,10 +143,10 @@ class KeyVisitor {
   }
 };
 
-/// Visits all sections of a case.
+/// Visitor of all sections of a case.
 class CaseVisitor : public KeyVisitor {
  public:
-  /// The keys that follow are those of "mill", of the second of "balls", or of none: "".
+  /// Begins a section: "mill", "balls" with its index from 1, or "" for keys outside sections.
   virtual void section(std::string_view name, std::size_t number = 0) = 0;
 };
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-// Walks over a register of models (a variant), by name.
+// Access by name to a register of models (a variant).
 namespace mahlwerk::cases {
 
 template <class... Models>
@@ -16,7 +16,7 @@ std::vector<std::string> model_names(std::type_identity<std::variant<Models...>>
   return {std::string(Models::name)...};
 }
 
-/// The model called `name`, its fields not set yet; false if there is none.
+/// Sets `model` to a default-constructed model of this name; false if there is none.
 template <class... Models>
 bool choose_model(std::variant<Models...>& model, std::string_view name) {
   const auto is_it = [&]<class M>(std::type_identity<M>) {

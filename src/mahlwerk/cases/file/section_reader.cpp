@@ -14,7 +14,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// The value as it stands in the file, for a message.
+/// The key and its value as written in the file, for messages.
 std::string as_written(std::string_view key, const Node& node) {
   const bool quoted = node.kind == Node::Kind::text;
   return quoted ? fmt::format("{} = \"{}\"", key, node.text)

@@ -19,28 +19,27 @@
 
 namespace mahlwerk::cases {
 
-/// What reading goes by, and what it has found so far: all that is wrong, and where every value
-/// came from.
+/// Context of a reader and its results: the faults, and the origin of every value.
 struct Findings {
   const Catalogue* catalogue = nullptr;
-  std::string folder = {};  ///< in which files are looked for
+  std::string folder = {};  ///< folder of the case file; paths of the case are relative to it
   std::vector<Fault> faults = {};
   std::vector<Origin> origins = {};
   std::set<std::string, std::less<>> fitted_keys = {};  ///< dotted keys that only [fit] gives
 };
 
 constexpr double invalid_value =
-    std::numeric_limits<double>::quiet_NaN();  ///< a value that had a fault
+    std::numeric_limits<double>::quiet_NaN();  ///< stands for a value with a fault
 
-/// Reads one section of a case strictly: every fault and every origin goes into the findings, and
-/// reading goes on with `invalid_value` in place of what was wrong.
+/// Reads one section of a case. Adds all faults and origins to the findings. Reading continues
+/// after a fault, with `invalid_value` for the wrong value.
 class SectionReader : public KeyVisitor {
  public:
-  /// `table` may be null: a section left out. `name` is its dotted name: "mill", "balls.1", or
-  /// empty.
+  /// `table` is null if the case lacks the section. `name` is its dotted name: "mill", "balls.1",
+  /// or empty for the top level.
   SectionReader(const Node* table, std::string name, Findings& findings);
 
-  /// Values to fall back on where the case is silent.
+  /// Uses the values of the entry for keys that the case does not give.
   void add_defaults(const CatalogueEntry& entry);
 
   void number(const NumberSpec& spec, double& value) override { value = this->value(spec); }
@@ -58,31 +57,33 @@ class SectionReader : public KeyVisitor {
   void refuse(std::initializer_list<std::string_view> keys, std::string_view why,
               const std::string& remedy) override;
 
-  /// The value, the case's own before the catalogue's, which then counts as read.
+  /// The value of `key` from the case, else from the catalogue entry, else null. Marks the key as
+  /// known.
   const Node* find(std::string_view key);
-  /// Of keys that exclude each other the one that counts; empty if none is given. Two of the same
-  /// standing are a fault.
+  /// The key that counts of several that exclude each other: the given one of highest precedence;
+  /// empty if none is given. Two keys of equal precedence are a fault.
   std::string_view one_of(std::initializer_list<std::string_view> keys);
 
-  double value(const NumberSpec& spec);                           ///< a fault if it is not given
-  std::optional<double> optional_number(const NumberSpec& spec);  ///< nothing if it is not given
+  double value(const NumberSpec& spec);  ///< given value or default; a fault without either
+  std::optional<double> optional_number(const NumberSpec& spec);  ///< no value if it is not given
   std::optional<std::string> text(std::string_view key);
   std::string choice(const Choice& choice);  ///< empty after a fault
   std::optional<std::int64_t> integer(std::string_view key, std::int64_t most,
                                       std::int64_t least = 1);
 
-  /// Notes where a value came from. `how` is put behind the source: "volume = \"5 ml\"".
+  /// Records the origin of a value. `how` is appended to the source: "volume = \"5 ml\"".
   void record_origin(std::string_view key, std::string value, const Node* from,
                      std::string_view how = "");
   void record_default(std::string_view key, std::string value, std::string_view source);
 
   void fault(const Node& at, std::string what, std::string remedy, std::string_view code);
-  /// Silent about what [fit] is to choose.
+  /// A fault for a missing key, unless [fit] chooses its value.
   void missing(std::string_view key, std::string_view about, std::string remedy);
-  /// What `at` says as a quantity in `spec`'s unit and range, or `invalid_value` after a fault.
+  /// The value of `at` as a quantity with the unit and range of `spec`; `invalid_value` after a
+  /// fault.
   double quantity(const Node& at, const NumberSpec& spec);
 
-  /// Reports every key that nobody asked for.
+  /// A fault for each key of the section that was not looked up.
   void report_unknown_keys();
 
   const std::string& name() const { return name_; }

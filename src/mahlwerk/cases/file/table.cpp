@@ -15,10 +15,10 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::string_view ball_sets = "balls";  // the one section that is a list of tables
+constexpr std::string_view ball_sets = "balls";  // the only section that is a list of tables
 
-/// Refuses keys of so many parts ("a.a.a. ...") that reading them as nested tables would end the
-/// program. Counts the dots of each run of key characters outside of texts and comments.
+/// Refuses keys of so many parts ("a.a.a. ...") that parsing them as nested tables would overflow
+/// the stack. Counts the dots of each run of key characters outside of texts and comments.
 void check_depth(std::string_view text, const std::string& file) {
   constexpr int most = 100;
   int line = 1, dots = 0;
@@ -30,7 +30,7 @@ void check_depth(std::string_view text, const std::string& file) {
       ++line;
       dots = 0;
       comment = false;
-      quote = 0;  // a text of several lines holds no key that could be mistaken for a longer one
+      quote = 0;  // further lines of a multi-line text are scanned like keys, line by line
     } else if (comment) {
       continue;
     } else if (quote != 0) {
@@ -94,7 +94,7 @@ void set_place(Node& node, const std::string& where, Precedence precedence) {
   for (Node& item : node.items) set_place(item, where, precedence);
 }
 
-/// The parts between the dots; a quoted TOML key has none inside, so plain cutting will do.
+/// Splits a dotted key at its dots. No key of a case has a dot within a part.
 std::vector<std::string_view> key_parts(std::string_view key) {
   std::vector<std::string_view> parts;
   for (std::size_t from = 0;;) {
@@ -111,8 +111,8 @@ Node& member(Node& table, std::string_view key) {
   return table.members.back().value;
 }
 
-/// Which entry of a list a key names, cutting its number, counted from 1, off; the first without
-/// one.
+/// Index from 0 of the list entry that a key names. Removes the entry's number, counted from 1,
+/// from `rest`; a key without a number names the first entry.
 std::optional<std::size_t> entry_of(std::size_t entries, std::vector<std::string_view>& rest) {
   std::size_t number = 1;
   if (rest.size() > 1) {
@@ -125,8 +125,9 @@ std::optional<std::size_t> entry_of(std::size_t entries, std::vector<std::string
   return number - 1;
 }
 
-/// The table that what is left of a key names, going down from a section through lists of tables
-/// and cutting off what was used; null where an entry of the list `list` is missing.
+/// Descends from a section through lists of tables along the key parts `rest`, and removes the
+/// parts it uses. Returns the table of the remaining parts, or null if a list has no such entry;
+/// `list` then describes that list.
 template <class N>
 N* descend(N* table, std::vector<std::string_view>& rest, std::string& list) {
   while (table->kind == Node::Kind::list || rest.size() > 1) {
@@ -148,7 +149,7 @@ N* descend(N* table, std::vector<std::string_view>& rest, std::string& list) {
   return table;
 }
 
-/// The section a key of several parts names, made if it is not there.
+/// The section that a dotted key names; created if the case lacks it.
 Node& section_for(Node& root, std::string_view name, const std::string& where) {
   if (Node* found = root.find(name)) return *found;
   Node& made = member(root, name);
@@ -181,7 +182,7 @@ Node parse_tree(std::string_view text, const std::string& file) {
   } catch (const toml::parse_error& error) {
     throw InputError(Fault{
         fmt::format("{}:{}", file, error.source().begin.line), std::string(error.description()),
-        "mend the TOML there; texts stand in quotes: speed = \"400 rpm\"", "not-toml"});
+        "correct the TOML there; texts need quotes: speed = \"400 rpm\"", "not-toml"});
   }
   root.where = root.source = file;
   return root;
@@ -228,11 +229,10 @@ std::string set_value(Node& root, std::string_view key, Node value) {
     parts.erase(parts.begin());
     std::string list = "ball sets";  // the only section that is a list
     table = descend(table, parts, list);
-    if (table == nullptr)
-      return fmt::format("there is nothing that \"{}\" could name; {}", key, list);
+    if (table == nullptr) return fmt::format("\"{}\" names nothing in the case; {}", key, list);
   }
   if (parts.size() != 1 || table->kind != Node::Kind::table)
-    return fmt::format("there is nothing that \"{}\" could name", key);
+    return fmt::format("\"{}\" names nothing in the case", key);
   member(*table, parts.front()) = std::move(value);
   return {};
 }

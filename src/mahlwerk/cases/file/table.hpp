@@ -9,10 +9,10 @@
 
 #include "mahlwerk/base/error.hpp"
 
-// What a case file says, with the place of every word; overrides are put into the same tree.
+// The tree of a TOML case file, with the location of every value. Overrides are inserted into it.
 namespace mahlwerk::cases {
 
-/// Who said a value; the later ones win where two exclude each other.
+/// Precedence of the source of a value, lowest first, for keys that exclude each other.
 enum class Precedence { catalogue, file, sweep, command };
 
 struct Member;
@@ -21,23 +21,23 @@ struct Member;
 struct Node {
   enum class Kind { text, number, boolean, list, table, other };
   Kind kind = Kind::other;
-  std::string text;             ///< of a text: itself; otherwise the value as one would write it
+  std::string text;             ///< the text, or another value as written in TOML
   double number = 0;            ///< of a number
-  bool is_integer = false;      ///< the number was written as an integer
+  bool is_integer = false;      ///< whether the number is written as an integer
   bool boolean = false;         ///< of a boolean
   std::vector<Node> items;      ///< of a list
   std::vector<Member> members;  ///< of a table
 
-  std::string where;   ///< the place a fault cites: "case.toml:14"
-  std::string source;  ///< the place an origin cites
+  std::string where;   ///< location for faults: "case.toml:14"
+  std::string source;  ///< location for origins
   Precedence precedence = Precedence::file;
-  bool unverified = false;  ///< its source is weak
+  bool unverified = false;  ///< the source in the catalogue is weak
 
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);
   bool given_as_text() const {
     return precedence != Precedence::file;
-  }  ///< was text before it was TOML
+  }  ///< whether the value comes from a text outside a TOML file
 };
 
 struct Member {
@@ -45,17 +45,18 @@ struct Member {
   Node value;
 };
 
-/// The tree of a TOML text. `file` is the name faults cite. Throws InputError where it is no TOML.
+/// The tree of a TOML text. Faults cite the name `file`. Throws InputError if the text is not TOML.
 Node parse_tree(std::string_view text, const std::string& file);
 
-/// A value given as text outside a file: as TOML if it is a value there, otherwise as it stands.
+/// A value given as text outside a file: parsed as a TOML value if possible, otherwise a plain
+/// text.
 Node value_from_text(std::string_view text, const std::string& where, Precedence precedence);
 
 /// The value under the dotted `key`, see set_value(); null if there is none.
 const Node* value_at(const Node& root, std::string_view key);
 
-/// Puts `value` under the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" is
-/// that of the first set). Returns what hinders it, or an empty text.
+/// Sets the dotted `key`, "mill.speed" or "balls.2.diameter" ("balls.diameter" belongs to the first
+/// set), to `value`. Returns an error message, or an empty text.
 std::string set_value(Node& root, std::string_view key, Node value);
 
 }  // namespace mahlwerk::cases

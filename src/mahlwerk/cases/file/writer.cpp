@@ -17,7 +17,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// A comment's text on one line.
+/// Replaces control characters, so that a comment stays on one line.
 std::string one_line(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
@@ -61,7 +61,7 @@ bool Writer::choose(const Choice& choice, std::size_t& word_index) {
 
 std::string write(const Case& c) {
   Writer out(c);
-  Case copy = c;  // a visitor may change values; this one does not
+  Case copy = c;  // describe() needs a mutable case; Writer does not change it
   describe(out, copy);
   if (!c.sweep.empty()) write(out, c.sweep);
   if (c.optimise) write(out, *c.optimise);

@@ -10,7 +10,7 @@
 
 namespace mahlwerk::cases {
 
-/// Lines of a case file, with the origin of each value behind it.
+/// Writes the lines of a case file, each value followed by its origin as a comment.
 class Writer : public CaseVisitor {
  public:
   explicit Writer(const Case& c) : c_(c) {}

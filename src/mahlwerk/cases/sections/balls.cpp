@@ -16,7 +16,7 @@ namespace mahlwerk::cases {
 namespace {
 
 std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view key, double share) {
-  if (std::isnan(share)) return 0;  // reported where it comes from
+  if (std::isnan(share)) return 0;  // already reported
   const double n = std::max(1.0, std::round(share));
   if (n > static_cast<double>(most_balls)) {
     in.fault(at, fmt::format("{} = \"{}\" makes more than {} balls", key, at.text, most_balls),
@@ -29,7 +29,7 @@ std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view k
   return count;
 }
 
-/// One ball's position; nothing after a fault.
+/// The position of one ball; no value after a fault.
 std::optional<Vec3> read_position(SectionReader& in, const Node& row, std::size_t number) {
   if (row.kind != Node::Kind::list || row.items.size() != 3) {
     in.fault(row, fmt::format("ball {} of `positions` must have three coordinates", number),
@@ -38,7 +38,7 @@ std::optional<Vec3> read_position(SectionReader& in, const Node& row, std::size_
     return std::nullopt;
   }
   const NumberSpec coordinate("positions", "m", any_number,
-                              "places of centres, from the jar's centre");
+                              "positions of ball centres, from the jar's centre");
   std::array<double, 3> at{};
   for (std::size_t i = 0; i < 3; ++i) at[i] = in.quantity(row.items[i], coordinate);
   const Vec3 position{at[0], at[1], at[2]};
@@ -53,12 +53,12 @@ std::string positions_text(const std::vector<Vec3>& positions) {
   return "[" + rows + "]";
 }
 
-/// Where the balls of a set start; none after a fault.
+/// The initial positions of the balls of a set; none after a fault.
 std::vector<Vec3> read_positions(SectionReader& in, const Node& at) {
   std::vector<Vec3> positions;
   bool sound = at.kind == Node::Kind::list && !at.items.empty();
   if (!sound)
-    in.fault(at, "`positions` must be a list of places",
+    in.fault(at, "`positions` must be a list of positions",
              "write positions = [[\"9 mm\", \"0 mm\", \"-7.74 mm\"]]", "wrong-type");
   for (const Node& row : at.items) {
     const auto position = read_position(in, row, positions.size() + 1);
@@ -75,7 +75,7 @@ constexpr NumberSpec mass_of_set("mass", "kg", positive, "mass of all balls of t
 constexpr NumberSpec filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
                                     "volume of the balls over volume of the jar");
 
-/// By number, by mass, by the balls' share of the jar's volume, or by the places they start at.
+/// The number of balls, given directly, by mass, by filling of the jar, or by initial positions.
 std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
   const std::string_view key = in.one_of({"count", "mass", "filling", "positions"});
   if (key == "positions") {
@@ -96,7 +96,7 @@ std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
   return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
 }
 
-/// [m] of the ball of mean volume, which classes do not change.
+/// [m] Diameter of the ball of mean volume; it does not depend on the number of classes.
 double mean_diameter(Distribution of) {
   of.classes = std::max<std::int64_t>(of.classes, 1);
   return mean_volume_diameter(size_shares(of));
@@ -109,12 +109,12 @@ void describe_count(KeyVisitor& v, BallSet& set) {
   const std::vector<Vec3>& positions = set.positions;
   if (!positions.empty() || v.visits_all())
     v.custom(
-        {"positions", "places of centres, from the jar's centre",
+        {"positions", "positions of ball centres, from the jar's centre",
          (positions.empty() || std::cmp_equal(positions.size(), set.count)) &&
              std::ranges::all_of(positions, [](const Vec3& p) { return std::isfinite(norm(p)); })},
         [&] { return positions_text(positions); });
   if (positions.empty() || v.visits_all())
-    v.integer({"count", 1, most_balls, "how many balls"}, set.count);
+    v.integer({"count", 1, most_balls, "number of balls"}, set.count);
 }
 
 /// False after a fault.
@@ -124,7 +124,7 @@ bool describe_sizes(KeyVisitor& v, BallSet& set) {
   if (in == nullptr || set.distribution.law == Distribution::Law::equal) return sound;
   set.diameter = sound ? mean_diameter(set.distribution) : invalid_value;
   if (const Node* positions = in->find("positions"); positions != nullptr)
-    in->fault(*positions, "balls whose sizes differ cannot be told where to start",
+    in->fault(*positions, "a set with a size distribution cannot have given positions",
               "give each size a set of its own, with its positions", "too-much");
   return sound;
 }
@@ -137,8 +137,8 @@ void describe_material(KeyVisitor& v, BallSet& set) {
       in->missing(
           "density", density.about,
           set.material.empty()
-              ? "write density = \"7850 kg/m3\", or material with a name `mahlwerk list "
-                "materials` shows"
+              ? "write density = \"7850 kg/m3\", or material with a name from `mahlwerk list "
+                "materials`"
               : fmt::format("the catalogue gives none for {}: write density = \"7850 kg/m3\"",
                             set.material));
     set.density = given.value_or(invalid_value);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How a bounce ends: what [contact] and each of [[contact.pairs]] say about it.
+// The bounce rule of [contact] and of each of [[contact.pairs]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,31 +19,31 @@ using contact::BounceRule;
 using contact::Restitution;
 using RestitutionLaw = Restitution::Law;
 
-constexpr std::string_view inherited = "as [contact] says";
+constexpr std::string_view inherited = "as in [contact]";
 
 const NumberSpec& restitution_value() {
   static const NumberSpec spec("restitution", "", restitution_range,
-                               "normal speed after over before a bounce");
+                               "normal speed after a bounce over that before it");
   return spec;
 }
 
 const NumberSpec& restitution_speed() {
   static const NumberSpec spec("restitution_speed", "m/s", positive,
-                               "the speed at which `restitution` holds");
+                               "approach speed at which `restitution` holds");
   return spec;
 }
 
-/// One row of a table, speed and value; nothing after a fault.
+/// One row of a table, speed and value; no value after a fault.
 std::optional<std::pair<double, double>> read_row(SectionReader& in, const Node& row) {
   if (row.kind != Node::Kind::list || row.items.size() != 2) {
-    in.fault(row, "a row of `restitution_table` is a speed and a value",
+    in.fault(row, "a row of `restitution_table` must be a speed and a value",
              "write it as [\"1 m/s\", 0.8]", "wrong-type");
     return std::nullopt;
   }
   const double speed = in.quantity(
-      row.items[0], {"restitution_table", "m/s", positive, "speed of approach, then restitution"});
+      row.items[0], {"restitution_table", "m/s", positive, "approach speed, then restitution"});
   const double value = in.quantity(row.items[1], {"restitution_table", "", restitution_range,
-                                                  "speed of approach, then restitution"});
+                                                  "approach speed, then restitution"});
   if (std::isnan(speed) || std::isnan(value)) return std::nullopt;
   return std::pair{speed, value};
 }
@@ -68,8 +68,8 @@ Restitution read_table(SectionReader& in, const Node& at) {
       sound = sound && point;
       if (!point) continue;
       if (!points.empty() && point->first <= points.back().first) {
-        in.fault(row, "the speeds of `restitution_table` do not rise",
-                 "sort the rows by speed, each once", "out-of-range");
+        in.fault(row, "the speeds of `restitution_table` do not increase",
+                 "sort the rows by speed, each speed once", "out-of-range");
         sound = false;
       }
       points.push_back(*point);
@@ -80,7 +80,7 @@ Restitution read_table(SectionReader& in, const Node& at) {
   return made;
 }
 
-/// The word under `restitution_law`; what is given decides where it is not said.
+/// The word under `restitution_law`. Its default depends on the other keys that are given.
 RestitutionLaw read_law(SectionReader& in, std::string_view given, const Restitution* all) {
   Choice choice{"restitution_law", restitution_laws(), "constant", "the same at every speed"};
   if (given == "restitution_table") {
@@ -94,7 +94,7 @@ RestitutionLaw read_law(SectionReader& in, std::string_view given, const Restitu
   return to_enum<RestitutionLaw>(in.choice(choice), restitution_laws());
 }
 
-/// A key that a law has no use for.
+/// A fault for a given key that the law does not use.
 void refuse_unused(SectionReader& in, std::string_view key, std::string_view law,
                    const std::string& remedy) {
   in.refuse({key}, fmt::format("under restitution_law = \"{}\"", law), remedy);
@@ -107,7 +107,7 @@ Restitution read_tabulated(SectionReader& in, const Restitution* all) {
     in.record_default("restitution_table", table_text(*all), inherited);
     return *all;
   }
-  in.missing("restitution_table", "speeds of approach with their restitution",
+  in.missing("restitution_table", "approach speeds with their restitution",
              "write restitution_table = [[\"0.1 m/s\", 0.9], [\"1 m/s\", 0.75]]");
   return invalid_value;
 }
@@ -119,10 +119,10 @@ Restitution read_viscoelastic(SectionReader& in, double value, const Restitution
     speed = speed.with_default(all->speed(), inherited);
   const double at = in.value(speed);
   if (const Node* zero = in.find("restitution"); value == 0 && zero != nullptr)
-    in.fault(*zero, "a viscoelastic restitution is above 0", "give a restitution above 0",
+    in.fault(*zero, "a viscoelastic restitution must be above 0", "give a restitution above 0",
              "out-of-range");
   else if (value == 0)
-    in.missing("restitution", "a viscoelastic one is above 0", "give a restitution above 0");
+    in.missing("restitution", "a viscoelastic one must be above 0", "give a restitution above 0");
   return std::isnan(value) || std::isnan(at) || value == 0 ? Restitution(invalid_value)
                                                            : Restitution::viscoelastic(value, at);
 }
@@ -156,14 +156,14 @@ void describe_restitution(KeyVisitor& v, Restitution& e, const Restitution* all)
   double value = e.value(), speed = e.speed();
   v.word({"restitution_law", restitution_laws(), "constant"}, law);
   if (law == RestitutionLaw::tabulated)
-    v.custom({"restitution_table", "speeds of approach with their restitution"},
+    v.custom({"restitution_table", "approach speeds with their restitution"},
              [&] { return table_text(e); });
   else
     v.number(restitution_value(), value);
   if (law == RestitutionLaw::viscoelastic) v.number(restitution_speed(), speed);
 }
 
-/// "constant" or "walton", and why if it is not said.
+/// The key `bounce`, "constant" or "walton"; its default depends on the other keys that are given.
 Choice bounce_of(KeyVisitor& v, const BounceRule* all) {
   const bool friction = v.gives("friction");
   Choice choice{"bounce",
@@ -186,8 +186,10 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
   describe_restitution(v, rule.restitution, all ? &all->restitution : nullptr);
   std::size_t walton = rule.friction == std::numeric_limits<double>::infinity() ? 0 : 1;
   if (!v.choose(bounce_of(v, all), walton)) walton = 1;
-  NumberSpec tangential("tangential_restitution", "", tangential_range,
-                        "slip after over before a bounce: 1 smooth, 0 no slip, -1 perfectly rough");
+  NumberSpec tangential(
+      "tangential_restitution", "", tangential_range,
+      "slip after a bounce over that before it: 1 smooth, 0 no slip, -1 perfectly "
+      "rough");
   tangential = tangential.with_default(
       0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
   if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);

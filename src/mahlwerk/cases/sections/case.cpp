@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A case from its first section to its last.
+// All sections of a case, in the order in which they are written.
 #include <fmt/format.h>
 
 #include <utility>
@@ -13,8 +13,8 @@ namespace mahlwerk::cases {
 namespace {
 
 void describe_top(KeyVisitor& v, Case& c) {
-  v.custom({"title", "what it is about"}, [&] { return in_quotes(c.title); });
-  v.custom({"seed", "chooses the starts among those that chance allows"}, [&] {
+  v.custom({"title", "title of the case"}, [&] { return in_quotes(c.title); });
+  v.custom({"seed", "seed of the random initial positions and velocities"}, [&] {
     const std::string seed = std::to_string(c.seed);
     return std::in_range<std::int64_t>(c.seed) ? seed : in_quotes(seed);
   });
@@ -32,7 +32,7 @@ void describe(CaseVisitor& v, Case& c) {
   section("mill", c.mill, c);
   section("jar", c.jar);
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
-    if (c.balls[i].grains) continue;  // [powder] says them
+    if (c.balls[i].grains) continue;  // part of [powder]
     v.section("balls", i + 1);
     describe(v, c.balls[i], c.jar);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [contact] and [[contact.pairs]]: what happens where two touch.
+// [contact] and [[contact.pairs]]: rules and parameters of contacts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// [m/s2] the strongest of the mill.
+/// [m/s2] Strongest effective gravity in the frame of the jar's centre.
 double field_of(const Case& c) {
   const kinematics::AnyMotion& motion = *c.mill.motion;
   return kinematics::strongest_field({0, 0, -c.gravity}, kinematics::bounds(motion).acceleration,
@@ -23,46 +23,49 @@ double field_of(const Case& c) {
                                      [&](double t) { return kinematics::frame_motion(motion, t); });
 }
 
-/// Bounces in a stronger field are as much shorter as all motion in the mill is (man.4).
+/// The default t_c scales like all time scales of the mill, with one over the square root of its
+/// strongest field (man.4).
 void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
-  /// Real balls touch for less than a millisecond; longer times make true collisions elastic.
+  /// Contacts of real balls last less than a millisecond; a longer t_c would make collisions
+  /// elastic.
   constexpr Range times{.least = 0, .most = 1e-3, .without_least = true};
   constexpr double one_g = 9.80665, usual = 1e-4;  // [m/s2], [s]
   const double strength = v.reader() != nullptr ? field_of(c) / one_g : 1;
   const std::string stronger = fmt::format(
-      "a few times a steel ball's contact time at 1 g; this mill's field is {:.3g} g and "
-      "its motion shorter by the root of that",
+      "a few times a steel ball's contact time at 1 g; this mill's field of {:.3g} g "
+      "shortens time scales by its square root",
       strength);
   NumberSpec time("contact_time", "s", times,
-                  "bounces that follow sooner are elastic under lasting = \"tc\"", usual,
+                  "bounces that follow within this time are elastic under lasting = \"tc\"", usual,
                   "a few times a steel ball's contact time, at 1 g or less");
   if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
   v.number(time, contact.contact_time);
 }
 
-/// Numbers of the event engine, and how soft all is.
+/// The numbers of the event engine, and `softening` of the soft engine.
 void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
   NumberSpec friction(
-      "lasting_friction", "", not_negative, "Coulomb's friction coefficient of lasting contacts",
-      0.3, "uncalibrated, 0.1-0.6; lasting contacts need a limit where bounces have none");
+      "lasting_friction", "", not_negative, "Coulomb's friction coefficient of sustained contacts",
+      0.3, "uncalibrated, 0.1-0.6; sustained contacts need a limit where bounces have none");
   if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
   v.number(friction, contact.lasting_friction);
   v.number({"lasting_speed", "m/s", not_negative,
-            "a rebound slower than this, pressed to the wall, has come to stay", 1e-4,
-            "far below the speeds that count"},
+            "a ball pressed to the wall that rebounds slower stays in sustained contact", 1e-4,
+            "far below the speeds of interest"},
            contact.lasting_speed);
   describe_contact_time(v, contact, c);
   v.number({"softening",
             "",
             {.least = 0, .most = 1, .without_least = true},
-            "multiplies every Young's modulus: below 1 steps are longer, overlaps deeper",
+            "factor on every Young's modulus: below 1, time steps and overlaps are larger",
             1.0,
             "moduli as they are"},
            contact.softening);
 }
 
-/// Of [contact], and of a pair, which inherits those of `all`. Silent where the model is not known.
+/// The parameters of [contact] besides the bounce rule, or those of a pair with `all` as defaults.
+/// Ignored if the model is unknown.
 template <class Owner>
 void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, const Contact* all) {
   const auto general = touch_fields<Contact>();
@@ -75,8 +78,8 @@ void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, cons
     }
     NumberSpec spec(field);
     spec.unit = unit_of(field.key, field.unit, *model);
-    if (spec.unit != field.unit) spec.standard.reset();  // none is known in that unit
-    if (all != nullptr) spec = spec.with_default(all->*of_all, "as [contact] says");
+    if (spec.unit != field.unit) spec.standard.reset();  // no default in that unit
+    if (all != nullptr) spec = spec.with_default(all->*of_all, "as in [contact]");
     v.number(spec, owner.*field.value);
   }
 }
@@ -86,7 +89,7 @@ std::string between_text(const PairRule& pair) {
 }
 
 void describe_between(KeyVisitor& v, PairRule& pair) {
-  constexpr CustomKey between{"between", "the two the rule is for"};
+  constexpr CustomKey between{"between", "the two partners of the rule"};
   v.custom(between, [&] { return between_text(pair); });
   SectionReader* in = v.reader();
   if (in == nullptr) return;
@@ -96,7 +99,7 @@ void describe_between(KeyVisitor& v, PairRule& pair) {
   if (at == nullptr) {
     in->missing(between.key, between.about, std::string(form));
   } else if (at->items.size() != 2 || !std::ranges::all_of(at->items, is_text)) {
-    in->fault(*at, "`between` must name two", std::string(form), "wrong-type");
+    in->fault(*at, "`between` must name two partners", std::string(form), "wrong-type");
   } else {
     pair.between = {at->items[0].text, at->items[1].text};
     in->record_origin(between.key, between_text(pair), at);
@@ -140,8 +143,8 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
   v.word({"lasting",
           {"roll", "tc", "none"},
           several ? "tc" : "roll",
-          several ? "with several balls lasting contacts are carried by the TC rule"
-                  : "a ball may come to stay, and roll or slide"},
+          several ? "with several balls, sustained contacts follow the TC rule"
+                  : "a ball may stay in contact, and roll or slide"},
          contact.lasting);
   return model;
 }

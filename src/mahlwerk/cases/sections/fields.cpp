@@ -83,7 +83,7 @@ const std::vector<std::string>& restitution_laws() {
   return words;
 }
 
-// Control characters are escaped, so a text cannot leave its line.
+// Control characters are escaped, so that a text stays on one line.
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [fit]: keys of the case, each with the range it may be chosen from.
+// [fit]: keys of the case, each with the range to search.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +56,8 @@ class RangeReader {
   DottedLists lists_;
 };
 
-/// Whether both ends can be read, rise, and lie where the number may lie.
+/// Reports ends of a range that cannot be read, lie outside the range of the number, or do not
+/// increase.
 void check_range(const FitParameter& number, const FitRange& range, const std::string& location,
                  Findings& findings) {
   std::array<double, 2> ends{};
@@ -91,7 +92,7 @@ DottedLists read_fit(const Node* table, Findings& findings) {
 void check_fit(const Case& c, const std::map<std::string, std::string>& locations,
                Findings& findings) {
   const std::vector<FitParameter> all = fit_parameters(c);
-  const bool sound = findings.faults.empty();  // else a model may not be known
+  const bool sound = findings.faults.empty();  // otherwise a model may be unknown
   for (const auto& [key, range] : c.fit) {
     const std::string& location = locations.at(key);
     const auto number = std::ranges::find(all, key, &FitParameter::key);
@@ -112,8 +113,8 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
     check_range(*number, range, location, findings);
     if (findings.fitted_keys.contains(key))
       findings.faults.push_back(
-          {location, fmt::format("{} has no value yet: [fit] only says where to look for one", key),
-           "`mahlwerk fit case.toml data.csv` finds it from what was measured, or give one",
+          {location, fmt::format("{} has no value yet: [fit] only gives the range to search", key),
+           "`mahlwerk fit case.toml data.csv` finds it from measurements, or give one",
            "unfitted"});
   }
 }

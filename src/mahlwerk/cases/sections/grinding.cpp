@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [capture], [breakage], [fragments] and [grinding]: what collisions catch and how it breaks.
+// [capture], [breakage], [fragments] and [grinding]: capture of powder by collisions, and breakage.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// A number that only measurements on the powder can tell, or a default.
+/// A number with a default, or one that must be measured on the powder.
 void describe_constant(KeyVisitor& v, const NumberSpec& spec, double& value, const Case& c) {
   SectionReader* in = v.reader();
   if (in == nullptr || in->gives(spec.key) || spec.standard) return v.number(spec, value);
@@ -23,22 +23,23 @@ void describe_constant(KeyVisitor& v, const NumberSpec& spec, double& value, con
   const std::string powder =
       c.powder && !c.powder->material.empty() ? c.powder->material : "this powder";
   in->missing(spec.key, spec.about,
-              fmt::format("nothing published is at hand for {}: give it, for instance {} = \"{}\", "
+              fmt::format("no published value is known for {}: give it, for instance {} = \"{}\", "
                           "or let `mahlwerk fit` find it from measured sizes",
                           powder, spec.key, example_of(spec.unit)));
 }
 
-/// A bed breaks as its grains do, where the breakage model knows how.
+/// The spec of a field. The fracture energy of Barrios' bed has a default if the breakage model
+/// provides it.
 template <class M>
 NumberSpec spec_of(const Field<M>& field, bool remembering) {
   const NumberSpec usual(field);
   return std::is_same_v<M, powder::Barrios> && remembering
-             ? usual.with_default(0, "that of [breakage], size by size")
+             ? usual.with_default(0, "that of [breakage] for each size")
              : usual;
 }
 
-/// The model and its numbers; false after an unknown word. `remembering`: the breakage model knows
-/// how strong grains are.
+/// The model and its numbers; false after an unknown word. `remembering`: the breakage model tracks
+/// the strength of grains.
 template <class... Models>
 bool describe_model(KeyVisitor& v, std::variant<Models...>& any, const Case& c, bool remembering) {
   if (!v.model("model", any)) {
@@ -66,20 +67,19 @@ std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalo
 
 void describe_method(KeyVisitor& v, Grinding& g) {
   using Method = Grinding::Method;
-  v.word(
-      {"method", {"balance", "statistical", "both"}, "balance", "what is expected, without chance"},
-      g.method);
+  v.word({"method", {"balance", "statistical", "both"}, "balance", "expected values, not random"},
+         g.method);
   if (g.method == Method::balance)
     v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
   if (g.method != Method::balance || v.visits_all())
     v.integer({"sample", least_sample, most_sample, "grains of the statistical method",
-               Grinding().sample, "shares are off by 0.5 % at most, by chance"},
+               Grinding().sample, "sampling error of shares 0.5 % at most"},
               g.sample);
-  v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit meets grains of one size"}, g.bed);
+  v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit captures grains of one size"}, g.bed);
 }
 
-/// The finest size.
+/// The finest size, by default a fixed ratio below the largest of the feed.
 void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
   SectionReader* in = v.reader();
   const bool sized = c.powder && c.powder->size;
@@ -89,22 +89,23 @@ void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
   } else if (in != nullptr && !sized) {
     g.smallest = invalid_value;
   } else {
-    v.number({"smallest", "m", positive, "finest grain size that is told apart"}, g.smallest);
+    v.number({"smallest", "m", positive, "finest grain size that is resolved"}, g.smallest);
   }
 }
 
-/// How many classes there are above it.
+/// The number of size classes per octave.
 void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
-  v.integer({"classes_per_octave", size_step, most_per_octave,
-             "classes of size, a multiple of three", remembering ? size_step : 2 * size_step,
-             remembering ? "few, as each has many strengths" : "a size every 12 %"},
+  v.integer({"classes_per_octave", size_step, most_per_octave, "size classes, a multiple of three",
+             remembering ? size_step : 2 * size_step,
+             remembering ? "few, as each class has many strengths" : "a size every 12 %"},
             g.classes_per_octave);
   SectionReader* in = v.reader();
   if (in != nullptr && g.classes_per_octave % size_step != 0)
     in->fault(*in->find("classes_per_octave"),
-              fmt::format("classes_per_octave = {} is no multiple of {}", g.classes_per_octave,
+              fmt::format("classes_per_octave = {} is not a multiple of {}", g.classes_per_octave,
                           size_step),
-              "write 3, 6, 9 or 12: half the volume is then a class further down", "out-of-range");
+              "write 3, 6, 9 or 12: half the volume is then a whole number of classes below",
+              "out-of-range");
 }
 
 void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
@@ -121,7 +122,7 @@ void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
     v.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
 }
 
-/// [breakage], [fragments] and [grinding] stand together or not at all.
+/// Reports incomplete sets of [breakage], [fragments] and [grinding].
 void lone_sections(const GrindingTables& t, Findings& findings) {
   const auto fault = [&](const Node* at, std::string what, std::string remedy) {
     findings.faults.push_back({at->where, std::move(what), std::move(remedy), "lone-section"});
@@ -129,7 +130,7 @@ void lone_sections(const GrindingTables& t, Findings& findings) {
   const auto part = [&](const Node* table, std::string_view name, std::string_view what,
                         const std::vector<std::string>& models) {
     if (table != nullptr && t.grinding == nullptr)
-      fault(table, fmt::format("[{}] stands without [grinding], which alone uses it", name),
+      fault(table, fmt::format("[{}] is given without [grinding], which alone uses it", name),
             "add [grinding] with time = \"30 s\" or so, or remove it");
     if (table == nullptr && t.grinding != nullptr)
       fault(t.grinding, fmt::format("[grinding] needs [{}]: {}", name, what),
@@ -137,7 +138,7 @@ void lone_sections(const GrindingTables& t, Findings& findings) {
   };
   part(t.breakage, "breakage", "which hits break a grain",
        model_names(std::type_identity<powder::AnyBreakage::Models>{}));
-  part(t.fragments, "fragments", "into what a grain breaks",
+  part(t.fragments, "fragments", "the fragments of a broken grain",
        model_names(std::type_identity<powder::AnyFragments::Models>{}));
 }
 
@@ -149,7 +150,7 @@ void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const C
     spec = spec.with_default(c.grinding->time, "that of [grinding]");
   else if (c.heat)
     spec = spec.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
-                             "all milling of [heat]");
+                             "total milling time of [heat]");
   v.number(spec, time);
 }
 
@@ -158,7 +159,7 @@ void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) 
     v.word({"energy",
             {"normal", "contact-point", "lost"},
             "normal",
-            "what presses along the line of centres; sliding does not"},
+            "the part along the line of centres; sliding does not press"},
            capture.energy);
     v.number(NumberSpec(energy_share), capture.energy_share);
   };

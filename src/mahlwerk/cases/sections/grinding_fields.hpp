@@ -7,11 +7,11 @@
 #include "mahlwerk/base/field.hpp"
 #include "mahlwerk/cases/case.hpp"
 
-// The numbers of grinding that belong to no model: reader, writer and checks share them.
+// Field tables of the numbers of grinding that belong to no model, for reader, writer and checks.
 namespace mahlwerk::cases {
 
 constexpr std::int64_t most_powder_sieves = 200;
-/// Wider ones are slips: a factor of 20 is four decades of sizes.
+/// Wider distributions are taken for a mistake: a factor of 20 spans four decades of sizes.
 constexpr Range feed_spreads(powder::Feed::Law law) {
   return law == powder::Feed::Law::lognormal ? Range{.least = 1, .most = 20, .without_least = true}
                                              : Range{.least = 0.1, .most = 100};
@@ -21,7 +21,7 @@ constexpr Field<Capture> energy_share{"energy_share",
                                       "",
                                       &Capture::energy_share,
                                       {.least = 0, .most = 1, .without_least = true},
-                                      "share of a collision's energy that the caught grains get",
+                                      "share of a collision's energy that captured grains receive",
                                       Capture::all,
                                       "all of it: an upper bound; uncalibrated"};
 
@@ -35,10 +35,10 @@ constexpr Field<Grinding> welding_energy{"welding_energy",
 constexpr auto grinding_shares() {
   constexpr Range shares{.least = 0, .most = 1, .without_most = true};
   return std::array{Field<Grinding>{"sticking", "", &Grinding::sticking, shares,
-                                    "share of the grains that lies stuck on the wall, out of reach",
+                                    "share of the grains that sticks to the wall and is not hit",
                                     0.0, "nothing sticks"},
                     Field<Grinding>{"welding", "", &Grinding::welding, shares,
-                                    "chance that a hit that does not break welds two grains", 0.0,
+                                    "probability that a hit without breakage welds two grains", 0.0,
                                     "nothing welds"}};
 }
 
@@ -46,7 +46,8 @@ constexpr double octaves_below = 4096;  ///< largest size of the feed over the d
 constexpr std::int64_t size_step = 3;   ///< `classes_per_octave` is a multiple of this, 12 at most
 constexpr std::int64_t most_per_octave = 12;
 constexpr std::int64_t least_sample = 100, most_sample = 1'000'000;
-/// Of sizes; each class of a breakage model that remembers has many states of strength.
+/// Limits of size classes. A breakage model with memory of earlier hits has many states of strength
+/// in each class.
 constexpr double most_size_classes = 150, most_remembering_classes = 48;
 
 constexpr auto kinetics_fields() {
@@ -55,7 +56,7 @@ constexpr auto kinetics_fields() {
                              "dose of energy, by mass of powder, that converts 63.2 %"},
                     Field<K>{"exponent", "", &K::exponent, positive, "Avrami's exponent"},
                     Field<K>{"onset", "J/kg", &K::onset, not_negative,
-                             "dose below which nothing happens", 0.0, "it begins at once"}};
+                             "dose below which nothing happens", 0.0, "conversion begins at once"}};
 }
 
 }  // namespace mahlwerk::cases

@@ -27,13 +27,14 @@ constexpr bool has_fillet = requires(S s) {
   s.fillet;
 };
 
-/// Its sizes follow from a volume; others have parts in them.
+/// A size of a plain shape may follow from its volume; other shapes have internal parts.
 template <class S>
 constexpr bool is_plain = geometry::has_exact_touches<S>;
 
 constexpr NumberSpec inner_volume("volume", "m3", positive, "inner volume");
 
-/// The size that follows from a volume: a volume is linear in the height, cubic in a sphere's size.
+/// The size that follows from a volume: the volume is linear in the height, or cubic in the
+/// diameter of a sphere.
 template <class S>
 double size_for(S shape, double volume) {
   if constexpr (!is_round<S>) {
@@ -43,14 +44,14 @@ double size_for(S shape, double volume) {
     shape.height = 0;
     const double radius = 0.5 * shape.diameter;
     const double height = (volume - shape.volume()) / (std::numbers::pi * radius * radius);
-    constexpr double rounding = 1e-12;  // a capsule without a cylinder is a capsule still
+    constexpr double rounding = 1e-12;  // a capsule may have no cylinder
     return std::abs(height) < rounding * shape.diameter ? 0 : height;
   } else {
     return std::cbrt(6 * volume / std::numbers::pi);
   }
 }
 
-/// The volume at which the height is the least the shape can have.
+/// The volume of the shape with its least height.
 template <class S>
 double least_volume(S shape) {
   if constexpr (has_fillet<S>) {
@@ -110,7 +111,7 @@ void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
       v.fields(shape, S::fields());
       if (is_plain<S>) v.alternative(inner_volume);
     }
-    if constexpr (!std::is_same_v<S, geometry::Mesh>)  // has a reader of its own
+    if constexpr (!std::is_same_v<S, geometry::Mesh>)  // read by describe_mesh()
       if (in != nullptr) read_shape(*in, shape);
   };
   std::visit(numbers, any);

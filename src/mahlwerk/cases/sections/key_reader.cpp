@@ -19,7 +19,7 @@ bool is_value(const Node& node) {
          node.kind == Node::Kind::boolean;
 }
 
-/// A formula stands behind an equals sign: "= 5 ml / jar.diameter".
+/// A formula begins with an equals sign: "= 5 ml / jar.diameter".
 bool is_formula(const Node& node) {
   return node.kind == Node::Kind::text && node.text.starts_with('=');
 }
@@ -50,8 +50,8 @@ void KeyReader::fault(const Node& at, std::string what, std::string remedy, cons
 void KeyReader::read_key(const std::string& key, const Node& node) {
   if (const std::string section = key.substr(0, key.find('.'));
       section == "sweep" || section == "optimise" || section == "match" || section == "fit") {
-    fault(node, fmt::format("\"{}\" is no value of a run", key),
-          "name what a mill's user sets: \"mill.speed\"", "bad-range");
+    fault(node, fmt::format("\"{}\" is not a value of a run", key),
+          "name a key of the mill, its contents or its run: \"mill.speed\"", "bad-range");
     return;
   }
   if (node.kind == Node::Kind::table && !is_range(node)) {
@@ -83,7 +83,7 @@ void KeyReader::read_range(const std::string& key, const Node& node) {
   made.logarithmic =
       in.gives("spacing") && in.choice({"spacing", spacing_words(), ""}) == spacing_words().back();
   in.report_unknown_keys();
-  // With one end it still varies: nothing else need say that the key is missing.
+  // With one end the key still varies, which avoids a second fault for a missing value.
   if (made.values.size() == 1) made.values.push_back(made.values.front());
   if (!made.values.empty()) keys_.push_back(std::move(made));
 }

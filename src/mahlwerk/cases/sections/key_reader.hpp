@@ -13,7 +13,7 @@
 
 namespace mahlwerk::cases {
 
-/// Reads dotted keys of one section, each with the values it takes.
+/// Reads the dotted keys of one section, each with a list, a range or a formula.
 class KeyReader {
  public:
   using Locations = std::map<std::string, std::string>;
@@ -21,7 +21,7 @@ class KeyReader {
   KeyReader(std::string section, Locations& locations, Findings& findings)
       : section_(std::move(section)), locations_(locations), findings_(findings) {}
 
-  /// Keys of `table` but the names in `own`, which are the section's.
+  /// Reads the keys of `table`, except those in `own`: settings of the section itself.
   void read(const Node& table, const std::set<std::string_view>& own = {});
 
   std::vector<SweptKey> keys() { return std::move(keys_); }
@@ -40,7 +40,7 @@ class KeyReader {
   std::map<std::string, std::string> derived_;
 };
 
-/// The values of a key, and words in quotes, as a case writes them.
+/// The values of a key, and a list of words in quotes, as written in a case file.
 std::string values_text(const SweptKey& key);
 std::string list_text(const std::vector<std::string>& words);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [kinetics]: what a dose of energy does.
+// [kinetics]: conversion of powder by a dose of energy.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -17,33 +17,33 @@ void describe_conversion(KeyVisitor& v, const NumberSpec& spec, double& value) {
   if (in == nullptr || in->gives(spec.key) || spec.standard) return v.number(spec, value);
   in->missing(spec.key, spec.about,
               fmt::format("write for instance {} = \"{}\", or let `mahlwerk fit` find it from "
-                          "what was measured",
+                          "measurements",
                           spec.key, example_of(spec.unit)));
 }
 
-/// A property goes from a first value to a last one.
+/// A property that changes from an initial to a final value with conversion.
 void describe_property(KeyVisitor& v, Kinetics& k) {
   v.text("property", k.property);
   if (k.property.empty() && !v.visits_all())
     return v.refuse({"initial", "final"}, "without `property`",
                     "remove it, or write property = \"amorphous content\" or so");
   v.number({"initial", "", any_number, "the property before milling, in its own unit"}, k.initial);
-  v.number({"final", "", any_number, "the property of what is all converted"}, k.final);
+  v.number({"final", "", any_number, "the property after complete conversion"}, k.final);
 }
 
 }  // namespace
 
 void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
   std::size_t avrami = k.conversion.exponent != 1 ? 1 : 0;
-  v.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest"}, avrami);
+  v.choose({"law", {"first-order", "avrami"}, "first-order", "the simplest law"}, avrami);
   for (const auto& field : kinetics_fields())
     if (avrami || field.value != &powder::Conversion::exponent)
       describe_conversion(v, NumberSpec(field), k.conversion.*field.value);
   if (!avrami)
     v.refuse({"exponent"}, "under law = \"first-order\"", "remove it, or write law = \"avrami\"");
-  v.word({"dose", {"dissipated", "captured"}, "dissipated", "all that the collisions lose"},
+  v.word({"dose", {"dissipated", "captured"}, "dissipated", "all energy that collisions lose"},
          k.dose);
-  describe_milling_time(v, {"time", "s", positive, "how long the mill mills"}, k.time, c, false);
+  describe_milling_time(v, {"time", "s", positive, "milling time"}, k.time, c, false);
   describe_property(v, k);
 }
 

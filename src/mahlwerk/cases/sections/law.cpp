@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The contact model of the soft engine: what [contact] says about it.
+// The keys of [contact] for the contact model of the soft engine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
   v.word({one.key, {first, second}, first, one.source}, law.*one.second);
 }
 
-/// A number of the law, or the one that takes its place.
+/// A number of the law, or the alternative key given instead.
 template <class L>
 void read_number(SectionReader& in, L& law, const contact::LawField<L>& field) {
   for (const auto& other : L::fields())
@@ -39,7 +39,7 @@ void read_number(SectionReader& in, L& law, const contact::LawField<L>& field) {
     in.record_default(field.key, std::string(field.default_text), field.source);
 }
 
-/// A key of the chosen law, or of another, which is a fault.
+/// Reads a key of the chosen law. A given key of another law is a fault.
 template <class L>
 void read_key(SectionReader& in, L& law, std::string_view key) {
   for (const auto& one : contact::switches_of<L>())
@@ -52,7 +52,7 @@ void read_key(SectionReader& in, L& law, std::string_view key) {
   refuse_meaningless(in, key, "law", L::name);
 }
 
-/// The law's own keys, its switches apart; `model` is null where it is not known.
+/// The keys of the contact law; without switches, except for a reader. `model` is null if unknown.
 void describe_law(KeyVisitor& v, ContactModel* model) {
   SectionReader* in = v.reader();
   const auto numbers = [&]<class L>(L& law) {
@@ -79,7 +79,7 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
   const auto each = [&]<class L>(L& law) {
     for (const auto& one : contact::switches_of<L>()) describe_switch(v, law, one);
   };
-  if (v.reader() == nullptr) std::visit(each, *model.law);  // read with the law's numbers
+  if (v.reader() == nullptr) std::visit(each, *model.law);  // a reader: see describe_law()
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
 bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
   SectionReader* in = v.reader();
   if (in == nullptr) return model != nullptr && (v.visits_all() || has_meaning(key, *model));
-  in->find(key);                       // it is known, whatever is chosen
-  if (model == nullptr) return false;  // the law itself is at fault
+  in->find(key);                       // marks the key as known under any law
+  if (model == nullptr) return false;  // the fault of the law is already reported
   if (has_meaning(key, *model)) return true;
   if (key.starts_with("rolling"))
     refuse_meaningless(*in, key, "rolling", contact::rule_of(model->rolling).name);
@@ -109,7 +109,7 @@ bool describe(KeyVisitor& v, ContactModel& model) {
     v.number(NumberSpec(rolling_damping), model.rolling_damping);
   describe_law(v, known);
   v.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
-  v.flag({"rescaled_unloading", false, "the tangential spring stays as it is while unloading"},
+  v.flag({"rescaled_unloading", false, "the tangential spring is not rescaled while unloading"},
          model.rescaled_unloading);
   return known != nullptr;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a section takes from the material it names.
+// Properties that a section takes from the material it names.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -11,7 +11,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Of a ball or a jar, for the soft engine.
+/// Elastic constants of a ball or a jar, for the soft engine.
 constexpr auto elastic_fields() {
   using E = contact::ElasticConstants;
   return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
@@ -22,7 +22,7 @@ constexpr auto elastic_fields() {
                              "steel, handbook; uncalibrated"}};
 }
 
-/// Of a ball or a jar, for wear and heat.
+/// Properties of a ball or a jar, for wear and heat.
 constexpr auto substance_fields() {
   using S = Substance;
   constexpr std::string_view source = "hardened steel (1.4034), handbook; uncalibrated";
@@ -34,7 +34,7 @@ constexpr auto substance_fields() {
                              "specific heat capacity", hardened_steel.heat_capacity, source}};
 }
 
-/// Of a jar's wall.
+/// Fields of a jar's wall.
 constexpr Field<Jar> wall_density{"density",
                                   "kg/m3",
                                   &Jar::density,
@@ -50,14 +50,15 @@ constexpr Field<Jar> wall_thickness{"wall",
                                     default_wall_thickness,
                                     "a small steel jar's; uncalibrated, 3-15 mm"};
 
-/// Whether the material's name counts, not what is said under `key` itself.
+/// Whether the material's value counts: `key` is not given, or given with lower precedence than
+/// `material`.
 bool by_material(SectionReader& in, std::string_view key) {
   const Node *own = in.find(key), *name = in.find("material");
   return name != nullptr && !name->text.empty() &&
          (own == nullptr || name->precedence > own->precedence);
 }
 
-/// What the catalogue says under `key`, noted; nothing if it is silent.
+/// The entry's value, with its origin recorded; no value if the entry gives none.
 std::optional<double> of_entry(SectionReader& in, const NumberSpec& spec,
                                const CatalogueEntry& entry) {
   const auto found = entry.values.find(std::string(spec.key));
@@ -70,13 +71,13 @@ std::optional<double> of_entry(SectionReader& in, const NumberSpec& spec,
   return value;
 }
 
-/// The catalogue's entry of a material; nothing for one it lacks, which may be a mere name.
+/// The catalogue entry of a material; no value for a material that the catalogue lacks.
 std::optional<CatalogueEntry> known_material(SectionReader& in, const std::string& material) {
   if (!in.catalogue().has("materials", material)) return std::nullopt;
   return find_entry(in, "materials", *in.find("material"));
 }
 
-/// From where it is said, from the material, or the default.
+/// The given value, else that of the material, else the default.
 double of_material(SectionReader& in, const NumberSpec& spec, const std::string& material,
                    const std::optional<CatalogueEntry>& entry) {
   if (!by_material(in, spec.key)) return in.value(spec);

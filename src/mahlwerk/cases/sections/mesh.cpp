@@ -21,7 +21,7 @@ using geometry::Flaw;
 using geometry::Mesh;
 using geometry::Surface;
 
-constexpr double widest = 10, narrowest = 1e-3;  // [m] of a jar that can be meant
+constexpr double widest = 10, narrowest = 1e-3;  // [m] plausible widths of a jar
 
 std::string position_text(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
@@ -31,7 +31,7 @@ std::string edges(std::size_t count) {
   return count == 1 ? "1 edge" : fmt::format("{} edges", count);
 }
 
-/// What a flaw means, and how to mend it.
+/// The fault for a flaw of the mesh, with its remedy.
 Fault mesh_fault(const Flaw& flaw, const std::string& file) {
   const auto fault = [&](std::string what, const char* remedy, const char* code) {
     return Fault{"", fmt::format("{}: {}", file, what), remedy, code};
@@ -53,7 +53,7 @@ Fault mesh_fault(const Flaw& flaw, const std::string& file) {
                       edges(flaw.count), position_text(flaw.where)),
           "let the CAD program orient all normals outwards", "twisted-mesh");
     case Flaw::Kind::several_shells:
-      return fault(fmt::format("the surface has {} parts that do not hang together, the second "
+      return fault(fmt::format("the surface has {} parts that are not connected, the second "
                                "at {}",
                                flaw.count, position_text(flaw.where)),
                    "export the inner volume alone, as one solid: without the jar's outside and "
@@ -62,7 +62,7 @@ Fault mesh_fault(const Flaw& flaw, const std::string& file) {
     case Flaw::Kind::inside_out:
       break;
   }
-  return fault("the surface is inside out: its triangles look into the jar",
+  return fault("the surface is inside out: its normals point into the jar",
                "draw the inner volume as a solid, or flip all normals and export again",
                "mesh-inside-out");
 }
@@ -98,12 +98,12 @@ class MeshReader {
     in_.fault(*in_.find("file"), std::move(what), std::move(remedy), code);
   }
 
-  /// [m] of one of the file's.
+  /// [m] Length of the file's unit; `invalid_value` after a fault.
   double read_unit() {
     const auto unit = in_.text("unit");
     if (!unit) {
       if (!in_.gives("unit"))
-        in_.missing("unit", "the unit of the file's numbers, for an STL has none",
+        in_.missing("unit", "the unit of the file's numbers, as an STL file has none",
                     "write for instance unit = \"mm\"");
       return invalid_value;
     }
@@ -125,7 +125,7 @@ class MeshReader {
     if (std::filesystem::is_regular_file(path, ignored)) stream.open(path, std::ios::binary);
     if (!stream.is_open()) {
       fault(fmt::format("the mesh file {} cannot be read", file),
-            "name it relative to the case file", "no-such-file");
+            "give its path relative to the case file", "no-such-file");
       return std::nullopt;
     }
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -140,7 +140,8 @@ class MeshReader {
     }
   }
 
-  /// One closed surface of a size that can be meant, where the case wants it.
+  /// The triangles as one closed surface of a plausible size, centred if the case says so; no value
+  /// after a fault.
   std::optional<Surface> closed(std::vector<geometry::Corners> triangles, const std::string& file) {
     std::vector<Vec3> points;
     for (const geometry::Corners& c : triangles) points.insert(points.end(), c.begin(), c.end());
@@ -167,7 +168,7 @@ class MeshReader {
     return surface;
   }
 
-  /// The jar turns about its origin, which by default is the file's.
+  /// Whether the file's origin lies within the jar; a fault otherwise. The jar rotates about it.
   bool holds_origin(const Mesh& mesh) {
     bool outside = false;
     mesh.near({}, 0, [&](int, const geometry::Gap& gap) { outside = !(gap.distance > 0); });

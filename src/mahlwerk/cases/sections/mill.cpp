@@ -18,7 +18,7 @@ using kinematics::Planetary;
 using kinematics::Tabulated;
 using kinematics::Tumbling;
 
-/// "1:-2" as a number, jar over disc; other texts as they are.
+/// A ratio given as "1:-2", disc to jar, as a number, jar over disc; other values as quantities.
 double ratio_of(SectionReader& in, const Node& at, const NumberSpec& spec) {
   const auto colon = at.text.find(':');
   if (at.kind != Node::Kind::text || colon == std::string::npos) return in.quantity(at, spec);
@@ -59,13 +59,13 @@ double read_ratio(SectionReader& in, const NumberSpec& spec) {
                    convention == "absolute"
                        ? fmt::format("ratio = {} with the jar's absolute speed", at->text)
                        : "");
-  // Stored relative, whatever was said.
+  // The ratio is stored under the relative convention.
   for (Origin& o : in.findings().origins)
     if (o.key == "mill.ratio_convention") o.value = "\"relative\"";
   return ratio;
 }
 
-/// A drum's speed, which may be given as a share of the critical one.
+/// A drum's speed, which may be given as a share of the critical speed.
 double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c) {
   const Node* at = in.find(spec.key);
   if (at == nullptr || at->kind != Node::Kind::text || at->text.find('%') == std::string::npos)
@@ -74,14 +74,14 @@ double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c)
   const double critical = critical_speed(c.jar, c.balls, c.gravity);
   const double speed = share * critical;
   if (std::isnan(share)) return invalid_value;
-  if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, which is reported as such
+  if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, reported elsewhere
   in.record_origin(
       spec.key, show(speed, spec.unit), at,
       fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, spec.unit)));
   return speed;
 }
 
-/// What the maker of a catalogue's mill offers.
+/// Reports a given value outside the range that the maker of a catalogue's mill offers.
 void check_offer(SectionReader& in, const NumberSpec& spec, double value,
                  const CatalogueEntry& entry) {
   const Node* at = in.find(spec.key);
@@ -102,14 +102,14 @@ void check_offer(SectionReader& in, const NumberSpec& spec, double value,
     in.fault(*at,
              fmt::format("{} = \"{}\" is outside what {} offers: {} to {}", spec.key, at->text,
                          entry.title, text("least"), text("most")),
-             "stay within it, or give `kind` and the mill's own numbers instead of `model`",
+             "stay within this range, or give `kind` and the mill's own numbers instead of `model`",
              "outside-mill-range");
   } catch (const UnitError&) {
-    return;  // a "1:-2" among ranges, which the catalogue's own tests look after
+    return;  // a range of ratios like "1:-2"; the catalogue's own tests check it
   }
 }
 
-/// A number as it is read, with what is special to a mill.
+/// Reads a number of the motion, with the special forms of a mill.
 template <class M>
 double read_motion_number(SectionReader& in, const NumberSpec& spec, const Case& c) {
   if (std::is_same_v<M, Planetary> && spec.key == "ratio") return read_ratio(in, spec);
@@ -161,10 +161,10 @@ void describe_axis(KeyVisitor& v, Mill& mill) {
   if (word_index < axes.size()) mill.jar_axis = sound ? axes[word_index] : standard;
 }
 
-/// Of a catalogue's mill that of the machine, which is a number among others there.
+/// The number of jars. For a catalogue's mill its default is a plain number of the entry.
 void describe_jars(KeyVisitor& v, std::int64_t& carried) {
   const NumberSpec spec("jars_carried", "", {.least = 1, .most = most_jars},
-                        "how many jars, all alike, the mill carries");
+                        "number of identical jars that the mill carries");
   SectionReader* in = v.reader();
   if (in == nullptr) {
     if (carried != 1 || v.visits_all()) v.integer({spec.key, 1, most_jars, spec.about}, carried);

@@ -19,8 +19,8 @@ std::optional<CatalogueEntry> find_entry(SectionReader& in, std::string_view cat
 
 namespace {
 
-/// A `model` beside `kind` is held to the catalogue, too, where it is known there: a case that was
-/// written with all its values needs no catalogue.
+/// Checks a `model` given together with `kind` against its catalogue entry, if there is one: a
+/// resolved case with all its values must not need a catalogue.
 void check_model_name(Model& model, SectionReader& in, std::string_view category,
                       const Node& name) {
   model.name = in.text("model").value_or("");
@@ -41,8 +41,8 @@ Model read_model(SectionReader& in, std::string_view category,
   const Node *kind = in.find("kind"), *name = in.find("model");
   if (kind == nullptr && name == nullptr) {
     in.missing("kind", "",
-               fmt::format("write kind = ..., one of {}, or model = \"...\" with a name `mahlwerk "
-                           "list {}` shows",
+               fmt::format("write kind = ..., one of {}, or model = \"...\" with a name from "
+                           "`mahlwerk list {}`",
                            quoted_list(kinds), category));
     return {};
   }

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
-constexpr std::size_t most_faults = 10;  // one wrong column would name every row
+constexpr std::size_t most_faults = 10;  // one wrong column would give a fault for every row
 
-/// The numbers of a row; nothing if one is none.
+/// The numbers of a row; no value if a cell is not a finite number.
 std::optional<std::vector<double>> numbers(std::string_view row) {
   std::vector<double> out;
   for (std::size_t from = 0;;) {
@@ -49,7 +49,7 @@ class MotionFile {
         const auto& c = *cells;
         samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
         if (samples.size() > 1 && !(c[0] > samples[samples.size() - 2].time))
-          fault("the time does not rise", "sort the rows by time, each once");
+          fault("the time does not increase", "sort the rows by time, each time once");
       } else {
         fault(fmt::format("\"{}\" is not a row of {} numbers", row.substr(0, 60), columns_),
               "give a finite number in every column");
@@ -85,7 +85,7 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
   std::ifstream stream(file);
   if (!stream) {
     findings.faults.push_back({at.where, fmt::format("the motion file {} cannot be read", file),
-                               "name it relative to the case file", "no-such-file"});
+                               "give its path relative to the case file", "no-such-file"});
     return {};
   }
   MotionFile rows(file, findings);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [observe]: what is counted and what is kept.
+// [observe]: the statistics and records of a run.
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 
 void describe(KeyVisitor& v, Observe& observe) {
   v.number({"threshold", "m/s", not_negative,
-            "slower touches are left out of the rates above the threshold", 0.1,
+            "slower collisions are left out of the rates above the threshold", 0.1,
             "project convention; rates are given with and without it"},
            observe.threshold);
   v.flag({"collisions", false, "no record of every collision is kept"}, observe.collisions);

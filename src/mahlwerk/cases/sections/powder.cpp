@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [powder]: how much of what there is, and whether it takes part as grains.
+// [powder]: amount and sizes of the powder, and its simulation as grains.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,9 +24,9 @@ constexpr NumberSpec filling_of_powder("filling", "",
                                        "solid volume of the powder over volume of the jar");
 constexpr NumberSpec density_of_solid("density", "kg/m3", positive, "density of the solid");
 constexpr NumberSpec size_of_grains("grain_size", "m", positive,
-                                    "diameter of the spheres that stand for the powder");
+                                    "diameter of the spheres that represent the powder");
 
-/// "70:1" or 70, balls to powder by mass.
+/// The mass ratio of balls to powder, given as "70:1" or 70.
 double read_ball_to_powder(SectionReader& in, const Node& at) {
   const auto colon = at.text.find(':');
   if (at.kind != Node::Kind::text || colon == std::string::npos)
@@ -47,13 +47,13 @@ double read_ball_to_powder(SectionReader& in, const Node& at) {
 void report_missing_density(SectionReader& in, const Powder& powder, std::string_view why) {
   in.missing("density", fmt::format("density of the solid, which {} needs", why),
              powder.material.empty()
-                 ? "write density = \"4930 kg/m3\", or material with a name `mahlwerk list "
-                   "materials` shows"
+                 ? "write density = \"4930 kg/m3\", or material with a name from `mahlwerk list "
+                   "materials`"
                  : fmt::format("the catalogue gives none for {}: write density = \"4930 kg/m3\"",
                                powder.material));
 }
 
-/// By mass, by the balls' mass over it, or by its solid share of the jar's volume.
+/// [kg] The powder's mass, given directly, by ball_to_powder, or by filling of the jar.
 double read_powder_mass(SectionReader& in, const Powder& powder, const std::vector<BallSet>& balls,
                         const Jar& jar) {
   const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling"});
@@ -74,11 +74,11 @@ double read_powder_mass(SectionReader& in, const Powder& powder, const std::vect
   return mass;
 }
 
-/// How large the spheres are; of the powder's own size unless said otherwise.
+/// [m] Diameter of the grains; by default the powder's own size.
 double read_grain_size(SectionReader& in, const Powder& powder) {
   if (in.gives("grain_size")) return in.value(size_of_grains);
   if (powder.size && powder.feed.law == powder::Feed::Law::equal) {
-    in.record_default("grain_size", show(*powder.size, "m"), "each grain for itself");
+    in.record_default("grain_size", show(*powder.size, "m"), "the powder's own size");
     return *powder.size;
   }
   in.missing("grain_size", size_of_grains.about,
@@ -86,7 +86,7 @@ double read_grain_size(SectionReader& in, const Powder& powder) {
   return invalid_value;
 }
 
-/// How the sizes spread as fed; of one size, unread, after a fault.
+/// The size distribution of the feed. After a fault of its sieves it has one invalid size.
 void describe_feed(KeyVisitor& v, Powder& powder) {
   using Law = powder::Feed::Law;
   SectionReader* in = v.reader();
@@ -126,15 +126,15 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   if (in != nullptr && feed.law != Law::equal) powder.size = feed.quantile(0.5);
 }
 
-/// How many grains there are; 0 after a fault.
+/// The number of grains; 0 after a fault.
 std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) {
   const double exact = powder.mass / grain, count = std::max(1.0, std::round(exact));
-  if (std::isnan(exact)) return 0;  // reported where it comes from
-  constexpr double fair = 0.05;     // of the mass, that whole grains may be off by
+  if (std::isnan(exact)) return 0;  // already reported
+  constexpr double fair = 0.05;     // largest error of the mass by rounding to whole grains
   if (std::abs(count - exact) > fair * exact) {
     in.fault(
         *in.find("as"),
-        fmt::format("the powder ({}) is {:.2g} grains of {}: whole grains would not have its "
+        fmt::format("the powder ({}) is {:.2g} grains of {}: no whole number of grains has its "
                     "mass",
                     show_rounded(powder.mass, "kg"), exact, show_rounded(*powder.grain_size, "m")),
         "give a smaller grain_size, or more powder", "too-few-grains");
@@ -157,7 +157,7 @@ std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) 
   return 0;
 }
 
-/// The ball set that stands for the powder.
+/// The ball set that represents the powder.
 BallSet read_grains(SectionReader& in, Powder& powder) {
   powder.grain_size = read_grain_size(in, powder);
   BallSet set{.count = 0,
@@ -173,19 +173,19 @@ BallSet read_grains(SectionReader& in, Powder& powder) {
     in.fault(*in.find("grain_size"),
              fmt::format("grain_size ({}) is smaller than the powder's own size ({})",
                          show_rounded(*powder.grain_size, "m"), show_rounded(*powder.size, "m")),
-             "a grain stands for one particle or more: give a larger grain_size", "out-of-range");
+             "a grain represents one particle or more: give a larger grain_size", "out-of-range");
   set.count = grain_count(in, powder, set.mass());
   return set;
 }
 
-/// Whether it takes part as grains, and which.
+/// Appends the powder to `balls` if it is simulated as grains.
 void read_part(SectionReader& in, Powder& powder, std::vector<BallSet>& balls) {
   if (in.gives("as") && in.choice({"as", {"mass", "grains"}, ""}) == "grains")
     balls.push_back(read_grains(in, powder));
   else
     in.refuse({"grain_size", "youngs_modulus", "poisson_ratio", "hardness", "conductivity",
                "heat_capacity"},
-              "unless the powder takes part as grains", "remove it, or write as = \"grains\"");
+              "unless the powder is simulated as grains", "remove it, or write as = \"grains\"");
 }
 
 }  // namespace

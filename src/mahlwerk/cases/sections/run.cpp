@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [run]: for how long, by which engine, and how it begins.
+// [run]: engine, times, replicates and initial velocities.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -11,10 +11,10 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Three years; what a mill does, it does in minutes.
+/// At most three years; a longer time is taken for a mistake.
 constexpr Range run_times{.least = 0, .most = 1e8, .without_least = true};
 constexpr Range settle_times{.least = 0, .most = 1e8};
-/// No mill throws its balls faster than sound travels in air three times over.
+/// At most three times the speed of sound in air; no mill accelerates its balls to more.
 constexpr Range start_speeds{.least = 0, .most = 1000};
 constexpr Range start_spins{.least = 0, .most = 1e6};
 
@@ -26,7 +26,7 @@ bool waits(const Node* time) {
   return time != nullptr && time->kind == Node::Kind::text && time->text.starts_with(until_word);
 }
 
-/// time = "until 2 %", of what, and how long at most.
+/// time = "until 2 %", with the quantity and the longest time.
 void describe_until(KeyVisitor& v, Run& run) {
   constexpr std::string_view about =
       "the half-width of the confidence interval over the mean: \"until 2 %\"";
@@ -42,23 +42,22 @@ void describe_until(KeyVisitor& v, Run& run) {
   v.custom({"time", about, until_range.holds(until.within)},
            [&] { return in_quotes(fmt::format("{} {}", until_word, show(until.within, ""))); });
   v.word_text(
-      {"until", until_quantities(), until_quantities().front(), "what the mill's user pays for"},
+      {"until", until_quantities(), until_quantities().front(), "the power that a user pays for"},
       until.quantity);
   if (at != nullptr) in->record_origin("time", in_quotes(at->text), at);
-  v.number(
-      {"longest", "s", run_times, "the counted time at which a run ends that is not sure by then",
-       100.0, "a limit that few runs need"},
-      run.time);
+  v.number({"longest", "s", run_times, "the counted time at which a run ends in any case", 100.0,
+            "a limit that few runs need"},
+           run.time);
 }
 
-/// time = "60 s" or "until 2 %", and how it begins.
+/// time = "60 s" or "until 2 %", the settling time, and the initial speeds and spins.
 void describe_times(KeyVisitor& v, Run& run) {
   SectionReader* in = v.reader();
   if (in != nullptr && waits(in->find("time"))) run.until.emplace();
   if (!run.until)
     v.number({"time", "s", run_times, "simulated time that counts"}, run.time);
   else if (in == nullptr)
-    describe_until(v, run);  // it is read after the others
+    describe_until(v, run);  // a reader reads it after the other keys
   v.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
             "statistics from the start"},
            run.settle);
@@ -89,9 +88,9 @@ void describe(KeyVisitor& v, Run& run) {
   describe_times(v, run);
   v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
   describe_step(v, run);
-  v.flag({"hop", true, "the clock of the soft engine hops over free flight"}, run.free_flight_skip);
+  v.flag({"hop", true, "the soft engine skips time steps in free flight"}, run.free_flight_skip);
   v.integer(
-      {"replicates", 1, most_replicates, "runs that differ by chance alone", 5, "as in paper A"},
+      {"replicates", 1, most_replicates, "runs that differ only by chance", 5, "as in paper A"},
       run.replicates);
 }
 

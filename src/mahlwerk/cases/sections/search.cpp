@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [optimise] and [match]: what is looked for, and over which keys.
+// [optimise] and [match]: targets and search ranges.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Notes where each range stands, for faults with what lies in it.
+/// Records the location of each range, for faults of values in it.
 void record_ranges(SectionReader& in, const Node& over, const std::vector<SweptKey>& keys) {
   for (const SweptKey& key : keys) {
     const Node* direct = over.find(key.key);
@@ -37,9 +37,9 @@ void read_search(SectionReader& in, const Node& table, Search& search) {
   search.over = keys.keys();
   if (over != nullptr) record_ranges(in, *over, search.over);
   if (search.over.empty()) {
-    in.fault(over != nullptr ? *over : table, fmt::format("{} has nothing to choose", in.heading()),
-             "write over = { \"mill.speed\" = { from = \"200 rpm\", to = \"600 rpm\" } }",
-             "bad-range");
+    in.fault(
+        over != nullptr ? *over : table, fmt::format("{} has no key to search over", in.heading()),
+        "write over = { \"mill.speed\" = { from = \"200 rpm\", to = \"600 rpm\" } }", "bad-range");
     return;
   }
   for (const SweptKey& key : search.over)
@@ -47,8 +47,8 @@ void read_search(SectionReader& in, const Node& table, Search& search) {
       in.fault(*over,
                key.steps > 0
                    ? fmt::format("\"{}\" is searched between its ends: it has no steps", key.key)
-                   : fmt::format("\"{}\" is nothing to look for a best value of", key.key),
-               "take it out", "bad-range");
+                   : fmt::format("\"{}\" has no best value to search for", key.key),
+               "remove it", "bad-range");
   const auto derived = keys.derived();
   const auto listed_key = std::ranges::find(search.over, false, &SweptKey::range);
   if (listed_key != search.over.end() || !derived.empty()) {
@@ -97,7 +97,7 @@ Optimise read_optimise(const Node* table, Findings& findings) {
   SectionReader in(table, "optimise", findings);
   const std::string_view goal = in.one_of({"maximise", "minimise"});
   if (goal.empty())
-    in.missing("maximise", "the quantity of the summary that is looked at",
+    in.missing("maximise", "the quantity of the summary to make largest",
                "write for instance maximise = \"dissipated_power\", or minimise = \"d50\"");
   else if (const auto quantity = in.text(goal))
     search.quantity = *quantity;

@@ -17,7 +17,7 @@ constexpr std::string_view form =
     "write rows of opening and share of the mass: [[\"8 mm\", \"0 %\"], [\"10 mm\", \"40 %\"], "
     "[\"12 mm\", \"100 %\"]]";
 
-/// Opening and share of one row; nothing after a fault.
+/// Opening and share of one row; no value after a fault.
 std::optional<std::array<double, 2>> read_row(SectionReader& in, std::string_view key,
                                               const Node& row) {
   if (row.kind != Node::Kind::list || row.items.size() != 2) {
@@ -32,7 +32,7 @@ std::optional<std::array<double, 2>> read_row(SectionReader& in, std::string_vie
   return std::array{opening, share};
 }
 
-/// Rows with rising openings; none after a fault.
+/// Rows with increasing openings; none after a fault.
 Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::size_t most_rows) {
   Sieves rows;
   if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > most_rows) {
@@ -46,8 +46,8 @@ Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::s
     sound = sound && row;
     if (!row) continue;
     if (!rows.empty() && row->at(0) <= rows.back()[0]) {
-      in.fault(item, fmt::format("the openings of `{}` do not rise", key),
-               "sort the rows by opening, each once", "unsorted-sieves");
+      in.fault(item, fmt::format("the openings of `{}` do not increase", key),
+               "sort the rows by opening, each opening once", "unsorted-sieves");
       sound = false;
     }
     rows.push_back(*row);
@@ -56,7 +56,7 @@ Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::s
   return rows;
 }
 
-/// Shares retained by each sieve as shares that pass it.
+/// Converts the shares retained by each sieve to cumulative shares that pass it.
 Sieves passing_of(SectionReader& in, const Node& at, Sieves rows) {
   constexpr double rounding = 1e-9;
   if (rows.empty()) return rows;
@@ -70,12 +70,12 @@ Sieves passing_of(SectionReader& in, const Node& at, Sieves rows) {
     in.fault(at,
              fmt::format("the shares of `retained` sum to {} %, not to 100 %",
                          show_rounded(100 * sum, "")),
-             "give the share of the mass that each sieve keeps; together they are all of it",
+             "give the share of the mass that each sieve retains; the shares sum to 100 %",
              "sieve-shares");
     return {};
   }
   if (rows.back()[1] < sum) {
-    in.fault(at, "the largest sieve of `retained` keeps something, which then has no largest size",
+    in.fault(at, "the largest sieve of `retained` retains mass, which then has no largest size",
              "add a row with a larger opening and \"0 %\"", "sieve-shares");
     return {};
   }
@@ -83,7 +83,7 @@ Sieves passing_of(SectionReader& in, const Node& at, Sieves rows) {
   return rows;
 }
 
-/// Whether openings rise, and shares from 0 to 1.
+/// Whether openings increase, and shares do not decrease and go from 0 to 1.
 bool rise_to_all(const Sieves& rows) {
   bool sound = rows.size() > 1 && rows.front()[0] > 0 && rows.front()[1] == 0 &&
                std::isfinite(rows.back()[0]) && rows.back()[1] == 1;
@@ -92,7 +92,7 @@ bool rise_to_all(const Sieves& rows) {
   return sound;
 }
 
-/// Whether shares rise from 0 to 1, with a fault where they do not.
+/// Whether shares do not decrease and go from 0 to 1; reports a fault otherwise.
 bool cumulative(SectionReader& in, const Node& at, const Sieves& rows) {
   const auto fault = [&](std::string what, std::string remedy) {
     in.fault(at, std::move(what), std::move(remedy), "sieve-shares");
@@ -104,10 +104,10 @@ bool cumulative(SectionReader& in, const Node& at, const Sieves& rows) {
                              show_rounded(100 * rows.back()[1], "")),
                  "add a row with the opening that everything passes and \"100 %\"");
   if (rows.front()[1] != 0)
-    return fault("what passes the smallest sieve of `passing` has no smallest size",
+    return fault("the mass that passes the smallest sieve of `passing` has no smallest size",
                  "add a row with a smaller opening and \"0 %\"");
   if (!std::ranges::is_sorted(rows, {}, [](const auto& row) { return row[1]; }))
-    return fault("the shares of `passing` fall", "give the whole mass that passes each sieve");
+    return fault("the shares of `passing` decrease", "give the whole mass that passes each sieve");
   return true;
 }
 
@@ -119,7 +119,7 @@ void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most) {
   SectionReader* in = v.reader();
   if (in == nullptr) {
     v.alternative(
-        {"retained", "", any_number, "openings of sieves with the share that each keeps"});
+        {"retained", "", any_number, "openings of sieves with the share that each retains"});
     return v.custom({passing.key, passing.about, rise_to_all(rows)},
                     [&] { return passing_text(rows); });
   }

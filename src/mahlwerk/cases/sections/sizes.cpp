@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a ball set says of the sizes of its balls.
+// The size distribution of a ball set.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using SizeLaw = Distribution::Law;
 
-/// The numbers of normal, lognormal or uniform. False after a fault.
+/// The parameters of a normal, lognormal or uniform distribution. False after a fault.
 bool describe_spread(KeyVisitor& v, Distribution& d) {
   if (d.law == SizeLaw::uniform) {
     v.number({"smallest", "m", positive, "diameter of the smallest balls"}, d.smallest);
@@ -25,7 +25,7 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
       in->fault(*in->find("largest"),
                 fmt::format("largest ({}) is not above smallest ({})", show_rounded(d.largest, "m"),
                             show_rounded(d.smallest, "m")),
-                "exchange them, or write distribution = \"equal\"", "out-of-range");
+                "swap them, or write distribution = \"equal\"", "out-of-range");
     return d.largest > d.smallest;
   }
   const bool normal = d.law == SizeLaw::normal;
@@ -41,14 +41,15 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
   return !std::isnan(d.diameter) && !std::isnan(d.spread);
 }
 
-/// A few sizes stand for the distribution; how many is found out from the number of balls where
-/// nobody says it.
+/// The number of size classes; if it is not given, read_classes() derives it from the number of
+/// balls.
 void describe_classes(KeyVisitor& v, Distribution& d) {
   if (v.reader() == nullptr || v.gives("classes"))
-    v.integer({"classes", 1, most_classes, "sizes that stand for the distribution"}, d.classes);
+    v.integer({"classes", 1, most_classes, "number of sizes that represent the distribution"},
+              d.classes);
 }
 
-/// Keys that a law has no use for.
+/// Faults for given keys that the law does not use.
 void refuse_others(KeyVisitor& v, SizeLaw law) {
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
     v.refuse(keys, fmt::format("under distribution = \"{}\"", to_word(law, distribution_words())),

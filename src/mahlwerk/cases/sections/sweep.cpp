@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [sweep]: keys of the case that vary, and how.
+// [sweep]: keys of the case that vary, and the design.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep&
       const std::size_t own =
           key->range ? static_cast<std::size_t>(key->steps) : key->values.size();
       if (!keys.empty() && own != length) {
-        fault(fmt::format("\"{}\" and \"{}\" go together but take {} and {} values", keys.front(),
+        fault(fmt::format("\"{}\" and \"{}\" vary together but take {} and {} values", keys.front(),
                           item.text, length, own));
         return {};
       }
@@ -71,7 +71,7 @@ std::vector<std::vector<std::string>> read_together(const Node* at, const Sweep&
   return groups;
 }
 
-/// What a design asks of its keys.
+/// Checks the keys against the requirements of the design.
 void check_design(const Node& table, const Sweep& sweep, const KeyReader::Locations& locations,
                   Findings& findings) {
   const std::string& word = design_words()[static_cast<std::size_t>(sweep.design)];
@@ -85,11 +85,11 @@ void check_design(const Node& table, const Sweep& sweep, const KeyReader::Locati
       findings.faults.push_back(
           {locations.at(key.key),
            fmt::format("steps has no meaning under design = \"{}\": it draws from the range", word),
-           "take it out, or write design = \"grid\"", "too-much"});
+           "remove it, or write design = \"grid\"", "too-much"});
     if (!needs_ranges(sweep.design) && key.range && key.steps == 0)
       findings.faults.push_back(
           {locations.at(key.key), fmt::format("the range of \"{}\" lacks `steps`", key.key),
-           "say how many values of it are run: steps = 5; or choose a design that draws from "
+           "give the number of its values: steps = 5; or choose a design that draws from "
            "ranges: design = \"latin-hypercube\"",
            "bad-range"});
   }
@@ -99,7 +99,7 @@ void check_design(const Node& table, const Sweep& sweep, const KeyReader::Locati
   if (!needs_samples(sweep.design) && table.find("samples") != nullptr)
     findings.faults.push_back({table.find("samples")->where,
                                fmt::format("samples has no meaning under design = \"{}\"", word),
-                               "take it out, or choose another design", "too-much"});
+                               "remove it, or choose another design", "too-much"});
   if (needs_ranges(sweep.design) && !sweep.together.empty())
     findings.faults.push_back({table.find("together")->where,
                                fmt::format("together has no meaning under design = \"{}\"", word),
@@ -108,7 +108,7 @@ void check_design(const Node& table, const Sweep& sweep, const KeyReader::Locati
                                "too-much"});
   if (!sweep.derived.empty() && locations.size() == sweep.derived.size())
     findings.faults.push_back(
-        {table.where, "[sweep] has formulas, but nothing that varies",
+        {table.where, "[sweep] has formulas, but no key that varies",
          "vary a key of the case: \"mill.speed\" = [\"300 rpm\", \"400 rpm\"]", "bad-design"});
 }
 

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/cases/sweep.hpp"
 
-// How a case writes what varies.
+// The words and limits of [sweep].
 namespace mahlwerk::cases {
 
 /// "grid", "latin-hypercube", ..., in the order of Design.
@@ -15,11 +15,11 @@ const std::vector<std::string>& design_words();
 /// "linear" and "logarithmic".
 const std::vector<std::string>& spacing_words();
 
-/// Whether a design draws from ranges, and needs none of a list.
+/// Whether a design samples ranges and does not take lists.
 inline bool needs_ranges(Design design) {
   return design != Design::grid;
 }
-/// Whether it must be told how many samples to take.
+/// Whether a design needs the key `samples`.
 inline bool needs_samples(Design design) {
   return design != Design::grid && design != Design::one_at_a_time;
 }

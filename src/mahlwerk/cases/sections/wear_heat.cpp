@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// [wear] and [heat]: what the mill takes off and how warm it gets.
+// [wear] and [heat]: wear of balls and jar, and temperatures.
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 
 void describe(KeyVisitor& v, Wear& wear) {
-  v.word({"model", {"archard", "finnie"}, "archard", "by force and way slid"}, wear.model);
-  v.number({"coefficient", "", positive, "volume worn over force times way over hardness",
+  v.word({"model", {"archard", "finnie"}, "archard", "by normal force and sliding distance"},
+         wear.model);
+  v.number({"coefficient", "", positive, "worn volume times hardness over force times distance",
             Wear().coefficient,
             wear.model == Wear::Model::finnie
                 ? "as much as Archard's at grazing impacts (wea.5); uncalibrated"
@@ -16,25 +17,26 @@ void describe(KeyVisitor& v, Wear& wear) {
            wear.coefficient);
 }
 
-/// Who says one of the times of a cycle must say all. Without any the mill mills for an hour.
+/// With `pause` or `cycles`, `milling` is required, and with `pause` also `cycles`. By default the
+/// mill runs for an hour without a pause.
 void describe(KeyVisitor& v, Heat& heat) {
-  NumberSpec milling("milling", "s", positive, "how long the mill mills in each cycle",
-                     Heat().milling, "an hour without a pause");
+  NumberSpec milling("milling", "s", positive, "milling time of each cycle", Heat().milling,
+                     "an hour without a pause");
   IntegerSpec cycles{.key = "cycles",
                      .least = 1,
                      .most = 10'000,
-                     .about = "how often the mill mills and rests",
+                     .about = "number of cycles of milling and pause",
                      .standard = 1,
                      .source = "without a pause there is one"};
   const bool pauses = v.gives("pause");
   if (pauses) cycles.standard.reset();
   if (v.gives("cycles") || pauses) milling.standard.reset();
   v.number(milling, heat.milling);
-  v.number({"pause", "s", not_negative, "rest after each milling", Heat().pause, "none"},
+  v.number({"pause", "s", not_negative, "pause after each milling", Heat().pause, "none"},
            heat.pause);
   v.integer(cycles, heat.cycles);
   v.number({"ambient", "K", positive, "temperature of the air, and of everything at the start",
-            Heat().ambient, "a room"},
+            Heat().ambient, "room temperature"},
            heat.ambient);
   v.number(
       {"cooling", "W/m2/K", positive, "heat from the jar's wall to the air, by area and kelvin",
@@ -49,7 +51,7 @@ void describe(KeyVisitor& v, Heat& heat) {
             {.least = 0, .most = 1},
             "share of the lost power that heats the balls, the rest the jar",
             Heat().share_in_balls,
-            "contacts of bodies alike; uncalibrated"},
+            "contacts of equal bodies; uncalibrated"},
            heat.share_in_balls);
 }
 

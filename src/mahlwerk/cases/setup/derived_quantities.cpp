@@ -17,8 +17,8 @@ using kinematics::Planetary;
 using kinematics::Still;
 using kinematics::Tumbling;
 
-/// Largest value of `of(t)` over a period, or at once where nothing changes. A quarter of the
-/// period is among the samples, so a sine's peak is hit.
+/// Largest value of `of(t)` over a period; of(0) for an infinite period. The samples include a
+/// quarter of the period and thus the peak of a sine.
 template <class M, class Of>
 double largest(const M& motion, Of of) {
   constexpr int samples = 4096;
@@ -29,7 +29,7 @@ double largest(const M& motion, Of of) {
   return most;
 }
 
-/// Of the largest circle about the jar's axis that fits in; of a mesh the one it fits in.
+/// [m] Radius of the largest circle about the jar's axis that fits into the jar.
 double radius_of(const auto& round) {
   return 0.5 * round.diameter;
 }
@@ -40,7 +40,7 @@ double radius_of(const geometry::PeriodicBox& box) {
   return box.inradius();
 }
 double radius_of(const geometry::Mesh& mesh) {
-  return mesh.radius_about_axis();  // of the drum's shell, whatever stands out from it
+  return mesh.radius_about_axis();  // circumscribed: the shell of a drum, not its lifters
 }
 double jar_radius(const Jar& jar) {
   return std::visit([](const auto& s) { return radius_of(s); }, *jar.shape);
@@ -85,7 +85,8 @@ class Derivation {
     };
     peak_ = largest(motion, wall_speed) + geometry::rotor_tip_speed(*c_.jar.shape);
     add("peak_wall_speed", peak_, "m/s",
-        "largest speed of the jar's wall, at most: centre and turning added (kin.9)");
+        "upper bound of the speed of the jar's wall: speed of the centre plus that of rotation "
+        "(kin.9)");
     const double pull =
         largest(motion, [&](double t) { return norm(motion.frame_motion(t).acceleration); });
     if (c_.gravity > 0)
@@ -93,7 +94,7 @@ class Derivation {
           "largest acceleration of the jar's centre over gravity (kin.10)");
   }
 
-  /// Shaken mills: what a ball brings that is as fast as the wall.
+  /// Shaken mills: kinetic energy of a ball that moves as fast as the wall.
   template <class M>
   void special(const M&) {
     if constexpr (!std::is_same_v<M, Still>)
@@ -119,7 +120,8 @@ class Derivation {
     add("speed_ratio_absolute", 1 + mill.ratio, "",
         "jar speed in the laboratory over disc speed (kin.12)");
     add("critical_speed_ratio", 1 + std::sqrt(mill.orbit_radius / arm_), "",
-        "size of the relative ratio, jar against disc, that pins the largest ball (kin.13)");
+        "magnitude of the relative speed ratio that pins the largest ball, jar against disc "
+        "(kin.13)");
     if (c_.gravity > 0)
       add("relative_centrifugal_acceleration", disc * disc * mill.orbit_radius / c_.gravity, "",
           "centrifugal acceleration of the disc over gravity: the makers' g figure (kin.14)");
@@ -140,7 +142,7 @@ class Derivation {
     const auto triangles = static_cast<double>(mesh->surface().triangles.size());
     const Vec3 size = mesh->extent().size();
     add("jar_triangles", triangles, "", "triangles of the jar's mesh");
-    add("jar_faces", mesh->faces, "", "faces its creases divide it into (geo.9)");
+    add("jar_faces", mesh->faces, "", "faces into which creases divide the mesh (geo.9)");
     add("jar_width", size.x, "m", "extent of the mesh along the jar's own x axis");
     add("jar_depth", size.y, "m", "extent of the mesh along the jar's own y axis");
     add("jar_height", size.z, "m", "extent of the mesh along the jar's own z axis");
@@ -156,7 +158,7 @@ class Derivation {
       count += static_cast<double>(set.count);
     }
     add("jar_volume", jar, "m3", "inner volume of the empty jar");
-    add("ball_count", count, "", "balls of all sets");
+    add("ball_count", count, "", "number of balls of all sets");
     add("ball_mass", largest_.mass(), "kg", "mass of the largest ball");
     add("total_ball_mass", mass, "kg", "mass of all balls");
     add("filling", 100 * balls / jar, "%", "solid volume of the balls over the jar's volume");
@@ -167,19 +169,20 @@ class Derivation {
   }
 
   void grains(const BallSet& set, const Powder& powder, double jar) {
-    add("grain_count", static_cast<double>(set.count), "", "spheres that stand for the powder");
+    add("grain_count", static_cast<double>(set.count), "",
+        "number of spheres that represent the powder");
     add("grain_filling", 100 * static_cast<double>(set.count) * ball_volume(set) / jar, "%",
         "solid volume of the grains over the jar's volume");
     if (!powder.size) return;
     const double ratio = *powder.grain_size / *powder.size;  // (chg.9)
     add("coarse_graining_ratio", ratio, "", "size of a grain over the powder's size (chg.9)");
     add("particles_per_grain", ratio * ratio * ratio, "",
-        "particles of the powder that each grain stands for (chg.10)");
+        "particles of the powder that each grain represents (chg.10)");
   }
 
   const Case& c_;
   BallSet largest_;
-  double arm_ = 0;   // [m] of a ball's centre on the wall, from the jar's axis
+  double arm_ = 0;   // [m] distance of the centre of a ball on the wall from the jar's axis
   double peak_ = 0;  // [m/s]
   std::vector<DerivedQuantity> found_;
 };

@@ -18,15 +18,15 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::size_t large = 10000;  // a charge for which memory has an order that pays
-constexpr double least_gap = 1e-3;    // between balls placed one by one, of the distance at touch
+constexpr std::size_t large = 10000;  // balls; larger charges gain from sorting in memory
+constexpr double least_gap = 1e-3;    // between balls placed one by one, over the sum of radii
 
 /// Balls of one size of one set.
 struct Portion {
   std::size_t set = 0;
   double diameter = 0;  // [m]
   std::size_t count = 0;
-  std::size_t from = 0;  // its first among those placed
+  std::size_t from = 0;  // index of its first ball in placed_
 };
 
 std::vector<Portion> portions(const std::vector<BallSet>& sets) {
@@ -37,7 +37,7 @@ std::vector<Portion> portions(const std::vector<BallSet>& sets) {
   return found;
 }
 
-/// A charge being placed, the largest balls first.
+/// Places a charge, largest balls first: by random sequential addition, else by pushing apart.
 class ChargeFiller {
  public:
   ChargeFiller(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
@@ -62,8 +62,8 @@ class ChargeFiller {
     if (place_one_by_one()) return;
     dense_ = true;
     if (infeasible()) throw too_many_balls();
-    const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges are alike
-    // Moves a ball: of 120 charges of 46 to 57 % none that fits needed more, one more than 1e4.
+    const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges vary little
+    // 2e4 moves a ball: of 120 charges of 46 to 57 % no feasible one needed more, one above 1e4.
     moves_left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
     for (int start = 0; start < starts && moves_left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
@@ -90,14 +90,14 @@ class ChargeFiller {
   }
 
  private:
-  /// Each at a random place that is free of those before. False if some found none: they are left
-  /// where they overlap.
+  /// Random sequential addition: puts each ball at a random position free of the earlier balls.
+  /// False if some found no free position; these balls are left overlapping.
   bool place_one_by_one() {
     placed_.assign(count_, {});
     std::vector<Grid> grids;
     place_given(grids);
     std::size_t crowded = 0;
-    double widest = 0;  // of the last grid; balls above half as wide share it
+    double widest = 0;  // [m] largest ball of the last grid, for sizes down to half of it
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const Portion& portion = portions_[order_[k]];
       if (!sets_[portion.set].positions.empty()) continue;
@@ -109,7 +109,7 @@ class ChargeFiller {
     }
     return crowded == 0;
   }
-  /// One size; counts those that found no place on.
+  /// Places the balls of one size; adds the number of balls without a free position to `crowded`.
   std::size_t place(const Portion& portion, const PositionSampler& sampler,
                     std::vector<Grid>& grids, std::size_t crowded) {
     const double radius = 0.5 * portion.diameter;
@@ -127,7 +127,7 @@ class ChargeFiller {
     }
     return crowded;
   }
-  /// How many balls are wider than half those at `k` in the order, from there on.
+  /// Number of balls, from `k` in the order on, that are wider than half those at `k`.
   std::size_t count_of_similar_size(std::size_t k) const {
     std::size_t many = 0;
     const double half = 0.5 * portions_[order_[k]].diameter;
@@ -135,7 +135,7 @@ class ChargeFiller {
       many += portions_[order_[k]].count;
     return many;
   }
-  /// Those whose places the case gives, whatever they touch.
+  /// Places the balls with given positions, without a check for overlaps.
   void place_given(std::vector<Grid>& grids) {
     std::size_t given = 0;
     for (const BallSet& set : sets_) given += set.positions.size();
@@ -149,7 +149,8 @@ class ChargeFiller {
       }
     }
   }
-  /// Many where there are few balls; few once it is clear that pushing must follow.
+  /// Number of random positions to try for a ball: many for few balls; few once the charge must be
+  /// pushed apart in any case.
   int tries_left(std::size_t crowded) const {
     if (crowded > 0 || dense_) return 20;
     return static_cast<int>(std::clamp(2e7 / static_cast<double>(count_), 200.0, 1e5));
@@ -163,8 +164,8 @@ class ChargeFiller {
     });
   }
 
-  /// Along a curve through space, each size for itself: those near each other then lie near each
-  /// other in memory, too. Balls of one size that have no places given are alike.
+  /// Sorts the balls of each size along a space-filling curve (Z-order), so that neighbours in
+  /// space are near in memory. Balls of one size without given positions are interchangeable.
   void sort_along_curve() {
     for (const Portion& portion : portions_) {
       if (!sets_[portion.set].positions.empty()) continue;
@@ -181,7 +182,7 @@ class ChargeFiller {
 
   bool try_push_apart(double smaller) {
     if (moves_left_ <= 0) return false;
-    const std::int64_t enough = sweeps(10'000, 0);  // what comes to rest does so much earlier
+    const std::int64_t enough = sweeps(10'000, 0);  // converging charges need far fewer
     const PushApartResult end =
         push_apart(placed_, shape_, domain_, smaller, std::min(moves_left_, enough), stop_);
     moves_left_ -= end.moves;
@@ -189,7 +190,8 @@ class ChargeFiller {
     typical_ = std::max(typical_, end.typical);
     return end.free;
   }
-  /// A bound on the work, in moves of single balls: at least so many sweeps over all.
+  /// Bound on the work in moves of single balls: `moves`, but at least `least` sweeps over all
+  /// balls.
   std::int64_t sweeps(double least, double moves) const {
     return static_cast<std::int64_t>(std::max(least * static_cast<double>(count_), moves));
   }
@@ -199,7 +201,8 @@ class ChargeFiller {
     for (const BallSet& set : sets_) volume += static_cast<double>(set.count) * ball_volume(set);
     return volume / geometry::volume(shape_);
   }
-  /// Many balls of nearly one size, denser than any random packing of them: no push would end.
+  /// Whether many balls of nearly one size are denser than any random packing: pushing apart cannot
+  /// succeed.
   bool infeasible() {
     constexpr double soon_reached = 0.59, never_reached = 0.68;
     const bool alike = portions_[order_.front()].diameter < 1.5 * portions_[order_.back()].diameter;
@@ -209,7 +212,7 @@ class ChargeFiller {
     return true;
   }
 
-  /// What is said when there is no room, with the filling that there is room for.
+  /// The error for a charge that does not fit, with the filling that was reached.
   InputError too_many_balls() {
     double size = largest_;
     double hope = 0.995 * std::min(typical_, 1.0);
@@ -217,12 +220,12 @@ class ChargeFiller {
       if (fits(hope)) size = hope;
     return InputError(Fault{
         "balls",
-        fmt::format("{} balls that fill {:.1f} % of the jar do not fit in at random: {:.1f} % was "
-                    "reached",
+        fmt::format("{} balls that fill {:.1f} % of the jar cannot be placed at random: {:.1f} % "
+                    "was reached",
                     count_, 100 * filling(), 100 * filling() * size * size * size),
         "give fewer or smaller balls or a larger jar", "too-many-balls"});
   }
-  /// Whether balls so much smaller can be pushed apart.
+  /// Whether the balls, with radii scaled by `size`, can be pushed apart.
   bool fits(double size) {
     std::vector<PlacedBall> smaller = placed_;
     for (PlacedBall& b : smaller) b.radius *= size;
@@ -239,10 +242,10 @@ class ChargeFiller {
   std::vector<std::size_t> order_;  // of portions, largest balls first
   std::size_t count_ = 0;
   Domain domain_;
-  std::vector<PositionSampler> samplers_;  // for each portion, in that order
+  std::vector<PositionSampler> samplers_;  // for each portion, in the order of order_
   std::vector<PlacedBall> placed_;
-  bool dense_ = false;           // placing one by one has failed
-  std::int64_t moves_left_ = 0;  // of the work
+  bool dense_ = false;           // random sequential addition has failed
+  std::int64_t moves_left_ = 0;  // remaining moves of single balls
   double largest_ = 0, typical_ = 0;
 };
 

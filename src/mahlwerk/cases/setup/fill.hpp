@@ -11,11 +11,11 @@
 
 namespace mahlwerk::cases {
 
-/// All balls of a case, set by set, at rest, positions in the jar's own axes. Sets that give places
-/// stand there; the others are put around them at random places where they touch nothing: one after
-/// the other where that works, the largest first; a denser charge is pushed apart from a random
-/// start. Throws InputError "too-many-balls" where neither
-/// does, Interrupted once `*stop` is set.
+/// All balls of a case, set by set, at rest; positions in the jar's own axes. Sets with given
+/// positions keep them. All other balls get random positions without contact, largest first, by
+/// rejection sampling (random sequential addition). If that fails, overlapping random balls are
+/// pushed apart by energy minimisation. Throws InputError "too-many-balls" if both fail,
+/// Interrupted once `*stop` is set.
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
                               Random& random, const std::atomic<bool>* stop = nullptr);
 

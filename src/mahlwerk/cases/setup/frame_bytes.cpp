@@ -10,7 +10,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Of a jar as it is drawn where it turns (results/jar_surface.hpp), about.
+/// Approximate number of triangles of a rotating jar in a frame (results/jar_surface.hpp).
 double triangles(const geometry::Box&) {
   return 12;
 }
@@ -49,7 +49,7 @@ double frame_bytes(const Case& c) {
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;
   bytes += 2200 + (forces ? 160 : 128) * balls;
-  if (!looks_still(c))  // half as many corners as triangles, in base64
+  if (!looks_still(c))  // half as many vertices as triangles, in base64
     bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, *c.jar.shape);
   return bytes;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is said of powder that takes part as grains, and of balls whose sizes differ.
+// Notes on powder that is simulated as grains, and on balls with a size distribution.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ std::string grains_note(const Case& c) {
   const double grain = *c.powder->grain_size;
   std::string text = fmt::format("Powder as grains: {} spheres of {}", c.balls.back().count,
                                  show_rounded(grain, "m"));
-  if (!c.powder->size) return text + "; the case does not say the powder's own size.";
+  if (!c.powder->size) return text + "; the case does not give the powder's own size.";
   const double ratio = grain / *c.powder->size;  // (chg.9)
   if (ratio == 1) return text + ", the powder's own size.";
   return text +
          fmt::format(
-             ". Each grain stands for {:.4g} particles of {} (coarse-graining ratio {:.4g}): "
+             ". Each grain represents {:.4g} particles of {} (coarse-graining ratio {:.4g}): "
              "mass, volume and momentum are the powder's; the number of contacts, their "
              "energies and the surface are not.",
              ratio * ratio * ratio, show_rounded(*c.powder->size, "m"), ratio);  // (chg.10)

@@ -13,12 +13,12 @@
 
 namespace mahlwerk::cases {
 
-/// The box the centres of balls lie in, and how it repeats itself.
+/// Box that holds the centres of balls, periodic along some axes.
 struct Domain {
-  Vec3 half;     ///< [m] half its sides
-  Vec3 periods;  ///< [m] infinite along an axis that does not repeat
+  Vec3 half;     ///< [m] half the sides of the box
+  Vec3 periods;  ///< [m] infinite along an axis that is not periodic
 
-  /// From `a` to the nearest image of `b`.
+  /// Minimum-image convention: vector from `a` to the nearest image of `b`.
   Vec3 minimum_image(const Vec3& a, const Vec3& b) const {
     const Vec3 d = b - a;
     return {nearest(d.x, periods.x), nearest(d.y, periods.y), nearest(d.z, periods.z)};
@@ -26,7 +26,7 @@ struct Domain {
   /// The image of `p` that lies in the box.
   Vec3 wrap(const Vec3& p) const { return minimum_image({}, p); }
 
-  /// Number of the place on a curve that fills the box: Z-order of 1024 steps each way.
+  /// Index of `p` along a space-filling curve: Z-order (Morton code) of 1024 steps along each axis.
   std::uint64_t z_order_index(const Vec3& p) const {
     const auto spread = [](double x, double side) {
       std::uint64_t found = 0;
@@ -43,8 +43,8 @@ struct Domain {
   }
 };
 
-/// Points sorted into cells, to find those near a place. Cells are at least `reach` wide, and not
-/// many more than the points they are meant for.
+/// Linked-cell grid for neighbour search. Cells are at least `reach` wide, and their number does
+/// not much exceed `points`, the expected number of points.
 class Grid {
  public:
   Grid(const Domain& domain, double reach, std::size_t points) : domain_(&domain) {
@@ -72,7 +72,8 @@ class Grid {
     first_[at] = point;
   }
 
-  /// Calls `visit` with every point within `reach` of `p` and some more, until it returns false.
+  /// Calls `visit` for every point within `reach` of `p`, and some farther ones, until it returns
+  /// false. Returns false if `visit` did.
   template <class Visit>
   bool for_each_near(const Vec3& p, Visit visit) const {
     const auto c = cell(p);
@@ -99,7 +100,7 @@ class Grid {
       c[i] = static_cast<int>(std::clamp((x[i] - low_[i]) * scale_[i], 0.0, n_[i] - 1.0));
     return c;
   }
-  /// The cells beside `c` along axis `i` and itself, each once.
+  /// The cell `c` and its neighbours along axis `i`, each once; returns their number.
   int neighbours(std::size_t i, int c, std::array<int, 3>& near) const {
     int many = 0;
     for (int d = -1; d <= 1; ++d) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a user should know of the jar and what is in it.
+// Warnings about the jar and its contents.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -18,13 +18,13 @@ std::string tight_hollows(const Case& c) {
   const double bend = mesh->min_concave_radius(), ball = 0.5 * largest_ball(c.balls);
   if (!(ball > bend * (1 + 1e-3))) return "";
   return fmt::format(
-      "A ball of radius {} is larger than the tightest hollow of a smooth face of the jar, radius "
-      "{}. It may touch such a face at two places, and only the nearest counts. A smaller "
-      "jar.crease_angle makes two faces of it.",
+      "A ball of radius {} is larger than the smallest concave radius of a smooth face of the jar, "
+      "{}. The ball may touch such a face at two points, and only the nearest point counts. A "
+      "smaller jar.crease_angle divides the face.",
       show_rounded(ball, "m"), show_rounded(bend, "m"));
 }
 
-/// Powder that lies loose needs more room than its solid.
+/// Warns if the bulk volume of loose powder exceeds the free volume of the jar.
 std::string heaped_powder(const Case& c) {
   constexpr double packing = 0.6;  // of loose powder, about that of spheres
   if (!c.powder || !c.powder->density || c.powder->grain_size) return "";
@@ -32,8 +32,8 @@ std::string heaped_powder(const Case& c) {
   const double room = jar_volume(c.jar) - balls_volume(c.balls);
   if (!(bulk > room)) return "";
   return fmt::format(
-      "The powder, packed to {} % of solid, takes {}, more than the balls leave of the jar ({}): "
-      "there is no room to mill in.",
+      "The powder, packed to {} % of solid, takes {}, more than the balls leave free in the jar "
+      "({}): no room is left for milling.",
       show_rounded(100 * packing, ""), show_rounded(bulk, "m3"), show_rounded(room, "m3"));
 }
 

@@ -33,8 +33,9 @@ bool PositionSampler::square(const S& shape, const Vec3& p, const Vec3& axis) co
   return found;
 }
 
-/// How far the free region reaches along an axis: jars are convex, and where the wall it ends at
-/// lies square to the axis no point of it is farther.
+/// [m] Extent of the free region along an axis, by bisection. Jars are convex: if the wall at the
+/// end of the axis is perpendicular to it, no free point is farther. Otherwise the reach of the
+/// jar bounds the extent.
 template <class S>
 double PositionSampler::extent(const S& shape, const Vec3& axis) const {
   double in = 0, out = shape.reach();
@@ -47,7 +48,7 @@ double PositionSampler::extent(const S& shape, const Vec3& axis) const {
 
 template <class S>
 void PositionSampler::measure(const S& shape) {
-  if constexpr (requires { shape.middle(); }) {  // neither convex nor about the origin
+  if constexpr (requires { shape.middle(); }) {  // not convex, and not centred on the origin
     const geometry::Extent e = shape.extent();
     const Vec3 low = componentwise_abs(e.low), high = componentwise_abs(e.high);
     box_ = {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
@@ -68,7 +69,7 @@ PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius)
 }
 
 Vec3 PositionSampler::draw(Random& random) const {
-  constexpr int tries = 1000;  // between halvings; the first box is half full at least
+  constexpr int tries = 1000;  // before the box is halved; at least half of the first box is free
   for (double scale = 1; scale > 1e-9; scale *= 0.5)
     for (int i = 0; i < tries; ++i) {
       const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
@@ -77,9 +78,8 @@ Vec3 PositionSampler::draw(Random& random) const {
       const Vec3 p = middle_ + scale * (place - middle_);
       if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
     }
-  throw InputError(Fault{"jar", "no place was found for a ball in it",
-                         "give a smaller ball; a mesh must not cut through itself",
-                         "does-not-fit"});
+  throw InputError(Fault{"jar", "no position was found for a ball in the jar",
+                         "give a smaller ball; a mesh must not intersect itself", "does-not-fit"});
 }
 
 }  // namespace mahlwerk::cases

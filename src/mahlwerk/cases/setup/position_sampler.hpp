@@ -7,18 +7,18 @@
 
 namespace mahlwerk::cases {
 
-/// What balls of one radius keep between themselves and the wall [m]: `share` of the radius, or
-/// half of what there is in a jar hardly larger.
+/// [m] Clearance between a ball and the wall: `share` of the radius, but at most half of the
+/// available clearance in a jar hardly larger than the ball.
 double wall_clearance(const geometry::AnyShape& shape, double radius, double share);
 
-/// Random places in a jar for balls of one size, uniform over where such a ball is free. Positions
-/// are in the jar's own axes.
+/// Random positions for balls of one size in a jar, uniform over the positions without wall
+/// contact, by rejection sampling. Positions are in the jar's own axes.
 class PositionSampler {
  public:
   PositionSampler(const geometry::AnyShape& shape, double radius);
 
   Vec3 draw(Random& random) const;
-  /// Half the sides of a box that holds all such places.
+  /// [m] Half the sides of a box about the origin that holds all such positions.
   const Vec3& box() const { return box_; }
 
  private:
@@ -34,8 +34,8 @@ class PositionSampler {
   const geometry::AnyShape* shape_;
   double radius_, needed_;
   Vec3 box_;
-  Vec3 centre_, half_;  // of the box in which places are drawn
-  Vec3 middle_;         // where the largest ball fits
+  Vec3 centre_, half_;  // of the box in which positions are drawn
+  Vec3 middle_;         // centre of the largest ball that fits; the sampling box shrinks to it
 };
 
 }  // namespace mahlwerk::cases

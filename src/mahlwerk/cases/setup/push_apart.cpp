@@ -13,8 +13,8 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Soft spheres of unit stiffness that lose their energy as fast as may be: "fast inertial
-/// relaxation", Bitzek et al., Phys. Rev. Lett. 97, 170201 (2006).
+/// Energy minimisation of soft spheres of unit stiffness by FIRE, the "fast inertial relaxation
+/// engine" of Bitzek et al., Phys. Rev. Lett. 97, 170201 (2006), with a Verlet list.
 class OverlapRelaxation {
  public:
   OverlapRelaxation(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
@@ -41,7 +41,7 @@ class OverlapRelaxation {
   }
 
   PushApartResult run(std::int64_t most, const std::atomic<bool>* stop) {
-    constexpr double at_rest = 1e-3;  // force left over, of that in the contacts
+    constexpr double at_rest = 1e-3;  // net force over contact force
     PushApartResult end;
     for (;;) {
       if (stop != nullptr && *stop) throw Interrupted();
@@ -62,10 +62,10 @@ class OverlapRelaxation {
   }
   const PlacedBall& at(int i) const { return balls_[static_cast<std::size_t>(i)]; }
 
-  /// All pairs near enough to overlap before a ball has moved by half the skin.
+  /// Rebuilds the Verlet list: all pairs that may overlap before a ball has moved by half the skin.
   void find_neighbours() {
     pairs_.clear();
-    std::vector<Grid> grids;  // one for each size, or for all down to half as wide
+    std::vector<Grid> grids;  // one for each size, or for each range of sizes down to half
     for (std::size_t from = 0, to = 0; from < balls_.size(); from = to) {
       const double radius = balls_[from].radius, least = many_sizes_ ? 0.5 * radius : radius;
       for (to = from; to < balls_.size() && balls_[to].radius >= least;) ++to;
@@ -88,7 +88,7 @@ class OverlapRelaxation {
     });
   }
 
-  /// Forces, and how far from free everything is.
+  /// Computes the forces and the measures of overlap.
   void compute_forces() {
     pair_overlap_ = wall_overlap_ = contact_force2_ = net_force2_ = overlaps_ = 0;
     contacts_ = 0;
@@ -133,7 +133,7 @@ class OverlapRelaxation {
   }
 
   void move() {
-    constexpr double longest = 0.35;  // the stiffest of a packing's oscillations takes 1.3
+    constexpr double longest = 0.35;  // the fastest oscillation of a packing has a period of 1.3
     double power = 0, v2 = 0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       power += dot(force_[i], velocity_[i]);
@@ -157,7 +157,7 @@ class OverlapRelaxation {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       velocity_[i] += step_ / mass_[i] * force_[i];
       Vec3 way = step_ * velocity_[i];
-      const double far = norm(way), most = 0.5 * smallest_;  // nobody jumps past anybody
+      const double far = norm(way), most = 0.5 * smallest_;  // no ball jumps past another
       if (far > most) way = most / far * way;
       balls_[i].position = domain_.wrap(balls_[i].position + way);
       farthest = std::max(farthest,
@@ -170,16 +170,16 @@ class OverlapRelaxation {
   const geometry::AnyShape& shape_;
   const Domain& domain_;
   double gap_, smallest_ = 0, skin_ = 0;
-  bool many_sizes_ = false;  // a grid for each would be searched in vain
+  bool many_sizes_ = false;  // a grid for each size would be mostly empty
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<Vec3> listed_positions_, force_, velocity_;  // where each was when pairs were listed
+  std::vector<Vec3> listed_positions_, force_, velocity_;  // positions when pairs_ was built
   std::vector<double> mass_, margin_;
 
-  double pair_overlap_ = 0;  // largest, of the radii's sum
-  double wall_overlap_ = 0;  // largest, of the margin
+  double pair_overlap_ = 0;  // largest, over the sum of radii
+  double wall_overlap_ = 0;  // largest, over the margin
   double largest_ = 1, overlaps_ = 0;
   double contact_force2_ = 0,
-         net_force2_ = 0;  // sums of squares: forces of contacts, forces on balls
+         net_force2_ = 0;  // sums of squares of contact forces and of net forces on balls
   std::int64_t contacts_ = 0;
   double step_ = 0.1, mixing_ = 0.1;
   int downhill_steps_ = 0;

@@ -10,25 +10,25 @@
 
 namespace mahlwerk::cases {
 
-/// A ball on its way to a free place, in the jar's own axes. Balls of one size stand together.
+/// A ball during placement, in the jar's own axes. Balls of one size are contiguous in memory.
 struct PlacedBall {
   Vec3 position;
   double radius = 0;
-  bool fixed = false;  ///< stays where it is, whatever it touches
+  bool fixed = false;  ///< given position: the ball does not move
 };
 
-/// How pushing apart ended.
+/// Result of push_apart().
 struct PushApartResult {
-  bool free = false;       ///< nothing touches anything
-  double largest = 0;      ///< times the radius: balls so large would touch nothing where they are
-  double typical = 0;      ///< times the radius: where those that touch would touch on average
-  std::int64_t moves = 0;  ///< of single balls, for a bound on the work
+  bool free = false;       ///< whether no ball touches another ball or the wall
+  double largest = 0;      ///< [radii] largest ball size without any contact at these positions
+  double typical = 0;      ///< [radii] ball size at which the overlapping pairs touch on average
+  std::int64_t moves = 0;  ///< moves of single balls: the work done
 };
 
-/// Moves balls that overlap apart and back into the jar, like soft spheres coming to rest, until
-/// between any two there are at least gap/2 of their radii's sum, and as much of a radius between
-/// ball and wall as `gap` and the jar allow. Gives up where they rest against each other, or after
-/// `most` moves. Throws Interrupted once `*stop` is set.
+/// Removes overlaps between balls and with the wall by minimising the energy of soft spheres. Ends
+/// when the gap between any two balls is at least gap/2 of the sum of their radii, and the
+/// clearance to the wall at least half of wall_clearance(); or when the balls rest against each
+/// other; or after `most` moves. Throws Interrupted once `*stop` is set.
 PushApartResult push_apart(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
                            const Domain& domain, double gap, std::int64_t most,
                            const std::atomic<bool>* stop = nullptr);

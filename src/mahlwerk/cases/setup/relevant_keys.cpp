@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Which of the values a case was given without a word its results rest on.
+// The values of a case that its results depend on: marks assumptions and finds ignored keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Whether an engine looks at a value: what it does not is no assumption of its results. "auto"
-/// may look at all.
+/// Whether an engine reads a value. A value that it does not read is no assumption of its results.
+/// "auto" may read all values.
 bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
   static const std::vector<std::string_view> of_soft{"law",
                                                      "rolling",
@@ -30,15 +30,15 @@ bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
   if (engine == EngineName::automatic) return true;
   const auto& of_other = engine == EngineName::event ? of_soft : of_event;
-  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // all of it without a dot
+  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // npos + 1 == 0 without a dot
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
-  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // not of the engine
+  if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // powder models
   const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
   return std::ranges::find(of_other, key) == of_other.end() &&
          !(of_law && engine == EngineName::event);
 }
 
-/// Whether wear or heat is asked for that looks at a value. Without, it is not worth a word.
+/// Whether a value is needed: properties for wear and heat only with [wear] or [heat].
 bool is_relevant(std::string_view dotted, const Case& c) {
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
   if (key == "hardness") return c.wear.has_value();
@@ -66,7 +66,7 @@ Notices ignored_keys(const Case& c, EngineName engine) {
   }
   if (keys.empty()) return {};
   return {note("ignored-keys",
-               fmt::format("The {} engine, which ran, does not look at what the case says of {}.",
+               fmt::format("The {} engine, which ran, ignores these keys of the case: {}.",
                            name_of(engine), keys))};
 }
 

@@ -15,9 +15,9 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::size_t head = 84, record = 50;  // bytes of a binary file's head, and of a triangle
+constexpr std::size_t head = 84, record = 50;  // [bytes] header of a binary file, and a triangle
 
-/// A number stored with its lowest byte first.
+/// A little-endian 32-bit integer.
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   std::uint32_t n = 0;
   for (std::size_t k = 4; k-- > 0;) n = n << 8 | static_cast<unsigned char>(bytes[at + k]);
@@ -26,8 +26,8 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 
 void refuse_too_many(std::size_t triangles) {
   if (triangles > most_triangles)
-    throw StlError(fmt::format("it has {} triangles, more than the {} there is memory for",
-                               triangles, most_triangles));
+    throw StlError(
+        fmt::format("it has {} triangles, more than the limit of {}", triangles, most_triangles));
 }
 
 std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale) {
@@ -35,11 +35,12 @@ std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale)
   refuse_too_many(count);
   std::vector<geometry::Corners> all(count);
   for (std::size_t i = 0; i < count; ++i) {
-    std::size_t at = head + record * i + 12;  // behind the normal
+    std::size_t at = head + record * i + 12;  // after the normal
     const auto next = [&] {
       const double x = std::bit_cast<float>(number_at(bytes, at));
       at += 4;
-      if (!std::isfinite(x)) throw StlError(fmt::format("triangle {} has no number", i + 1));
+      if (!std::isfinite(x))
+        throw StlError(fmt::format("triangle {} has a coordinate that is not a number", i + 1));
       return x * scale;
     };
     for (Vec3& corner : all[i]) {
@@ -51,7 +52,7 @@ std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale)
   return all;
 }
 
-/// Words between blanks, and the line they are on.
+/// Splits an ASCII STL into words, and counts lines.
 class StlTokens {
  public:
   explicit StlTokens(std::string_view text) : text_(text) {}
@@ -69,9 +70,9 @@ class StlTokens {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-      throw StlError(
-          said.empty() ? fmt::format("it is cut off in line {}", line_)
-                       : fmt::format("\"{}\" in line {} is no number", said.substr(0, 40), line_));
+      throw StlError(said.empty() ? fmt::format("it is cut off in line {}", line_)
+                                  : fmt::format("\"{}\" in line {} is not a number",
+                                                said.substr(0, 40), line_));
     return value;
   }
   std::size_t line() const { return line_; }
@@ -115,7 +116,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
   }
   if (!ended || known != 0)
     throw StlError(
-        fmt::format("it is cut off behind triangle {}: there is no \"endsolid\"", all.size()));
+        fmt::format("it is cut off after triangle {}: there is no \"endsolid\"", all.size()));
   return all;
 }
 
@@ -138,10 +139,11 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
   else if (looks_like_text(bytes))
     all = read_as_text(bytes, scale);
   else if (whole > bytes.size())
-    throw StlError(fmt::format("it says it has {} triangles, and ends in triangle {}",
+    throw StlError(fmt::format("its header gives {} triangles, and it ends in triangle {}",
                                number_at(bytes, 80), (bytes.size() - head) / record + 1));
   else
-    throw StlError("it is no STL: neither the length of a binary one nor the words of a text");
+    throw StlError(
+        "it is not an STL file: neither the length of a binary one nor the words of an ASCII one");
   if (all.empty()) throw StlError("it has no triangles");
   return all;
 }

@@ -9,23 +9,24 @@
 
 #include "mahlwerk/geometry/surface.hpp"
 
-// STL files: triangles by their corners, binary or as text. Their normals are not read: the order
-// of the corners says the same, and always does.
+// STL files, binary or ASCII. Normals are not read: the order of the corners gives the orientation
+// of a triangle.
 namespace mahlwerk::cases {
 
-/// Why bytes are no STL, in a sentence without a full stop.
+/// Invalid STL data; the message is a sentence without a full stop.
 class StlError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The triangles of an STL, times `scale`. Whether it is binary is told by its length, for many
-/// binary ones begin with "solid" as texts do.
+/// The triangles of an STL file; coordinates are multiplied by `scale`. The length of the file
+/// decides whether it is binary, because many binary files begin with "solid" like ASCII files.
+/// Throws StlError.
 std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale);
 
-/// A surface as a text that read_stl() takes, to the last bit.
+/// A surface as ASCII STL; read_stl() restores every coordinate exactly.
 std::string stl_text(const geometry::Surface& surface);
 
-constexpr std::size_t most_triangles = 4'000'000;  ///< about half a kilobyte each
+constexpr std::size_t most_triangles = 4'000'000;  ///< of about 500 bytes of memory each
 
 }  // namespace mahlwerk::cases

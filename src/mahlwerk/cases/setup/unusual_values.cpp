@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Values that no rule forbids and a user has most likely not meant.
+// Warnings about valid values that are probably a mistake.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -12,7 +12,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Grinding media lie between light plastics and tungsten.
+/// The densities of grinding media lie between light plastics and tungsten.
 Notices densities(const Case& c) {
   constexpr double least = 500, most = 20000;  // [kg/m3]
   Notices found;

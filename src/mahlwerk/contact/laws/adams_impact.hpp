@@ -9,14 +9,15 @@
 
 namespace mahlwerk::contact {
 
-/// The impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (dem.14, dem.15): Hertz's
-/// spring and a damper that grows over the depth d to c_m; never pulls. c_m depends on the speed at
-/// touch. It is solved for the wanted e, or the paper's estimate, which misses it (physics of paper
-/// B, errata S1-17 to S1-23). Across the normal Mindlin's spring, undamped.
+/// Impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (dem.14, dem.15): a Hertz
+/// spring, and a damper that rises from 0 to c_m over the depth d. The force is never attractive.
+/// c_m depends on the speed at touch. c_m is either solved for the requested e, or the paper's
+/// estimate, which misses e (physics of paper B, errata S1-17 to S1-23). Tangential: Mindlin's
+/// spring, undamped.
 struct AdamsImpact : HertzSpring {
   static constexpr std::string_view name = "adams-impact";
   static constexpr std::string_view about =
-      "the impact function of MSC Adams: Hertz's spring, a damper that grows with overlap";
+      "impact function of MSC Adams: Hertz spring, damper that grows with the overlap";
   static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.7, 0.15, 0.6},
                                            {0.5, 0.15, 0.5},
@@ -26,14 +27,14 @@ struct AdamsImpact : HertzSpring {
                                            {0.1, 0.15, 0.5},
                                            {0.06, 0.1, 0.35}}};
   static constexpr bool has_history = true;
-  static constexpr double usual_depth = 0.01;  // of the largest overlap
-  bool published_damping = false;              ///< the paper's (dem.15) instead of one that gives e
-  double damping_depth = 0;                    ///< [m] d; 0: usual_depth of the largest overlap
+  static constexpr double usual_depth = 0.01;  // fraction of the largest overlap
+  bool published_damping = false;  ///< the paper's estimate (dem.15) instead of the solution for e
+  double damping_depth = 0;        ///< [m] d; 0: usual_depth of the largest overlap
   static constexpr auto switches() {
     return std::array{LawSwitch<AdamsImpact>{"damping",
                                              {"exact", "published"},
                                              &AdamsImpact::published_damping,
-                                             "gives the restitution that is asked for"}};
+                                             "gives the requested restitution"}};
   }
   static constexpr auto fields() {
     return std::array{LawField<AdamsImpact>{{"damping_depth",
@@ -42,12 +43,12 @@ struct AdamsImpact : HertzSpring {
                                              positive,
                                              "the overlap at which the damper is fully on",
                                              {},
-                                             "deeper ones switch the damper off"},
+                                             "a larger depth weakens the damper"},
                                             "",
                                             "a hundredth of the largest overlap"}};
   }
 
-  /// In units of sqrt(m* k*), k* the ratio of largest force and overlap (dem.15).
+  /// In units of sqrt(m* k*), k* the ratio of largest force and largest overlap (dem.15).
   double damping(double e) const {
     if (published_damping) return -2 * damping_ratio(e);
     return stepped_damping(std::max(e, least_restitution), usual_depth * scale) / root_of_scale;
@@ -66,14 +67,14 @@ struct AdamsImpact : HertzSpring {
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t),
             std::pow(1.25 * t.mass / k, 0.4), damping_depth};
   }
-  /// Damper c_m [N s/m] and 1/d [1/m].
+  /// History variables: the damper c_m [N s/m] and 1/d [1/m].
   void begin(const LawCoefficients& k, double* m, double approach) const {
     const double deepest = k[3] * std::pow(std::max(approach, 1e-12), 0.8);
     m[0] = k[1] * std::sqrt(std::sqrt(deepest));
     m[1] = 1 / (k[4] > 0 ? k[4] : usual_depth * deepest);
   }
 
-  /// The damper has grown by then.
+  /// The damper has full strength at the depth d.
   template <class V>
   [[gnu::always_inline]] static V onset_overlap(const V* m) {
     return 1.0 / m[1];
@@ -89,7 +90,7 @@ struct AdamsImpact : HertzSpring {
  private:
   // In units where m = k = v = 1 the largest overlap is (5/4)^(2/5), and k* its square root.
   static constexpr double scale = 1.0933620739432502;          // (5/4)^(2/5)
-  static constexpr double root_of_scale = 1.0225651825635728;  // its fourth root: sqrt(k*)
+  static constexpr double root_of_scale = 1.0225651825635728;  // (5/4)^(1/10): sqrt(k*)
 };
 
 }  // namespace mahlwerk::contact

@@ -6,13 +6,13 @@
 
 namespace mahlwerk::contact {
 
-/// Hertz and Mindlin without slip, damped so that restitution does not depend on speed: paper B
-/// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends when
-/// the overlap does; shortly before it the force pulls, which makes e exact.
+/// Hertz-Mindlin (no-slip) law, damped so that the restitution does not depend on speed: paper B
+/// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends at zero
+/// overlap. Shortly before, the force is attractive; with that tail e is exact.
 struct HertzMindlin : HertzSpring {
   static constexpr std::string_view name = "hertz-mindlin";
   static constexpr std::string_view about =
-      "elastic spheres that stick and slip, damped to one restitution at all speeds";
+      "elastic spheres with sticking and sliding friction; one restitution at all speeds";
   static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
                                            {0.5, 0.1, 0.3},

@@ -9,13 +9,13 @@
 
 namespace mahlwerk::contact {
 
-/// Hertz's spring with the damper of Tsuji, Tanaka and Ishida (1992), the same along and across the
-/// normal (dem.10). The bodies never pull: the contact ends when the force does, and the damping
-/// is solved for that end, so that e is exact.
+/// Hertz spring with the damper of Tsuji, Tanaka and Ishida (1992), with the same normal and
+/// tangential damping (dem.10). The force is never attractive: the contact ends at zero force. The
+/// damping is solved for that end, so e is exact.
 struct HertzTsuji : HertzSpring {
   static constexpr std::string_view name = "hertz-tsuji";
   static constexpr std::string_view about =
-      "Hertz's spring with Tsuji's damper along and across, never pulls";
+      "Hertz spring with Tsuji's damper along and across the normal, never attractive";
   static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors{{{0.3, 0.15, 0.45},
                                            {0.3, 0.38, 1.3},
@@ -27,7 +27,7 @@ struct HertzTsuji : HertzSpring {
   static constexpr auto fields() { return std::array<LawField<HertzTsuji>, 0>{}; }
 
   double damping(double e) const { return tensionless_damping(std::max(e, least_restitution)); }
-  /// The dimensionless damper is in units of sqrt(m* k).
+  /// `damping` has the unit sqrt(m* k).
   LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t)};
@@ -37,7 +37,8 @@ struct HertzTsuji : HertzSpring {
     return hertz_overlap(t, speed);
   }
   double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
-  /// Across the normal, where the bodies turn, too: 2/7 of the mass.
+  /// For tangential motion, which is the faster one: the bodies also spin, so the effective mass is
+  /// 2/7.
   double damper_time(const EffectivePair& t, double damping, double speed) const {
     const double k = hertz_stiffness(t), quarter = std::pow(hertz_overlap(t, speed), 0.25);
     return damping > 0 ? 2.0 / 7.0 * std::sqrt(t.mass / k) / (damping * quarter) : unbounded_time;
@@ -47,7 +48,7 @@ struct HertzTsuji : HertzSpring {
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
     const V half = sqrt(overlap), damping = k[1] * sqrt(half);
     const V force = max(k[0] * overlap * half + damping * rate, V{});
-    const auto pushes = less(V{}, force);  // in the tail without force nothing rubs either
+    const auto pushes = less(V{}, force);  // no friction in the tail without normal force
     return {force, select(pushes, k[2] * half, V{}), select(pushes, damping, V{}), force};
   }
   bool operator==(const HertzTsuji&) const = default;

@@ -6,15 +6,15 @@
 
 namespace mahlwerk::contact {
 
-/// Johnson, Kendall and Roberts (1971): elastic spheres whose surfaces stick (dem.16), with the
-/// dampers of Hertz-Mindlin. A contact begins at touch and ends at the pull-off overlap, beyond it;
-/// friction acts under the load plus twice the pull-off force.
+/// JKR, Johnson, Kendall and Roberts (1971): adhesive elastic spheres (dem.16), with the dampers of
+/// Hertz-Mindlin. A contact begins at touch and ends at the pull-off distance beyond touch. The
+/// load of friction is the normal force plus twice the pull-off force.
 struct Jkr : HertzSpring {
   static constexpr std::string_view name = "jkr";
   static constexpr std::string_view about =
-      "Johnson, Kendall and Roberts: elastic spheres whose surfaces adhere";
+      "Johnson, Kendall and Roberts: elastic spheres with adhesive surfaces";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
+  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // same dampers and friction
   static constexpr std::array adhesion{surface_energy};
   static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 
@@ -29,7 +29,7 @@ struct Jkr : HertzSpring {
             pull_off_force(t), std::cbrt(t.radius * pull)};
   }
 
-  /// Radius of contact [m]: l^4 / R* - c l = overlap with l its square root, by Newton's steps
+  /// Contact radius [m]: solves l^4 / R* - c l = overlap for its square root l. Newton iteration
   /// from above, where the left side is convex.
   template <class V>
   [[gnu::always_inline]] static V contact_radius(const V* k, V overlap) {
@@ -51,8 +51,8 @@ struct Jkr : HertzSpring {
     return {force, k[2] * a, k[3] * half, force + 2.0 * k[6]};
   }
 
-  /// Two bodies at rest sink in until the spring holds the pull of their surfaces: a^3 is then
-  /// 6 pi (2 gamma) R*^2 times 3/(4 E*).
+  /// Adds the overlap of two bodies at rest, where the spring balances the adhesion:
+  /// a^3 = 6 pi (2 gamma) R*^2 times 3/(4 E*).
   double largest_overlap(const EffectivePair& t, double speed) const {
     const double a = std::cbrt(9 * std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
                                t.pair.modulus);
@@ -68,7 +68,7 @@ struct Jkr : HertzSpring {
                                (4 * t.pair.modulus));
     return 3 * a * a / t.radius;
   }
-  /// Work done against the elastic force from touch on, where bodies that part have none.
+  /// Work done against the elastic force since touch; 0 at touch.
   double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {
     const auto from_none = [&](double at) {  // integral of F d(overlap) over the contact radius
       const double a = contact_radius(k.data(), at), l = std::sqrt(a), r = k[4], c = k[5];

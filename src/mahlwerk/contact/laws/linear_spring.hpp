@@ -6,8 +6,8 @@
 
 namespace mahlwerk::contact {
 
-/// Linear spring and dashpot along and across the normal (Cundall and Strack 1979). The contact
-/// ends when the overlap does; shortly before it the force pulls, which makes e exact.
+/// Linear spring and dashpot, normal and tangential (Cundall and Strack 1979). The contact ends at
+/// zero overlap. Shortly before, the force is attractive; with that tail e is exact.
 struct LinearSpring : Spring {
   static constexpr std::string_view name = "linear-spring";
   static constexpr std::string_view about = "linear spring and dashpot along and across the normal";

@@ -6,14 +6,14 @@
 
 namespace mahlwerk::contact {
 
-/// Hertz-Mindlin and a simplified cohesion in proportion to the area of contact, 2 pi overlap times
-/// 2 R* (SJKR2 of LIGGGHTS; dem.17). Friction acts under the load without the cohesion.
+/// Hertz-Mindlin with a simplified cohesion proportional to the contact area 2 pi overlap times
+/// 2 R* (SJKR2 of LIGGGHTS; dem.17). The load of friction excludes the cohesion.
 struct Sjkr : HertzSpring {
   static constexpr std::string_view name = "sjkr";
   static constexpr std::string_view about =
-      "Hertz and Mindlin with a cohesion in proportion to the area of contact";
+      "Hertz-Mindlin with a cohesion proportional to the contact area";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // its dampers and friction
+  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // same dampers and friction
   static constexpr std::array adhesion{cohesion};
   static constexpr auto fields() { return std::array<LawField<Sjkr>, 0>{}; }
 
@@ -23,13 +23,13 @@ struct Sjkr : HertzSpring {
     k[4] = cohesion_stiffness(t);
     return k;
   }
-  /// [N/m] Cohesion over overlap.
+  /// Cohesive force over overlap [N/m].
   static double cohesion_stiffness(const EffectivePair& t) {
     return 4 * std::numbers::pi * t.radius * t.pair.cohesion;
   }
 
-  /// Of an undamped collision, (2/5) k d^2.5 - k_c d^2/2 = m v^2/2: for the root of d, by Newton's
-  /// steps from above, where the left side is convex.
+  /// Overlap d of an undamped collision, (2/5) k d^2.5 - k_c d^2/2 = m v^2/2. Solved for the square
+  /// root of d by Newton iteration from above, where the left side is convex.
   double largest_overlap(const EffectivePair& t, double speed) const {
     const double hertz = std::sqrt(hertz_overlap(t, speed));
     const double wider = 1.25 * cohesion_stiffness(t) / hertz_stiffness(t);

@@ -8,13 +8,14 @@
 
 namespace mahlwerk::contact {
 
-/// Walton and Braun (1986): loads along k1, unloads along the stiffer k2 = k1 / e^2 (dem.13), so
-/// that the area of the loop is what the collision loses. The contact ends when the force does, at
-/// a lasting dent that is forgotten when the bodies part.
+/// Walton and Braun (1986): hysteretic spring. Loading along k1, unloading along the stiffer
+/// k2 = k1 / e^2 (dem.13); the area of the loop is the dissipated energy. The contact ends at zero
+/// force, where the plastic overlap is > 0. The law discards the plastic overlap when the bodies
+/// separate.
 struct WaltonBraun : Spring {
   static constexpr std::string_view name = "walton-braun";
   static constexpr std::string_view about =
-      "linear springs, stiffer on unloading, so that a loop of plastic work is lost";
+      "linear spring, stiffer on unloading: the hysteresis loop dissipates plastic work";
   static constexpr std::string_view shortest_time_name =
       "a collision along the stiff line of unloading";
   static constexpr StepErrors step_errors{{{0.15, 0.2, 0.6},
@@ -35,7 +36,7 @@ struct WaltonBraun : Spring {
     const double k = stiffness_of(t);
     return {k, k * damping, 1 - 1 / damping, tangential_stiffness_ratio * k};
   }
-  void begin(const LawCoefficients&, double* m, double) const { m[0] = 0; }  // [m] deepest overlap
+  void begin(const LawCoefficients&, double* m, double) const { m[0] = 0; }  // [m] largest overlap
 
   template <class V>
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V* m, V overlap, V) {

@@ -10,7 +10,7 @@
 
 namespace mahlwerk::powder {
 
-/// Shi and Kojovic 2007: whatever is hit hard enough breaks; how finely, its energy tells.
+/// Shi and Kojovic 2007: every hit above a least energy breaks; its energy determines t10 (brk.2).
 struct ShiKojovic {
   static constexpr std::string_view name = "shi-kojovic";
   static constexpr std::string_view about = "t10 = M (1 - exp(-f_mat (x E - x E_min)))";

@@ -6,9 +6,8 @@
 
 namespace mahlwerk::powder {
 
-// D = (2 gamma x/(2 gamma - 5 D + 5))^(2 gamma/5) has its D on both sides. The right side grows
-// with D, from above 0, and meets the left one first at the root that is meant, 1 where the load
-// is.
+// D = (2 gamma x/(2 gamma - 5 D + 5))^(2 gamma/5) is implicit in D. The right side grows with D
+// from above 0. The smallest root is the physical one; it is 1 at load 1. Found by bisection.
 double Tavares::damage(double load) const {
   if (!(load > 0)) return 0;
   if (load >= 1) return 1;

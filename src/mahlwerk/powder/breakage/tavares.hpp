@@ -11,20 +11,20 @@
 
 namespace mahlwerk::powder {
 
-/// Tavares (UFRJ): each grain has a strength of its own, and what it survives weakens it.
+/// Tavares (UFRJ): lognormally distributed grain strengths; hits that do not break weaken a grain.
 struct Tavares {
   static constexpr std::string_view name = "tavares";
   static constexpr std::string_view about =
-      "strengths spread lognormally, damage of those that survive, t10 by energy";
+      "lognormal strengths, damage by hits that do not break, t10 by energy";
   static constexpr bool predicts_t10 = true, tracks_strength = true;
   double e_infinity = 0;  ///< [J/kg] > 0 median strength of large grains, E_inf
   double d_0 = 0;         ///< [m] > 0 size below which grains are stronger
-  double phi = 0;         ///< [1] > 0 how much stronger
+  double phi = 0;         ///< [1] > 0 exponent of the increase of strength
   double sigma = 0;       ///< [1] > 0 spread of the logarithm of the strength
   double cut = 0;         ///< [1] largest strength over the median; 0: none
-  double gamma = 0;       ///< [1] > 0 of damage
+  double gamma = 0;       ///< [1] > 0 damage constant
   double a = 0;           ///< [1] 0 to 1: largest t10
-  double b = 0;           ///< [1] > 0
+  double b = 0;           ///< [1] > 0 rate at which t10 approaches `a`
   static constexpr auto fields() {
     using M = Tavares;
     constexpr Range shares{.least = 0, .most = 1, .without_least = true, .without_most = true};
@@ -32,35 +32,37 @@ struct Tavares {
         Field<M>{"e_infinity", "J/kg", &M::e_infinity, positive,
                  "median specific fracture energy of large grains, E_inf"},
         Field<M>{"d_0", "m", &M::d_0, positive, "size below which grains are stronger, d_0"},
-        Field<M>{"phi", "", &M::phi, positive, "exponent of that, phi"},
+        Field<M>{"phi", "", &M::phi, positive,
+                 "exponent of the increase of strength below d_0, phi"},
         Field<M>{"sigma", "", &M::sigma, positive,
                  "standard deviation of the logarithm of the fracture energy"},
         Field<M>{"cut", "", &M::cut, not_negative,
                  "largest fracture energy over the median, E_max/E_50; 0 for none", 0.0, "no cut"},
-        Field<M>{"gamma", "", &M::gamma, positive, "how hits damage that do not break, gamma"},
+        Field<M>{"gamma", "", &M::gamma, positive,
+                 "damage constant of hits that do not break, gamma"},
         Field<M>{"a", "", &M::a, shares, "largest t10, A"},
-        Field<M>{"b", "", &M::b, positive, "how soon t10 gets there, b'"}};
+        Field<M>{"b", "", &M::b, positive, "rate at which t10 approaches A, b'"}};
   }
 
-  /// [J/kg] of half of the grains of `size` [m] (brk.4).
+  /// [J/kg] Median specific fracture energy of grains of `size` [m] (brk.4).
   double median(double size) const { return e_infinity * (1 + std::pow(d_0 / size, phi)); }
-  /// [1] Strength over median of the grain at `z` standard deviations (brk.5).
+  /// [1] Strength over median strength at `z` standard deviations (brk.5).
   double relative_strength(double z) const {
     const double s = std::exp(sigma * z);
     return cut > 0 ? cut * s / (cut + s) : s;
   }
-  /// [1] Standard deviations at which that strength is found; infinite from the cut on.
+  /// [1] Inverse of relative_strength: standard deviations; infinite at and above the cut.
   double deviations(double relative_strength) const {
     const double s = relative_strength;
     if (cut > 0 && s >= cut) return HUGE_VAL;
     return std::log(cut > 0 ? cut * s / (cut - s) : s) / sigma;
   }
-  /// [1] Of fresh grains, how many a hit of `energy` [J/kg] breaks (brk.5).
+  /// [1] Probability that a hit of `energy` [J/kg] breaks a fresh grain (brk.5).
   double breakage_probability(double size, double energy) const {
     return 0.5 * std::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
   }
-  /// [1] By how much a hit that does not break lowers a grain's strength; `load` 0 to 1 is its
-  /// energy over that strength (brk.6).
+  /// [1] Damage D, the relative loss of strength by a hit that does not break. `load`, 0 to 1, is
+  /// the hit's energy over that strength (brk.6).
   double damage(double load) const;
   double t10(double size, double energy) const {  // (brk.7)
     return -a * std::expm1(-b * energy / median(size));

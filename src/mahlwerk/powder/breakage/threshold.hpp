@@ -10,10 +10,11 @@
 
 namespace mahlwerk::powder {
 
-/// A least energy: a hit that gives it breaks, a weaker one does nothing.
+/// Threshold energy: a hit of at least this specific energy breaks, a weaker hit has no effect
+/// (brk.3).
 struct Threshold {
   static constexpr std::string_view name = "threshold";
-  static constexpr std::string_view about = "breaks from the specific energy W (x_0/x)^m on";
+  static constexpr std::string_view about = "breaks at specific energies from W (x_0/x)^m";
   static constexpr bool predicts_t10 = false, tracks_strength = false;
   double energy = 0;          ///< [J/kg] > 0 that breaks a grain of the reference size
   double reference_size = 0;  ///< [m] > 0
@@ -24,10 +25,10 @@ struct Threshold {
     return std::array{Field<M>{"energy", "J/kg", &M::energy, positive,
                                "specific energy that breaks a grain of the reference size"},
                       Field<M>{"reference_size", "m", &M::reference_size, positive,
-                               "the size that energy is meant for"},
+                               "reference size, for which the energy is given"},
                       Field<M>{"exponent", "", &M::exponent, exponents,
-                               "how it grows for finer grains: 0 not at all, 0.5 as Griffith's "
-                               "cracks, 1 as Vogel and Peukert's",
+                               "exponent of its growth for finer grains: 0 none, 0.5 as for "
+                               "Griffith's cracks, 1 as by Vogel and Peukert",
                                0.0, "the same for all sizes"}};
   }
   double breakage_probability(double size, double given) const {  // (brk.3)

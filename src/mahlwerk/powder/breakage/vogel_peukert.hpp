@@ -10,7 +10,8 @@
 
 namespace mahlwerk::powder {
 
-/// Vogel and Peukert 2003: a probability by what a hit gives above the least that can break.
+/// Vogel and Peukert 2003: the probability of breakage grows with the energy above a least energy
+/// (brk.1).
 struct VogelPeukert {
   static constexpr std::string_view name = "vogel-peukert";
   static constexpr std::string_view about = "probability 1 - exp(-f_mat (x W - x W_min))";
@@ -28,8 +29,8 @@ struct VogelPeukert {
     const double above = size * energy - x_w_min;
     return above > 0 ? -std::expm1(-f_mat * above) : 0;
   }
-  /// Whether a hit breaks, by a number drawn in (0, 1): as `breakage_probability`, whose bounds
-  /// mostly decide.
+  /// Whether a hit breaks: `drawn`, uniform in (0, 1), is below `breakage_probability`. Bounds of
+  /// the exponential decide most cases without computing it.
   bool breaks(double size, double energy, double drawn) const {
     const double z = f_mat * (size * energy - x_w_min);
     if (drawn >= z) return false;

@@ -8,7 +8,7 @@
 namespace mahlwerk::powder {
 namespace {
 
-// As printed in paper B; the original was not at hand.
+// As printed in paper B; not checked against the original.
 constexpr double most_deformation = 0.362, bed_factor = 0.152, bed_exponent = 0.413;
 
 }  // namespace
@@ -35,14 +35,14 @@ Capture Barrios::capture(const Nip& nip, double energy, const Grain& grain) cons
     const double depth = std::min(deformation * grain.size, nip.radius);
     return touch + std::sqrt(depth * (2 * nip.radius - depth));
   };
-  // How far a bed yields that is as heavy as at that deformation: the deeper, the heavier, the less
-  // each kilogram gets. So the root lies between what two guesses say.
+  // Deformation of a bed with the mass at the given deformation. A larger deformation means a
+  // larger mass and a lower specific energy, so that two iterates bracket the fixed point.
   const auto yields = [&](double deformation) {
     return bed_deformation(scale / grains_in_bed(radius(deformation), grain.size));
   };
   double high = yields(0), low = yields(high), at_high = low - high, at_low = yields(low) - low;
   if (!(at_low > 0)) return {1, grains_in_bed(radius(low), grain.size), radius(low)};
-  // Regula falsi, the weight of an end that stays halved (Illinois).
+  // Regula falsi, Illinois variant.
   constexpr double close = 1e-13;
   double found = low;
   for (int side = 0, i = 0; i < 100 && high - low > close; ++i) {

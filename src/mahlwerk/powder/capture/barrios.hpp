@@ -14,7 +14,7 @@ namespace mahlwerk::powder {
 struct Barrios {
   static constexpr std::string_view name = "barrios";
   static constexpr std::string_view about = "a bed one grain high, pressed by the collision";
-  /// [J/kg] >= 0; 0: that of the breakage model, which must know one
+  /// [J/kg] >= 0; 0: that of the breakage model, which must have one
   double fracture_energy = 0;
   static constexpr auto fields() {
     return std::array{
@@ -23,16 +23,16 @@ struct Barrios {
                        "the breakage model"}};
   }
 
-  /// `energy` [J] >= 0 of the collision. The bed yields by the energy its own mass gets, which
-  /// hangs on how far it yields: solved to 1e-12 (cap.5 to cap.9).
+  /// Capture by a collision of `energy` [J] >= 0. The deformation of the bed depends on the
+  /// specific energy of its mass, which depends on the deformation: solved to 1e-12 (cap.5 to
+  /// cap.9).
   Capture capture(const Nip& nip, double energy, const Grain& grain) const;
   bool operator==(const Barrios&) const = default;
 };
 
-/// [1] Relative deformation of a bed, 0 to 0.362, by the specific energy [1] in units of E_50b
-/// (cap.8).
+/// [1] Relative deformation of a bed, 0 to 0.362, for a specific energy in units of E_50b (cap.8).
 double bed_deformation(double energy_over_fracture_energy);
-/// [m] Radius of capture of a bed that is `deformation` [m] deep (cap.6).
+/// [m] Radius of capture of a bed that is deformed by `deformation` [m] (cap.6).
 double capture_radius(const Nip& nip, double energy, double deformation);
 /// [1] Grains of `size` [m] in a bed of that radius [m] (cap.5).
 double grains_in_bed(double radius, double size);

@@ -10,10 +10,11 @@
 
 namespace mahlwerk::powder {
 
-/// Always the same.
+/// A constant mass per collision.
 struct FixedMass {
   static constexpr std::string_view name = "fixed";
-  static constexpr std::string_view about = "the same mass in each collision, whatever its energy";
+  static constexpr std::string_view about =
+      "the same mass in each collision, independent of its energy";
   double mass = 0;  ///< [kg] > 0
   static constexpr auto fields() {
     return std::array{Field<FixedMass>{"mass", "kg", &FixedMass::mass, positive,

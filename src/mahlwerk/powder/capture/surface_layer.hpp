@@ -10,16 +10,16 @@
 
 namespace mahlwerk::powder {
 
-/// Powder that coats both bodies with so much mass by area (Magini, Iasonna and Padella 1996).
+/// Powder coats both bodies with a constant mass per area (Magini, Iasonna and Padella 1996).
 struct SurfaceLayer {
   static constexpr std::string_view name = "surface-layer";
   static constexpr std::string_view about =
-      "Hertz's area of contact times twice the coating's mass";
+      "Hertz's contact area times twice the coating's mass per area";
   double surface_density = 0;  ///< [kg/m2] > 0 of powder on one body, sigma
   static constexpr auto fields() {
     return std::array{Field<SurfaceLayer>{"surface_density", "kg/m2",
                                           &SurfaceLayer::surface_density, positive,
-                                          "mass of the powder on a body by its area, sigma"}};
+                                          "mass of powder per area of a body, sigma"}};
   }
   Capture capture(const Nip& nip, double energy, const Grain& grain) const {  // (cap.11)
     const double a = contact_radius(nip, energy);

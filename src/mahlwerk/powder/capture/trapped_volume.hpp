@@ -10,20 +10,20 @@
 
 namespace mahlwerk::powder {
 
-/// A layer of powder on the balls, of which the area of contact is caught (Maurice and Courtney
+/// Powder coats the balls; the layer within the contact area is captured (Maurice and Courtney
 /// 1990, Bhattacharya and Arzt 1992).
 struct TrappedVolume {
   static constexpr std::string_view name = "trapped-volume";
-  static constexpr std::string_view about = "Hertz's area of contact times the coating's thickness";
-  double thickness = 0;  ///< [m] > 0 of the powder between both bodies, h_0
-  double packing = 0.6;  ///< [1] > 0 share of the solid in it
+  static constexpr std::string_view about = "Hertz's contact area times the coating's thickness";
+  double thickness = 0;  ///< [m] > 0 thickness of the powder between both bodies, h_0
+  double packing = 0.6;  ///< [1] > 0 volume share of the solid in the powder
   static constexpr auto fields() {
     constexpr Range shares{.least = 0, .most = 1, .without_least = true};
     return std::array{
         Field<TrappedVolume>{"thickness", "m", &TrappedVolume::thickness, positive,
                              "thickness of the powder between two bodies that touch, h_0"},
         Field<TrappedVolume>{"packing", "", &TrappedVolume::packing, shares,
-                             "share of the solid in it", 0.6,
+                             "volume share of the solid in the powder", 0.6,
                              "random packing of spheres, loose 0.55 to dense 0.64"}};
   }
   Capture capture(const Nip& nip, double energy, const Grain& grain) const {  // (cap.10)

@@ -10,7 +10,7 @@
 
 namespace mahlwerk::powder {
 
-/// Two pieces, cut anywhere: their volumes are uniform.
+/// Two pieces with uniformly distributed volumes (frg.4).
 struct BinaryFragments {
   static constexpr std::string_view name = "binary";
   static constexpr std::string_view about = "two pieces, the volume of each uniform";

@@ -10,21 +10,21 @@
 
 namespace mahlwerk::powder {
 
-/// The family of curves that one number tells apart: t10, the share finer than a tenth (King).
+/// One-parameter family of curves by t10, the share finer than a tenth of the broken grain (King).
 struct T10Fragments {
   static constexpr std::string_view name = "t10";
   static constexpr std::string_view about = "t_n = 1 - (1 - t10)^((9/(n - 1))^alpha), n = y/x";
-  double t10 = 0;    ///< [1] 0 to 1; 0: that of the breakage model, which must tell it
+  double t10 = 0;    ///< [1] 0 to 1; 0: that of the breakage model, which must predict it
   double alpha = 1;  ///< [1] > 0
   static constexpr auto fields() {
     using M = T10Fragments;
     constexpr Range shares{.least = 0, .most = 1, .without_most = true};
     return std::array{Field<M>{"t10", "", &M::t10, shares,
-                               "share finer than a tenth of the broken grain; 0: as the breakage "
-                               "model says",
-                               0.0, "as the breakage model says"},
-                      Field<M>{"alpha", "", &M::alpha, positive, "shape of the family", 1.0,
-                               "King, about 1; recalled"}};
+                               "share finer than a tenth of the broken grain; 0: predicted by the "
+                               "breakage model",
+                               0.0, "predicted by the breakage model"},
+                      Field<M>{"alpha", "", &M::alpha, positive, "shape exponent of the family",
+                               1.0, "King, about 1; recalled"}};
   }
   double breakage_function(double ratio, double, double model_t10) const {  // (frg.3)
     if (ratio >= 1) return 1;

@@ -11,7 +11,7 @@
 
 namespace mahlwerk::powder {
 
-/// Vogel's breakage function: a power of the size, cut off below a smallest fragment.
+/// Vogel's breakage function: a power of the size, cut off below the size x_min (frg.1).
 struct VogelFragments {
   static constexpr std::string_view name = "vogel";
   static constexpr std::string_view about = "(x/y)^q (1 + tanh((x - x_min)/x_min))/2, scaled to 1";
@@ -26,7 +26,7 @@ struct VogelFragments {
   double breakage_function(double ratio, double parent, double) const {  // (frg.1)
     return std::pow(ratio, q) * above(ratio * parent) / above(parent);
   }
-  /// The larger of two sizes, each by one factor of `breakage_function`.
+  /// Draws the larger of two sizes, each distributed by one factor of `breakage_function`.
   template <class Draw>
   double draw_fragment(double parent, double, Draw& uniform) const {
     const double one = parent * std::pow(uniform(), 1 / q);

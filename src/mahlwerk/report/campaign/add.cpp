@@ -11,7 +11,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// The column of a quantity, which is added unless it is there; mostly the one at `likely`.
+/// Index of a quantity's column, which is added if missing. `likely` is tried first.
 std::size_t column_of(Campaign& c, std::size_t likely, const results::Quantity& q) {
   if (likely < c.columns.size() && c.columns[likely].name == q.name) return likely;
   const auto found = std::ranges::find(c.columns, q.name, &Column::name);

@@ -13,7 +13,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Pictures side by side where the page is wide.
+/// Pictures, side by side on wide pages.
 std::string panels(const std::vector<Picture>& pictures) {
   std::string text;
   for (const Picture& p : pictures) {
@@ -39,11 +39,11 @@ std::string sensitivity_section(const Campaign& c) {
     if (const std::string one = sensitivity_words(s, inactive); !one.empty())
       words += fmt::format("<p>{}</p>\n", escaped(one));
   if (!inactive.empty())
-    words += fmt::format("<p>Changes nothing in this case: {}.</p>\n", escaped(joined(inactive)));
+    words += fmt::format("<p>Without effect in this case: {}.</p>\n", escaped(joined(inactive)));
   return "<h2>What matters</h2>\n" + words + panels(sensitivity_figures(c));
 }
 
-/// Every quantity in the same panels, or where each has several under a head of its own.
+/// All quantities in the same panels, or each with its own heading if it has several pictures.
 std::string quantities_section(const Sheet& sheet) {
   const Layout layout = layout_of(sheet);
   std::vector<Picture> all;

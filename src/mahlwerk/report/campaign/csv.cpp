@@ -9,7 +9,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// "%" is no name for a column.
+/// Column name of a key, with "percent" for "%".
 std::string column_of(const CampaignKey& s) {
   return results::column_name(s.key, s.unit == "%" ? "percent" : s.unit);
 }

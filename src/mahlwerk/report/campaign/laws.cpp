@@ -12,7 +12,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// "µm", "rpm" and 2: "µm/rpm²".
+/// Unit of a coefficient: "µm/rpm²" from "µm", "rpm" and power 2.
 std::string per(const std::string& unit, const std::string& x_unit, int power) {
   if (power == 0 || x_unit.empty()) return unit;
   const bool composed = x_unit.find_first_of("/ ") != std::string::npos;
@@ -20,7 +20,7 @@ std::string per(const std::string& unit, const std::string& x_unit, int power) {
                      power == 2 ? "²" : "");
 }
 
-/// In powers of ten where zeros would fill the page.
+/// A value with half-width and unit; scientific notation below 1e-3 and from 1e6 on.
 std::string number(double value, double ci95, const std::string& unit) {
   const double size = std::max(std::abs(value), std::isfinite(ci95) ? ci95 : 0.0);
   const bool plain = size == 0 || (size >= 1e-3 && size < 1e6);
@@ -83,34 +83,33 @@ std::string named(const std::vector<FittedLaw>& laws, const std::vector<std::siz
   return text;
 }
 
-/// "A power law describes it best."
+/// The result of the model selection: "A power law fits best."
 std::string verdict(const std::vector<FittedLaw>& laws, const LawSelection& choice,
                     const Units& units) {
   const FittedLaw& best = laws[choice.best];
   std::string text;
   if (!choice.by_aicc)
-    text = fmt::format("So few points do not tell the laws apart; a {} is nearest (adjusted R²).",
+    text = fmt::format("Too few points to distinguish the laws; a {} fits best (adjusted R²).",
                        name_of(best.form));
   else if (choice.equivalent.empty())
-    text = fmt::format("A {} describes it best.", name_of(best.form));
+    text = fmt::format("A {} fits best.", name_of(best.form));
   else
-    text =
-        fmt::format("A {} is nearest, but {} cannot be told from it (AICc differs by less than 2).",
-                    name_of(best.form), named(laws, choice.equivalent, " and "));
+    text = fmt::format(
+        "A {} fits best, but {} cannot be distinguished from it (AICc differs by less than 2).",
+        name_of(best.form), named(laws, choice.equivalent, " and "));
   constexpr double poor = 0.5;
-  if (best.r_squared < poor) text += " None describes it well.";
+  if (best.r_squared < poor) text += " No law fits well.";
   std::vector<std::size_t> good = choice.equivalent;
   good.push_back(choice.best);
   for (const std::size_t i : good)
     if (through_origin(laws[i]) && std::abs(laws[i].coefficients[1]) > laws[i].ci95[1])
       text += fmt::format(
-          " The line's intercept, {}, is no different from 0: it may go through "
-          "the origin.",
+          " The line's intercept, {}, does not differ from 0: it may pass through the origin.",
           number(laws[i].coefficients[0], laws[i].ci95[0], units.y));
   return text;
 }
 
-/// Each law of the only line, the best alone or the others.
+/// Rows of the laws of a single line: the best one, or all others.
 std::string rows_of(const std::vector<FittedLaw>& laws, const LawSelection& choice,
                     const Units& units, bool best) {
   std::string rows;
@@ -121,34 +120,35 @@ std::string rows_of(const std::vector<FittedLaw>& laws, const LawSelection& choi
   return rows;
 }
 
-/// Under a head, where there are rows.
+/// The table of the rows with its head; empty without rows.
 std::string table_of(const std::string& rows, bool several) {
   if (rows.empty()) return "";
   return fmt::format(
-      "<table class=\"laws\"><thead><tr>{}<th>with</th><th class=\"n\">R²</th></tr></thead>\n"
+      "<table class=\"laws\"><thead><tr>{}<th>coefficients</th><th "
+      "class=\"n\">R²</th></tr></thead>\n"
       "<tbody>\n{}</tbody></table>\n",
-      several ? "<th>line</th><th>nearest law</th>" : "<th>law</th>", rows);
+      several ? "<th>line</th><th>best law</th>" : "<th>law</th>", rows);
 }
 
-/// For those who ask, so that no table is longer than its plot.
+/// A collapsed section (HTML <details>), so that no table is longer than its plot.
 std::string unfolding(std::string_view head, const std::string& table) {
   if (table.empty()) return "";
   return fmt::format("<details><summary>{}</summary>\n{}</details>\n", head, table);
 }
 
-/// The nearest law of one line among several, and those that are as good.
+/// The row of one line among several: its best law and equivalent laws.
 std::string row_of(const std::string& line, const std::vector<FittedLaw>& laws,
                    const LawSelection& choice, const Units& units) {
   std::string name(name_of(laws[choice.best].form));
-  if (!choice.by_aicc) name += ", of too few points";
+  if (!choice.by_aicc) name += ", too few points";
   if (!choice.equivalent.empty()) name += " (or " + named(laws, choice.equivalent, ", ") + ")";
   return "<tr>" + row(line.empty() ? "-" : line, name, laws[choice.best], units);
 }
 
-/// The law from end to end of the line's points, dashed and in its colour.
+/// The law over the range of the line's points, dashed, in the line's colour.
 Series curve_of(const FittedLaw& law, const Series& line, std::size_t number, bool logarithmic) {
   constexpr int pieces = 60;
-  constexpr std::size_t dashed = 7;  // as many colours on, the same with dashes
+  constexpr std::size_t dashed = 7;  // index offset of the dashed version of a colour
   const auto [least, most] = std::ranges::minmax_element(line.x);
   Series curve{.name = "", .mark = Mark::line, .colour = number % dashed + dashed};
   for (int i = 0; i <= pieces; ++i) {
@@ -164,7 +164,7 @@ Series curve_of(const FittedLaw& law, const Series& line, std::size_t number, bo
 
 FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t column,
                           const std::vector<Series>& lines) {
-  constexpr std::size_t most = 5;  // lines, beyond which the table says more than anyone reads
+  constexpr std::size_t most = 5;  // lines; the table of more would be too long
   FittedLines made;
   if (lines.size() > most) return made;
   const Multiple& m = sheet.multiples[column];
@@ -183,15 +183,15 @@ FittedLines laws_of_lines(const Sheet& sheet, std::size_t axis, std::size_t colu
     if (!several) others = rows_of(laws, choice, units, false);
     if (!several) words = escaped(verdict(laws, choice, units)) + " ";
     if (several && !choice.by_aicc)
-      words = "So few points do not tell the laws apart: the nearest by adjusted R² is given. ";
+      words = "Too few points to distinguish the laws: the best by adjusted R² is given. ";
   }
   if (rows.empty()) return made;
   const std::string table = table_of(rows, several);
-  made.table =
-      fmt::format("<p>{}<small>Dashed: the nearest law; x is {}, ± 95 %.</small></p>\n{}{}", words,
-                  escaped(axis_label(sheet.campaign.keys[axis])),
-                  several ? unfolding("The law of each line", table) : table,
-                  unfolding("The other laws", table_of(others, several)));
+  made.table = fmt::format(
+      "<p>{}<small>Dashed: the best law; x is {}, ± is the 95 % half-width.</small></p>\n{}{}",
+      words, escaped(axis_label(sheet.campaign.keys[axis])),
+      several ? unfolding("The law of each line", table) : table,
+      unfolding("The other laws", table_of(others, several)));
   return made;
 }
 

@@ -12,7 +12,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// What the axis says of a key's values: numbers without their unit, which is in the label.
+/// Tick texts of a key's values: numbers without unit, which is in the axis label.
 std::vector<std::string> tick_texts(const Levels& levels) {
   if (!levels.numeric()) return levels.texts;
   std::vector<std::string> list;
@@ -37,7 +37,7 @@ CellMap empty_map(const Sheet& sheet, std::size_t x, std::size_t y) {
   return map;
 }
 
-/// From the least to the most of a quantity over all points, by equal ratios over decades.
+/// Colour scale over the range of a quantity; logarithmic if it spans two decades or more.
 struct Scale {
   double least = INFINITY, most = -INFINITY;
   bool logarithmic = false;
@@ -60,14 +60,14 @@ Scale scale_of(const Sheet& sheet, std::size_t column) {
   return s;
 }
 
-/// Three digits, or all of a whole number that is a little longer.
+/// Three digits, or all digits from 1000 to a million.
 std::string brief(double v) {
   const double size = std::abs(v);
   return size >= 999.5 && size < 1e6 ? fmt::format("{:.0f}", v) : fmt::format("{:.3g}", v);
 }
 
 void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, const Scale& scale) {
-  constexpr double levels = 64;  // so that many cells make few colours
+  constexpr double levels = 64;  // few distinct colours for many cells
   const double v = value_at(p, column);
   const Column& what = sheet.campaign.columns[column];
   cell.title = fmt::format("{}: ", values_text(sheet, p));
@@ -104,7 +104,7 @@ std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::si
       map.title = column_label(what, m) + (others.empty() ? "" : ", " + others);
       const auto end = [&](double v) { return std::isfinite(v) ? brief(v / m.factor) : ""; };
       map.legend = {
-          end(scale.least), end(scale.most), scale.logarithmic ? "by equal ratios" : "", {}};
+          end(scale.least), end(scale.most), scale.logarithmic ? "logarithmic scale" : "", {}};
     }
     put(map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]], sheet, column,
         sheet.campaign.points[i], scale);
@@ -119,7 +119,7 @@ std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::si
 
 namespace {
 
-/// The words for the regimes of all points, in the order of the alphabet, and the colour of each.
+/// The regimes of all points, in alphabetical order. The index gives the colour.
 std::vector<std::string> regimes_of(const Campaign& c) {
   std::set<std::string> words;
   for (const Point& p : c.points)
@@ -175,7 +175,7 @@ std::vector<Picture> regime_map(const Sheet& sheet) {
   const std::vector<std::string> words = regimes_of(sheet.campaign);
   if (words.empty() || sheet.free.size() != 2) return {};
   std::size_t x = sheet.free[0], y = sheet.free[1];
-  if (sheet.axis() == y) std::swap(x, y);  // the key with more values lies along the page
+  if (sheet.axis() == y) std::swap(x, y);  // the key with more values on the x axis
   if (sheet.grid) return {{"regimes", regime_cells(sheet, x, y, words), ""}};
   if (!sheet.keys[x].numeric() || !sheet.keys[y].numeric()) return {};
   return {{"regimes", regime_dots(sheet, x, y, words), ""}};

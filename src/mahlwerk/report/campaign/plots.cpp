@@ -11,7 +11,7 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t most_lines = 12;    // that are told apart
+constexpr std::size_t most_lines = 12;    // that a reader can distinguish
 constexpr std::size_t most_marks = 2000;  // on a plot's lines
 constexpr std::size_t most_specks = 6000, most_specks_in_all = 250000;
 
@@ -27,7 +27,7 @@ Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   return plot;
 }
 
-/// Room for the rows of a long legend.
+/// Increases the height of the plot for a legend of several rows.
 void make_room(Plot& plot) {
   std::size_t letters = 0;
   for (const Series& s : plot.series) letters += s.name.empty() ? 0 : width(s.name) + 7;
@@ -42,7 +42,7 @@ void settle_axes(Plot& plot) {
   }
 }
 
-/// At most so many of the points, evenly from all, with the first and the last.
+/// Indices of at most `most` points, evenly spaced, including the first and the last.
 std::vector<std::size_t> thinned(std::size_t points, std::size_t most) {
   std::vector<std::size_t> list;
   const std::size_t kept = std::min(points, most);
@@ -55,7 +55,7 @@ std::string drawn_of(std::size_t drawn, std::size_t points) {
   return drawn < points ? fmt::format("<p>{} of {} points are drawn.</p>", drawn, points) : "";
 }
 
-/// Drawn with at most so many points; how many they are.
+/// Thins a series to at most `most` points. Returns their number.
 std::size_t thin(Series& series, std::size_t most) {
   const std::vector<std::size_t> kept = thinned(series.x.size(), most);
   for (std::vector<double>* values : {&series.x, &series.y, &series.error}) {
@@ -84,7 +84,7 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
           drawn_of(drawn, sheet.campaign.points.size()) + fitted.table};
 }
 
-/// Scattered points fill the plot: no axis from zero.
+/// Limits the axis to the range of the levels: it does not start at zero.
 void close_in(Axis& axis, const Levels& levels) {
   const double least = levels.numbers.front(), most = levels.numbers.back();
   const double air = axis.logarithmic ? std::pow(most / least, 0.03) : 0.03 * (most - least);
@@ -92,7 +92,7 @@ void close_in(Axis& axis, const Levels& levels) {
   axis.most = axis.logarithmic ? most * air : most + air;
 }
 
-/// Of a star the points of one of its rays, along it.
+/// The points of a star design in which only `key` varies, in its order.
 std::vector<std::size_t> ray(const Sheet& sheet, std::size_t key) {
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i)
@@ -114,7 +114,7 @@ Picture ray_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   return {sheet.campaign.columns[column].name, svg(plot), ""};
 }
 
-/// A key of few words that tells dots apart by colour; or the number of keys.
+/// Index of a key with few words, by which dots are coloured; the number of keys if there is none.
 std::size_t kinds_of(const Sheet& sheet) {
   constexpr std::size_t few = 7;
   for (const std::size_t key : sheet.free)

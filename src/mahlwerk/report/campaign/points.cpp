@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_rows = 1000;
 
-/// A click on a head sorts by its column, a second one backwards; what has no value stays last.
+/// Script: a click on a column head sorts, a second click reverses the order; empty cells stay
+/// last.
 constexpr std::string_view sorting = R"js(<script>
 for(const head of document.querySelectorAll("#points thead th"))head.onclick=()=>{
  const i=head.cellIndex,up=head.ariaSort!=="ascending",body=document.querySelector("#points tbody"),
@@ -41,7 +42,7 @@ std::string heads(const Sheet& sheet, bool regimes) {
   return text;
 }
 
-/// Of numbers without the unit, which stands in the head.
+/// Table cell of a key's value; numbers without unit, which is in the head.
 std::string value_cell(const Sheet& sheet, std::size_t point, std::size_t key) {
   const Levels& levels = sheet.keys[key];
   const std::vector<std::string>& values = sheet.campaign.points[point].values;
@@ -55,7 +56,7 @@ std::string value_cell(const Sheet& sheet, std::size_t point, std::size_t key) {
                      escaped(number));
 }
 
-/// So that a narrow column may break between two codes.
+/// Warning codes separated by ", ", so that a narrow column may break between them.
 std::string spaced(std::string_view codes) {
   std::string text;
   for (const char c : codes) {
@@ -91,7 +92,7 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnin
   return text + "</tr>\n";
 }
 
-/// "3, 7 and 12", "3, 7, ... (40 in all)".
+/// "3, 7, 12", or the first ten of many: "3, 7, ... (40 in all)".
 std::string listed(const std::vector<std::size_t>& numbers) {
   constexpr std::size_t most = 10;
   std::string text;
@@ -100,7 +101,7 @@ std::string listed(const std::vector<std::size_t>& numbers) {
   return numbers.size() > most ? fmt::format("{}, ... ({} in all)", text, numbers.size()) : text;
 }
 
-/// As HTML, each line on one of its own.
+/// A message as HTML, with <br/> for line ends.
 std::string in_lines(std::string_view message) {
   std::string text;
   for (const char c : escaped(message))
@@ -108,7 +109,8 @@ std::string in_lines(std::string_view message) {
   return text;
 }
 
-/// The quantity that changes most among those shown, by the ratio of its ends.
+/// Sentence on the shown quantity with the largest ratio of maximum to minimum; empty if none
+/// changes.
 std::string highlights(const Sheet& sheet) {
   const Point *from = nullptr, *to = nullptr;
   double most = 0;
@@ -136,7 +138,7 @@ std::string highlights(const Sheet& sheet) {
                        readable(value_at(p, what), half_width_at(p, what), c.unit).text(),
                        sheet.others(static_cast<std::size_t>(&p - points), {}));
   };
-  return fmt::format(" What changes most is {}: from {} to {}, {:.3g} times as much.",
+  return fmt::format(" The largest change is that of {}: from {} to {}, {:.3g} times as much.",
                      label(c.name), told(*from), told(*to), most);
 }
 
@@ -148,7 +150,7 @@ std::string varied_keys(const Sheet& sheet) {
     if (l.size() == 0) continue;
     text += (text.empty() ? "" : "; ") + key;
     if (l.size() == 1)
-      text += fmt::format(" ({} throughout)", l.texts[0]);
+      text += fmt::format(" ({} at all points)", l.texts[0]);
     else if (l.numeric())
       text += fmt::format(" from {} to {} ({} values)", l.texts.front(), l.texts.back(), l.size());
     else if (constexpr std::size_t few = 4; l.size() <= few)
@@ -170,7 +172,7 @@ std::string campaign_lead(const Sheet& sheet) {
   const auto all = static_cast<std::ptrdiff_t>(c.points.size());
   std::string text = fmt::format("{} point{}.", all, all == 1 ? "" : "s");
   if (const std::string varies = varied_keys(sheet); !varies.empty())
-    text += fmt::format(" What varies: {}.", varies);
+    text += fmt::format(" Varied keys: {}.", varies);
   if (failed == all)
     text += all == 1 ? " It failed." : " All of them failed.";
   else if (failed > 0)
@@ -224,8 +226,8 @@ std::string point_table(const Sheet& sheet) {
   return fmt::format(
       "<h2>Points</h2>\n{}<div class=\"wide\"><table "
       "id=\"points\">\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table></"
-      "div>\n<p><small>A "
-      "click on a head sorts. ± is the 95 % confidence half-width over independent replicates "
+      "div>\n<p><small>A click on a column head sorts. ± is the 95 % confidence half-width over "
+      "independent replicates "
       "(Student's t).</small></p>\n{}",
       rest, heads(sheet, regimes), body, sorting);
 }

@@ -6,17 +6,17 @@
 
 #include "mahlwerk/report/campaign/sheet.hpp"
 
-// What a campaign's page says of its points in words and tables (HTML).
+// Text and tables of the points on a campaign's page (HTML).
 namespace mahlwerk::report {
 
-/// How many points there are, what varies, how many failed or wait, what stands out.
+/// Summary: number of points, varied keys, failed and waiting points, largest change.
 std::string campaign_lead(const Sheet& sheet);
 
-/// Which points failed and why, equal reasons told once; empty if none did.
+/// Failed points, grouped by reason; empty if none failed.
 std::string failures(const Campaign& campaign);
 
-/// A row per point, 1000 at most, with its values, quantities and regime; sorted by a click on a
-/// head.
+/// A row per point, at most 1000, with its values, quantities and regime. A click on a column head
+/// sorts.
 std::string point_table(const Sheet& sheet);
 
 }  // namespace mahlwerk::report

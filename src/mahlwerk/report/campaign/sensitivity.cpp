@@ -31,12 +31,12 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   plot.legend = {"key at its low end", "at its high end"};
   for (const Effect& e : largest_first(s)) {
     BarGroup group{.name = e.key, .bars = {}};
-    // What changes nothing has both ends in one place.
+    // Both ends of a key without effect coincide.
     const std::string low = e.inactive ? "" : e.low_end,
                       high = e.inactive ? e.low_end + ", " + e.high_end : e.high_end;
     group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, low});
     group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, high});
-    // Both on one side would hide each other.
+    // Two bars on the same side of the base would overlap.
     const bool one_side = !e.inactive && (e.low - s.base) * (e.high - s.base) >= 0;
     plot.side_by_side = plot.side_by_side || one_side;
     plot.groups.push_back(std::move(group));
@@ -45,7 +45,7 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
 }
 
 BarPlot morris(const Sensitivity& s, const Multiple& m) {
-  BarPlot plot{.title = label(s.quantity), .label = with_unit("mean size of the effect, µ*", m)};
+  BarPlot plot{.title = label(s.quantity), .label = with_unit("mean absolute effect, µ*", m)};
   for (const Effect& e : largest_first(s))
     plot.groups.push_back(
         {e.key, {{e.mean_absolute / m.factor, e.mean_absolute_ci95 / m.factor, 0, ""}}});
@@ -55,7 +55,7 @@ BarPlot morris(const Sensitivity& s, const Multiple& m) {
 BarPlot sobol(const Sensitivity& s) {
   BarPlot plot{.title = label(s.quantity), .label = "share of the variance"};
   plot.side_by_side = true;
-  plot.legend = {"alone, S1", "with others, ST"};
+  plot.legend = {"first order, S1", "total, ST"};
   for (const Effect& e : largest_first(s))
     plot.groups.push_back({e.key,
                            {{e.first_order, e.first_order_ci95, 0, ""},
@@ -63,11 +63,12 @@ BarPlot sobol(const Sensitivity& s) {
   return plot;
 }
 
-/// Effects that differ from place to place (high sigma) are bent or depend on other keys.
+/// mu* and sigma of each key. A high sigma means a nonlinear effect or an interaction with other
+/// keys.
 Plot scatter_of(const Sensitivity& s, const Multiple& m) {
   Plot plot{.title = label(s.quantity),
-            .x = {.label = with_unit("mean size, µ*", m), .least = 0},
-            .y = {.label = with_unit("scatter, σ", m), .least = 0},
+            .x = {.label = with_unit("mean absolute effect, µ*", m), .least = 0},
+            .y = {.label = with_unit("standard deviation, σ", m), .least = 0},
             .series = {},
             .width = 480,
             .height = 320};
@@ -92,7 +93,7 @@ std::string cell(double value, double ci95, const Multiple& m, std::string_view 
   return number_cell(value, readable(value, ci95, unit, m.factor).number);
 }
 
-/// A total and its interval, which may lie unevenly.
+/// A total index and its interval, which may be asymmetric.
 std::string total_cell(const Effect& e) {
   if (!(e.total_low < e.total_high)) return number_cell(e.total, readable(e.total, NAN, "").number);
   return number_cell(e.total,
@@ -104,17 +105,16 @@ std::string end_cells(std::string_view end, double value, double ci95, const Sen
   return fmt::format("<td class=\"n\">{}</td>", escaped(end)) + cell(value, ci95, m, s.unit);
 }
 
-/// Whether as many effects, or groups, were used of each key.
+/// Whether the same number of effects, or groups, was used for each key.
 bool counts_agree(const Sensitivity& s) {
   return std::ranges::all_of(s.effects,
                              [&](const Effect& e) { return e.count == s.effects.front().count; });
 }
 
-/// What all the numbers below have in common.
+/// A sentence above the table: information common to all its numbers.
 std::string lead(const Sensitivity& s, const Multiple& m) {
   if (s.method == Method::one_at_a_time)
-    return fmt::format("The case itself: {}.",
-                       readable(s.base, s.base_ci95, s.unit, m.factor).text());
+    return fmt::format("Base case: {}.", readable(s.base, s.base_ci95, s.unit, m.factor).text());
   const bool shares = s.method == Method::sobol;
   std::string text = counts_agree(s)
                          ? fmt::format("{}: {}.", shares ? "Groups of runs" : "Effects of each key",
@@ -123,16 +123,17 @@ std::string lead(const Sensitivity& s, const Multiple& m) {
   if (!shares) return text;
   if (!std::isfinite(s.noise))
     return text +
-           " The errors of the points are not known: noise counts as a share of every key's total.";
-  return text +
-         fmt::format(" Noise makes {:.2g} % of the variance seen; it is taken off.", 100 * s.noise);
+           " The errors of the points are unknown: noise is included in the total index of every "
+           "key.";
+  return text + fmt::format(" Noise is {:.2g} % of the observed variance; it is subtracted.",
+                            100 * s.noise);
 }
 
 std::vector<std::string> heads(const Sensitivity& s) {
-  if (s.method == Method::one_at_a_time) return {"low end", "there", "high end", "there"};
+  if (s.method == Method::one_at_a_time) return {"low end", "value", "high end", "value"};
   const bool shares = s.method == Method::sobol;
   std::vector<std::string> names = shares ? std::vector<std::string>{"S1", "ST (interval)"}
-                                          : std::vector<std::string>{"µ*", "of noise", "µ", "σ"};
+                                          : std::vector<std::string>{"µ*", "from noise", "µ", "σ"};
   if (!counts_agree(s)) names.emplace_back(shares ? "groups" : "effects");
   return names;
 }
@@ -150,7 +151,7 @@ std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
          count;
 }
 
-/// The numbers of the bars and those that they do not show.
+/// Table of the numbers of the bars and further ones.
 std::string numbers(const Sensitivity& s, const Multiple& m) {
   std::string head, body;
   for (const std::string& name : heads(s)) head += fmt::format("<th class=\"n\">{}</th>", name);
@@ -198,7 +199,7 @@ std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
     case Method::one_at_a_time:
       break;
   }
-  if (!std::isfinite(s.base)) return {};  // bars without a foot
+  if (!std::isfinite(s.base)) return {};  // no base for the bars
   return {{name, svg(one_at_a_time(s, m)), below}};
 }
 

@@ -22,29 +22,31 @@ bool is_insignificant(const Effect& e) {
 std::string how_much(const Effect& e, const Sensitivity& s) {
   const double size = magnitude(e, s);
   if (s.method == Method::sobol)
-    return fmt::format("with others it makes {} of the variance",
+    return fmt::format("{} of the variance, with interactions",
                        readable(size, e.total_ci95, "").text());
   if (s.method == Method::morris)
     return fmt::format("on average {} over its range",
                        readable(size, e.mean_absolute_ci95, s.unit).text());
-  return fmt::format("it goes through {} over its range", readable(size, NAN, s.unit).text());
+  return fmt::format("changes it by {} over its range", readable(size, NAN, s.unit).text());
 }
 
-/// The key that matters most. One that may owe its size to chance is not said to matter.
+/// The key that matters most. A key whose effect is not significant is not said to matter.
 std::string foremost(const Effect& largest, const Effect* significant, const Sensitivity& s) {
   if (significant && significant != &largest)
-    return fmt::format("of the effects that are told from zero that of {} is the largest ({}).",
-                       significant->key, how_much(*significant, s));
+    return fmt::format(
+        "of the effects that differ significantly from zero, that of {} is the largest ({}).",
+        significant->key, how_much(*significant, s));
   if (is_insignificant(largest))
-    return fmt::format("the largest effect, that of {} ({}), is not told from zero.", largest.key,
-                       how_much(largest, s));
+    return fmt::format(
+        "the largest effect, that of {} ({}), does not differ significantly from zero.",
+        largest.key, how_much(largest, s));
   return fmt::format("{} matters most ({}).", largest.key, how_much(largest, s));
 }
 
-/// An outcome that shares nothing among keys.
+/// A quantity without variance to attribute to keys.
 std::string without_variance(const Sensitivity& s) {
   if (!(s.noise > 0)) return "is the same at all points.";
-  return "varies no more than the errors of its points: more replicates or points are needed.";
+  return "does not vary more than the errors of its points: more replicates or points are needed.";
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ std::string sensitivity_words(const Sensitivity& s, const Names& inactive) {
   const std::vector<Effect> effects = largest_first(s);
   if (effects.empty() || !std::isfinite(magnitude(effects.front(), s))) return "";
   if (std::ranges::all_of(effects, is_insignificant))
-    return name + "no key has an effect that can be told from zero.";
+    return name + "no key has an effect that differs significantly from zero.";
   const auto first = std::ranges::find_if(effects, is_significant);
   const Effect* significant = first == effects.end() ? nullptr : &*first;
   std::string text = name + foremost(effects.front(), significant, s);
@@ -88,8 +90,8 @@ std::string sensitivity_words(const Sensitivity& s, const Names& inactive) {
       none.push_back(e.key);
   }
   if (!larger.empty())
-    text += fmt::format(" Larger, but not told from zero: that of {}.", joined(larger));
-  if (!none.empty()) text += fmt::format(" Not told from zero: the effect of {}.", joined(none));
+    text += fmt::format(" Larger, but not significant: that of {}.", joined(larger));
+  if (!none.empty()) text += fmt::format(" Not significant: the effect of {}.", joined(none));
   return text;
 }
 

@@ -55,8 +55,8 @@ Levels words_of(const Campaign& c, std::size_t key) {
   return made;
 }
 
-/// Points that were not run yet, or dropped, leave a grid a grid; ends of one key at a time and
-/// scattered points are none.
+/// Whether the points form a grid: no combination occurs twice and at least 60 % of them are there.
+/// Stars and scattered points do not.
 bool is_grid(const Sheet& s) {
   constexpr double enough = 0.6;
   double combinations = 1;
@@ -96,7 +96,7 @@ std::vector<std::size_t> shown_of(const Campaign& c) {
     const auto column = static_cast<std::size_t>(at - c.columns.begin());
     if (at != c.columns.end() && has_numbers(c, column)) list.push_back(column);
   }
-  constexpr std::size_t few = 6;  // of a campaign that has none of them: the first
+  constexpr std::size_t few = 6;  // without any usual quantity: the first few columns
   if (list.empty())
     for (std::size_t i = 0; i < c.columns.size() && list.size() < few; ++i)
       if (has_numbers(c, i)) list.push_back(i);
@@ -212,7 +212,7 @@ std::string shortened(std::string_view message, std::size_t letters) {
   constexpr std::size_t bytes = 4;  // of a letter at most
   if (width(message) <= letters) return std::string(message);
   std::string text(message.substr(0, bytes * letters));
-  while (width(text) >= letters) text.pop_back();  // a letter of several bytes goes with its first
+  while (width(text) >= letters) text.pop_back();  // removes a multi-byte character completely
   return text + "…";
 }
 
@@ -224,7 +224,7 @@ std::string missing_reason(const Point& p, std::size_t letters) {
 
 bool over_decades(const std::vector<double>& values) {
   constexpr double far = 100;
-  constexpr std::size_t tail = 20;  // one in so many at either end may lie apart
+  constexpr std::size_t tail = 20;  // 1/tail of the values at either end are ignored
   std::vector<double> sorted;
   std::ranges::copy_if(values, std::back_inserter(sorted),
                        [](double v) { return std::isfinite(v); });

@@ -12,7 +12,7 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t most_points = 40;  // lines that a screen takes
+constexpr std::size_t most_points = 40;  // lines that fit a screen
 
 struct ListedResult {
   std::string_view quantity, head;
@@ -24,12 +24,12 @@ constexpr std::array told_results{
     ListedResult{"energy_normal_mean_above_threshold", "E normal"},
     ListedResult{"dissipated_power", "dissipated"},
     ListedResult{"contact_time_share", "time in contact"},
-    ListedResult{"captured_mass_rate", "caught"},
+    ListedResult{"captured_mass_rate", "captured"},
     ListedResult{"d50", "D50"},
     ListedResult{"d90", "D90"},
 };
 
-/// Those that the points have.
+/// The listed quantities that the campaign has.
 std::vector<ListedResult> listed_results(const Campaign& campaign) {
   std::vector<ListedResult> list;
   for (ListedResult one : told_results) {
@@ -63,7 +63,7 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p,
 
 std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines)  // the last cell of a line may run on
+  for (const auto& line : lines)  // the last cell of a short line may exceed its column
     for (std::size_t i = 0; i < line.size(); ++i)
       if (i + 1 < line.size() || line.size() == widths.size())
         widths[i] = std::max(widths[i], width(line[i]));
@@ -86,7 +86,7 @@ std::string campaign_table(const Campaign& campaign, std::string_view where) {
   if (regimes) lines[0].emplace_back("regime");
   if (warnings) lines[0].emplace_back("warnings");
   const std::size_t points = campaign.points.size();
-  // One more costs no more than the line that says so.
+  // Prints the last point instead of a line "... and 1 more".
   const std::size_t lines_of_points = points <= most_points + 1 ? points : most_points;
   for (std::size_t i = 0; i < lines_of_points; ++i)
     lines.push_back(line_of(campaign, campaign.points[i], shown, regimes, warnings));

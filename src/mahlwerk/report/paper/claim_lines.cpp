@@ -13,7 +13,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// [unit] NaN where the text is no quantity of that kind.
+/// The value of a text in `unit`; NaN if it is not a quantity of that dimension.
 double number_in(std::string_view text, std::string_view unit) try {
   return parse_in(text, unit);
 } catch (const UnitError&) {
@@ -34,8 +34,7 @@ bool chosen(const Campaign& c, const Point& p, const PointSelector& at) {
   });
 }
 
-/// Whether each value of one key comes with one value of the other and the other way round, and
-/// there are several.
+/// Whether the values of two keys correspond one to one, and there are several.
 bool side_by_side(const std::vector<const Point*>& points, std::size_t a, std::size_t b) {
   std::map<std::string, std::set<std::string>> of_a, of_b;
   for (const Point* p : points) {
@@ -46,8 +45,8 @@ bool side_by_side(const std::vector<const Point*>& points, std::size_t a, std::s
   return of_a.size() > 1 && std::ranges::all_of(of_a, one) && std::ranges::all_of(of_b, one);
 }
 
-/// Keys that tell lines apart: they vary among `points`, and go neither with the axis nor with one
-/// before them.
+/// Keys that distinguish lines: they vary among `points` and correspond neither to the axis nor to
+/// an earlier key.
 std::vector<std::size_t> distinguishing_keys(const Campaign& c,
                                              const std::vector<const Point*>& points,
                                              std::size_t axis) {

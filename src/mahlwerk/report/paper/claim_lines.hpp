@@ -12,7 +12,7 @@
 #include "mahlwerk/report/paper/paper.hpp"
 #include "mahlwerk/report/plot/laws.hpp"
 
-// Points of a campaign, put in lines along a key.
+// Points of a campaign, grouped into lines along a key.
 namespace mahlwerk::report {
 
 /// A quantity at one value of the key.
@@ -25,28 +25,28 @@ struct LinePoint {
   double high() const { return value + ci95; }
   bool above(const LinePoint& o) const {
     return low() > o.high();
-  }  ///< by more than both intervals
+  }  ///< the intervals do not overlap
 };
 
-/// Points that differ in one key alone, or in keys that go side by side with it.
+/// Points that differ in one key only, or in keys that vary together with it.
 struct ClaimLine {
-  std::string others;  ///< what the other keys say, "friction 0.5, ratio -2"; may be empty
-  std::vector<LinePoint> points;  ///< by growing number of the key, else as the campaign has them
+  std::string others;  ///< values of the other keys, "friction 0.5, ratio -2"; may be empty
+  std::vector<LinePoint> points;  ///< by ascending number of the key; words in campaign order
 };
 
-/// The points that `at` chooses, along `against` (empty: each is a line of its own). `quantity` may
-/// be empty.
+/// The points that `at` selects, grouped into lines along `against` (empty: each point is a line).
+/// `quantity` may be empty.
 std::vector<ClaimLine> lines_along(const Campaign& campaign, const PointSelector& at,
                                    std::string_view against, std::string_view quantity);
 
-/// A law through the points of a line, weighted by their intervals; none if they are too few for it
-/// (cam.20 to cam.24).
+/// Fits a law to the points of a line, weighted by their intervals (cam.20 to cam.24); nullopt if
+/// there are too few points.
 std::optional<FittedLaw> law_along(LawForm form, const ClaimLine& line);
 
-/// "10 mm" and "0.01 m" are the same value of a key.
+/// Whether two texts are the same value of a key: "10 mm" and "0.01 m".
 bool same_value(std::string_view a, std::string_view b);
 
-/// The unit of a quantity; empty if the campaign does not have it.
+/// The unit of a quantity; empty if the campaign has no such quantity.
 std::string unit_of(const Campaign& campaign, std::string_view quantity);
 
 }  // namespace mahlwerk::report

@@ -31,7 +31,7 @@ bool sure(const LinePoint& s) {
 
 Verdict judge_trend(const Context& c, const ClaimLine& line) {
   const std::vector<LinePoint>& s = line.points;
-  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
+  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to compare"};
   const bool up = c.claim.is == "rises";
   const auto clear = [&](const LinePoint& a, const LinePoint& b) {
     return up ? b.above(a) : a.above(b);
@@ -51,7 +51,7 @@ Verdict judge_trend(const Context& c, const ClaimLine& line) {
   return {found, clear(s.front(), s.back()) ? Holds::partly : Holds::no};
 }
 
-/// b over a.
+/// The ratio b/a with its half-width.
 struct Ratio {
   double value = NAN, ci95 = NAN;
 };
@@ -79,7 +79,7 @@ Verdict judge_compare(const Context& c, const ClaimLine& line) {
 
 Verdict judge_alike(const Context& c, const ClaimLine& line) {
   const std::vector<LinePoint>& s = line.points;
-  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to tell by"};
+  if (s.size() < 2 || !std::ranges::all_of(s, sure)) return {"no intervals to compare"};
   const auto [least, most] = std::ranges::minmax_element(s, {}, &LinePoint::value);
   const Ratio r = ratio(*least, *most);
   const std::string found =
@@ -90,7 +90,7 @@ Verdict judge_alike(const Context& c, const ClaimLine& line) {
   return {found, r.value - r.ci95 > bound ? Holds::no : Holds::undecided};
 }
 
-/// An exponent above or below another.
+/// Tests whether the exponent is above or below the claimed one.
 Verdict judge_side(const Context& c, const FittedLaw& law, std::string found) {
   const double off = (law.coefficients[1] - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
   if (law.r_squared < c.claim.r2 || !(std::abs(off) > law.ci95[1]))
@@ -120,7 +120,7 @@ Verdict judge_law(const Context& c, const ClaimLine& line) {
   return {found, partly ? Holds::partly : Holds::no};
 }
 
-/// The points of a line in words, those that follow each other with the same word together.
+/// Lists the regimes along a line; consecutive points with the same regime are grouped.
 Verdict judge_regime(const Context& c, const ClaimLine& line) {
   std::string found, last;
   std::size_t good = 0;

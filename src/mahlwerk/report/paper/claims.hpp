@@ -9,16 +9,17 @@
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
 
-// Claims of a paper against campaigns just run. The rules are in docs/papers.md.
+// Test of a paper's claims against campaigns just run. The rules are in docs/papers.md.
 namespace mahlwerk::report {
 
-enum class Holds { yes, partly, no, undecided };  ///< undecided: the runs cannot tell
+enum class Holds { yes, partly, no, undecided };  ///< undecided: the runs do not decide it
 
 struct Verdict {
-  std::string finding;  ///< a sentence of numbers, each from the campaign
+  std::string finding;  ///< sentence with numbers from the campaign
   Holds holds = Holds::undecided;
 };
 
+/// Tests a claim against the points of its campaign.
 Verdict judge(const Claim& claim, const Campaign& campaign);
 
 std::string_view word(Holds holds);  ///< "yes", "partly", "no", "cannot be told"

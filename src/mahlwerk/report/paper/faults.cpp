@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a paper asks of its campaigns, before any of them runs.
+// Checks a paper's references to its campaigns before any of them runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Looks one figure or claim up in its campaign.
+/// Checks the references of one figure or claim to its campaign.
 class ReferenceCheck {
  public:
   ReferenceCheck(std::string where, const std::string& campaign, const cases::Case& what,
@@ -30,7 +30,7 @@ class ReferenceCheck {
     if (std::ranges::any_of(swept->values,
                             [&](const std::string& v) { return same_value(v, text); }))
       return;
-    fault(fmt::format("{} takes no value {} in {}.toml", key, text, campaign_),
+    fault(fmt::format("{} does not take the value {} in {}.toml", key, text, campaign_),
           "its values are " + listed(swept->values), "paper-unknown-value");
   }
   void at(const PointSelector& where) {

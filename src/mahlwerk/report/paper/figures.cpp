@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The figures of a paper, drawn from its campaigns.
+// Draws the figures of a paper from its campaigns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using Drawn = PaperFigure::Drawn;
 
-/// The law in the colour of its points; `factor` is that of the axis.
+/// Curve of a law in the colour of its points; `factor` is the multiple of the y axis.
 Series curve(const FittedLaw& law, const ClaimLine& line, std::size_t colour, double factor) {
   Series drawn{.name = "", .mark = Mark::line, .colour = colour};
   constexpr int steps = 60;

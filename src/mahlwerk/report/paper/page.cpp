@@ -15,7 +15,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// How many claims hold, in a sentence.
+/// Number of claims by verdict, as a sentence.
 std::string score(const PaperResult& result) {
   std::string text;
   for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::undecided}) {
@@ -30,10 +30,10 @@ std::string why(const PaperResult& result, std::size_t claim) {
   return result.changed.empty() ? result.paper->claims[claim].why : "";
 }
 
-/// A sentence; empty where the campaigns were run as they are.
+/// Sentence that lists the overrides; empty if there are none.
 std::string changes(const PaperResult& result) {
   if (result.changed.empty()) return "";
-  return fmt::format("Run with {}, not as the paper's campaigns say.",
+  return fmt::format("Run with {}, unlike the campaigns of the paper.",
                      fmt::join(result.changed, ", "));
 }
 
@@ -77,11 +77,11 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
   if (!paper.about.empty())
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(paper.about));
   body += fmt::format(
-      "<h2>What the paper says, and what we find</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
+      "<h2>Claims of the paper and findings</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
       "<th>Figure</th><th>The paper says</th><th>We find</th><th>Holds</th><th>Why</th></tr>"
       "</thead>\n<tbody>\n{}</tbody></table></div>\n<p><small>± is the 95 % confidence half-width "
-      "over independent replicates. Every number of \"we find\" is of the runs just made; the "
-      "rules by which a claim holds are in docs/papers.md.</small></p>\n<h2>Figures</h2>\n",
+      "over independent replicates. Every number in \"We find\" is from the runs just made; "
+      "docs/papers.md has the rules by which a claim holds.</small></p>\n<h2>Figures</h2>\n",
       claim_rows(result));
   for (const PaperPicture& picture : result.pictures) {
     if (picture.svg.empty()) continue;
@@ -95,10 +95,10 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
   }
   body += fmt::format(
       "<h2>Campaigns</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Campaign</th><th "
-      "class=\"n\">computed in</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      "class=\"n\">CPU time</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
       campaign_rows(result));
   return page(paper.title, body,
-              fmt::format("Mahlwerk {}, {} s of computing.", escaped(version),
+              fmt::format("Mahlwerk {}, {} s of CPU time.", escaped(version),
                           two_digits(whole_time(result))));
 }
 

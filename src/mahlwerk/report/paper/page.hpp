@@ -12,12 +12,12 @@
 
 namespace mahlwerk::report {
 
-/// A campaign of a paper, run: its numbers, and its results point by point for what is drawn of
+/// A finished campaign of a paper: its numbers, and the outcome of each point for pictures of
 /// single balls.
 struct RunCampaign {
   Campaign numbers;
   std::vector<results::Outcome> outcomes;
-  double seconds = 0;  ///< [s] of computing, on one core
+  double seconds = 0;  ///< [s] CPU time
 };
 
 struct PaperPicture {
@@ -26,21 +26,21 @@ struct PaperPicture {
   const PaperFigure* figure = nullptr;
 };
 
-/// A paper with what its campaigns, just run, gave.
+/// A paper with the results of its campaigns.
 struct PaperResult {
   const Paper* paper = nullptr;
   std::vector<PaperPicture> pictures;
   std::vector<Verdict> verdicts;          ///< by claim
   std::map<std::string, double> seconds;  ///< by campaign
-  /// What was set instead of what the campaigns say, "run.time = 2 s". The paper's words about why
-  /// a claim holds are then left out: they are about its own settings.
+  /// Overrides of the campaigns' settings, "run.time = 2 s". The paper's explanations of claims are
+  /// then omitted: they apply to the original settings.
   std::vector<std::string> changed = {};
   results::NoticeCounts notices = {};  ///< of the points of all campaigns
   std::size_t points = 0;
 };
 PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCampaign>& run);
 
-/// paper.html of a paper: figures, and each claim with what was found.
+/// paper.html: figures, and each claim with its finding.
 std::string paper_page(const PaperResult& result, std::string_view version);
 /// The claims for the terminal.
 std::string claims_text(const PaperResult& result);

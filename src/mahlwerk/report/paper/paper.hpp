@@ -13,77 +13,76 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/report/plot/laws.hpp"
 
-// What a paper shows and says, as paper.toml has it (docs/papers.md): which campaigns its figures
-// are drawn from, and how each of its claims is put to the test.
+// Contents of paper.toml (docs/papers.md): the figures of a paper with their campaigns, and its
+// claims with their tests.
 namespace mahlwerk::report {
 
-/// Chooses points of a campaign: swept keys, each with the values it may take there.
+/// Selects points of a campaign: swept keys, each with its allowed values.
 using PointSelector = std::map<std::string, std::vector<std::string>>;
 
 struct PaperFigure {
   enum class Drawn {
-    quantity,      ///< against a key, with intervals and a fitted law
-    trajectories,  ///< ways of the balls, point by point
-    snapshots      ///< balls and grains at one time, point by point
+    quantity,      ///< over a key, with intervals and a fitted law
+    trajectories,  ///< trajectories of the balls, a panel for each point
+    snapshots      ///< balls and grains at one time, a panel for each point
   };
-  std::string number;    ///< the paper's: "6a"
-  std::string title;     ///< ours
-  std::string about;     ///< below it; may be empty
+  std::string number;    ///< the paper's number: "6a"
+  std::string title;     ///< our title
+  std::string about;     ///< caption; may be empty
   std::string campaign;  ///< file name beside paper.toml, without .toml
   Drawn drawn = Drawn::quantity;
   std::string quantity, against;  ///< of summary.json; a key of [sweep]
   std::optional<LawForm> law;
-  PointSelector at;            ///< which points; empty: all
-  bool seen_from_jar = false;  ///< trajectories and snapshots; otherwise from what carries the jar
-  std::string where;           ///< the place a fault cites
+  PointSelector at;            ///< selected points; empty: all
+  bool seen_from_jar = false;  ///< frame of trajectories and snapshots: the jar, else its carrier
+  std::string where;           ///< location for faults
 };
 
-/// A sentence of a paper and its test. Points that differ in other keys than `against` are judged
-/// line by line.
+/// A claim of a paper and its test. Points that differ in other keys than `against` are tested line
+/// by line.
 struct Claim {
   enum class Kind {
-    law,      ///< the quantity goes with the key by a law: R2, exponent
-    trend,    ///< it rises or falls at each step by more than both intervals
+    law,      ///< the quantity follows a law of the key: R2, exponent
+    trend,    ///< it rises or falls at each step, intervals not overlapping
     compare,  ///< it is larger or smaller at one value of the key than at another
-    alike,    ///< it is the same all along
-    regime,   ///< the charge moves so
+    alike,    ///< it is constant along the line
+    regime,   ///< the charge is in this regime
     bound     ///< it is above or below a number
   };
-  std::string figure;  ///< or section: as the paper counts
+  std::string figure;  ///< figure or section number of the paper
   std::string says, why;
   Kind kind = Kind::trend;
   std::string campaign, quantity, against;
   PointSelector at;
-  /// rises, falls; larger, smaller; above, below (of a bound, or of an exponent instead of at it);
-  /// a regime's word
+  /// "rises", "falls"; "larger", "smaller"; "above", "below" (a bound, or an exponent); or a regime
   std::string is;
   LawForm law = LawForm::line;
-  double r2 = 0.99;  ///< [1] least share of the scatter that the law must explain
+  double r2 = 0.99;  ///< [1] minimum R2 of the law
   std::optional<double> exponent;
-  double within = 0.1;        ///< [1] about the exponent; relative, of `alike`
-  std::string first, second;  ///< of `compare`: is the second larger than the first?
+  double within = 0.1;        ///< [1] tolerance of the exponent; relative tolerance of `alike`
+  std::string first, second;  ///< of `compare`: values of `against`; is the second larger?
   double bound = 0;           ///< in SI units
   std::string bound_text;
-  std::string where;  ///< the place a fault cites
+  std::string where;  ///< location for faults
 };
 
 struct Paper {
   std::string title, source, about;
   std::vector<PaperFigure> figures;
   std::vector<Claim> claims;
-  std::filesystem::path folder;  ///< of the campaigns
+  std::filesystem::path folder;  ///< folder of the campaigns
 
-  /// Those that figures and claims name, each once, in the order of first mention.
+  /// The campaigns that figures and claims name, each once, in the order of first mention.
   std::vector<std::string> campaigns() const;
 };
 
 /// Reads a paper.toml strictly. Throws InputError with all faults: file, line, what, remedy.
 Paper read_paper(const std::filesystem::path& file);
-/// The same from text; `file` is the name faults cite.
+/// The same from text; `file` is the file name in faults.
 Paper read_paper_text(const std::string& text, const std::filesystem::path& file);
 
-/// What figures and claims ask of campaigns that those do not have: keys, values, quantities.
-/// `cases` holds each campaign's case with its [sweep].
+/// Faults of references to keys, values or quantities that the campaigns do not have. `cases` holds
+/// each campaign's case with its [sweep].
 std::vector<Fault> paper_faults(const Paper& paper,
                                 const std::map<std::string, cases::Case>& cases);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// paper.toml, read strictly.
+// Strict reader of paper.toml.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,11 +38,11 @@ std::string needed(SectionReader& in, std::string_view key, std::string_view abo
   return in.text(key).value_or("");
 }
 
-/// Its results stand in a folder of that name.
+/// Name of a campaign. It is also the name of the folder of its results.
 std::string campaign_in(SectionReader& in) {
   const std::string name = needed(in, "campaign", "the case file beside this one, without .toml");
   if (name.find_first_of("/\\") != std::string::npos)
-    in.fault(*in.find("campaign"), fmt::format("\"{}\" is no name of a campaign", name),
+    in.fault(*in.find("campaign"), fmt::format("\"{}\" is not the name of a campaign", name),
              "name the case file beside this one, without .toml", "wrong-type");
   return name;
 }
@@ -73,7 +73,7 @@ PointSelector read_selector(SectionReader& in) {
 std::string value_of(SectionReader& in, std::string_view key, std::string_view about) {
   const Node* node = in.find(key);
   if (node != nullptr && is_value(*node)) return node->text;
-  in.missing(key, about, fmt::format("write {} = ..., as [sweep] says it", key));
+  in.missing(key, about, fmt::format("write {} = ..., as in [sweep]", key));
   return "";
 }
 
@@ -99,12 +99,12 @@ PaperFigure read_figure(SectionReader& in) {
 
 void read_bound(SectionReader& in, Claim& claim) {
   claim.is = in.choice({"is", {"above", "below"}, ""});
-  claim.bound_text = value_of(in, "bound", "what it is above or below: \"0.5\", \"3 mJ\"");
+  claim.bound_text = value_of(in, "bound", "the bound: \"0.5\", \"3 mJ\"");
   if (claim.bound_text.empty()) return;
   try {
     claim.bound = parse_quantity(claim.bound_text).value;
   } catch (const UnitError& error) {
-    in.fault(*in.find("bound"), error.what(), "write for instance bound = \"3 mJ\"",
+    in.fault(*in.find("bound"), error.what(), "write, for instance, bound = \"3 mJ\"",
              "bad-quantity");
   }
 }
@@ -126,8 +126,7 @@ void read_test(SectionReader& in, Claim& claim) {
     claim.against = needed(in, "against", "a key of the campaign's [sweep]");
   if (claim.kind == Kind::law) read_law(in, claim);
   if ((claim.exponent && claim.is.empty()) || claim.kind == Kind::alike)
-    claim.within =
-        in.optional_number({"within", "", positive, "how far off is still alike"}).value_or(0.1);
+    claim.within = in.optional_number({"within", "", positive, "the tolerance"}).value_or(0.1);
   if (claim.kind == Kind::trend) claim.is = in.choice({"is", {"rises", "falls"}, ""});
   if (claim.kind == Kind::compare) {
     claim.is = in.choice({"is", {"larger", "smaller"}, ""});

@@ -18,12 +18,12 @@ namespace {
 constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                   "#E69F00", "#56B4E9", "#666666"};
 
-/// A place in the plane of motion, and how far above it [m].
+/// A position in the plane of motion, and the height above it [m].
 struct PanelPoint {
   double x = 0, y = 0, height = 0;
 };
 
-/// The film of a result, as it is seen from somewhere.
+/// The replay frames of an outcome in a reference frame.
 class Film {
  public:
   Film(const results::Outcome& outcome, View view)
@@ -44,6 +44,7 @@ class Film {
   double speed(std::size_t frame, std::size_t ball) const {
     return double{film_.speeds()[frame * film_.balls() + ball]};
   }
+  /// Position of a ball in the reference frame.
   PanelPoint place(std::size_t frame, std::size_t ball) const {
     const auto& p = film_.positions()[frame * film_.balls() + ball];
     const Vec3 at = film_.position_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
@@ -54,7 +55,7 @@ class Film {
     return {dot(at, e), dot(at, f), dot(at, cross(e, f))};
   }
 
-  std::vector<double> radius;  ///< [m] of the balls shown
+  std::vector<double> radius;  ///< [m] of the recorded balls
   std::vector<bool> grain;
 
  private:
@@ -64,10 +65,10 @@ class Film {
   View view_;
 };
 
-/// Panels in rows below their titles, on a drawing 720 wide.
+/// Panels with titles, in rows, on a drawing 720 px wide.
 class PanelCanvas {
  public:
-  /// As many in a row as leave room for the longest title.
+  /// Chooses the number of columns such that the longest title fits.
   explicit PanelCanvas(const std::vector<Panel>& panels)
       : columns_(std::min<std::size_t>(panels.size(), 4)) {
     constexpr double letter = 6.4, widest = 340;
@@ -80,7 +81,7 @@ class PanelCanvas {
     rows_ = (panels.size() + columns_ - 1) / columns_;
   }
 
-  /// Middle of the next panel, [px]; `round`: with the jar's wall as a circle.
+  /// Begins the next panel. `half`: half its width [m]; `round`: draw the jar's wall as a circle.
   void begin(const Panel& panel, double half, bool round) {
     x_ = static_cast<double>(at_ % columns_) * (size_ + 10) + 0.5 * size_;
     y_ = static_cast<double>(at_ / columns_) * (size_ + 28) + 22 + 0.5 * size_;
@@ -121,7 +122,7 @@ bool has_film(const Panel& panel) {
          !panel.outcome->replicates.front().replay.empty();
 }
 
-/// The jar is cut across: its wall is a circle in the plane.
+/// Whether the jar's axis is normal to the plane of motion, so that its wall is a circle there.
 bool is_round(const results::Outcome& outcome) {
   const Vec3 normal = kinematics::plane_normal(*outcome.what.mill.motion);
   return norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
@@ -145,7 +146,7 @@ std::string circle(const PanelCanvas& sheet, const PanelPoint& p, double radius,
                      sheet.across(p), sheet.down(p), sheet.length(radius), colour);
 }
 
-/// Root of the mean square over the grains.
+/// Root mean square speed of the grains [m/s].
 double grain_speed(const Film& film, std::size_t frame) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < film.radius.size(); ++i)
@@ -185,13 +186,14 @@ std::string picture(const std::vector<Panel>& panels, View view, std::string_vie
 }  // namespace
 
 std::string trajectories_picture(const std::vector<Panel>& panels, View view) {
-  return picture(panels, view, "Ways of the balls", [](const Film& film, const PanelCanvas& sheet) {
-    std::string text;
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < film.radius.size(); ++i)
-      if (!film.grain[i]) text += trajectory(film, sheet, i, number++);
-    return text;
-  });
+  return picture(panels, view, "Trajectories of the balls",
+                 [](const Film& film, const PanelCanvas& sheet) {
+                   std::string text;
+                   std::size_t number = 0;
+                   for (std::size_t i = 0; i < film.radius.size(); ++i)
+                     if (!film.grain[i]) text += trajectory(film, sheet, i, number++);
+                   return text;
+                 });
 }
 
 std::string snapshot_picture(const std::vector<Panel>& panels, View view) {

@@ -7,26 +7,26 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// Pictures of balls one by one, from the film of a result's first replicate.
+// Pictures of single balls, from the replay frames of the first replicate.
 namespace mahlwerk::report {
 
-/// What the balls are seen from: riding with the jar's centre, and turning with what carries the
-/// jar (the disc; of other mills nothing turns) or with the jar itself.
+/// Reference frame of a picture: its origin is the jar's centre; it rotates with the carrier of the
+/// jar (the disc; in other mills it does not rotate) or with the jar.
 enum class View { carrier, jar };
 
-/// One result among several that are drawn side by side.
+/// One of several outcomes that are drawn side by side.
 struct Panel {
   std::string title;
   const results::Outcome* outcome = nullptr;
 };
 
-/// The ways of the balls (not of grains) in the plane of motion over the film, a colour for each
-/// ball. Empty if no panel has a film.
+/// Trajectories of the balls (not of grains) in the plane of motion over all frames, a colour for
+/// each ball. Empty if no panel has frames.
 std::string trajectories_picture(const std::vector<Panel>& panels, View view);
 
-/// Balls and grains at the film's last time, seen along the normal of the plane of motion: balls
-/// red; grains green, those faster than their root mean square, riding with the jar's centre,
-/// yellow. Empty if no panel has a film.
+/// Balls and grains in the last frame, seen along the normal of the plane of motion: balls red;
+/// grains green, or yellow if faster than their root mean square speed relative to the jar's
+/// centre. Empty if no panel has frames.
 std::string snapshot_picture(const std::vector<Panel>& panels, View view);
 
 }  // namespace mahlwerk::report

@@ -73,7 +73,7 @@ class BarDrawing {
   std::string text_, notes_;
 };
 
-/// Room for names on the left, for notes at both ends of the bars.
+/// Computes the scale, with room for names on the left and notes at both ends of the bars.
 void BarDrawing::measure() {
   std::size_t name = 0, note = 0;
   least_ = most_ = plot_.base;

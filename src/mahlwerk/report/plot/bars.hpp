@@ -9,12 +9,12 @@
 
 namespace mahlwerk::report {
 
-/// A bar from the base of its plot to `end`, with the interval of its end.
+/// A bar from the base of its plot to `end`, with the error bar of its end.
 struct Bar {
   double end = NAN, ci95 = NAN;
-  std::size_t colour = 0;  ///< of kinds (colours.hpp)
-  std::string note = {};   ///< beside its end: "200 rpm"
-  /// Of an interval that lies unevenly, in place of `ci95`.
+  std::size_t colour = 0;  ///< index for kind_colour (colours.hpp)
+  std::string note = {};   ///< text beside its end: "200 rpm"
+  /// Asymmetric interval, replaces `ci95`.
   double low = NAN, high = NAN;
 
   bool uneven() const { return std::isfinite(low) && std::isfinite(high); }
@@ -23,7 +23,7 @@ struct Bar {
   double most() const { return uneven() ? high : end + half(); }
 };
 
-/// Bars of one thing; on one line if they go to different sides, else one below the other.
+/// The bars of one name: on one line, or one below the other if the plot is side_by_side.
 struct BarGroup {
   std::string name;
   std::vector<Bar> bars;
@@ -33,10 +33,10 @@ struct BarGroup {
 struct BarPlot {
   std::string title, label;
   double base = 0;
-  bool side_by_side = false;  ///< the bars of a group one below the other
+  bool side_by_side = false;  ///< draw the bars of a group one below the other
   std::vector<BarGroup> groups = {};
   std::vector<std::string> legend =
-      {};  ///< what the colours mean, from the first on; none: nothing
+      {};  ///< meaning of the colours, from the first on; empty: no legend
 };
 
 /// The plot as one <svg> element.

@@ -14,7 +14,7 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t titled = 900;  // cells, beyond which they have no titles
+constexpr std::size_t titled = 900;  // larger maps have no tooltips
 
 std::string words(double x, double y, std::string_view anchor, std::string_view text,
                   std::string_view extra = " style=\"fill:var(--soft,#555)\"") {
@@ -77,7 +77,7 @@ void MapDrawing::cross_out(double x, double y) {
       x + 0.3 * wide_, y + 0.3 * tall_, 0.4 * wide_, 0.4 * tall_, -0.4 * tall_, -0.4 * wide_);
 }
 
-/// Texts are shown in all cells or in none.
+/// Draws each cell. Texts are drawn in all cells or in none.
 void MapDrawing::each_cell() {
   std::size_t longest = 0;
   for (const Cell& cell : map_.cells) longest = std::max(longest, width(cell.text));
@@ -98,7 +98,7 @@ void MapDrawing::each_cell() {
   }
 }
 
-/// Neighbours of one colour are drawn as one.
+/// Draws neighbouring cells of the same colour in a row as one path.
 void MapDrawing::runs_of_cells() {
   const std::size_t columns = map_.x.size();
   for (std::size_t j = 0; j < map_.y.size(); ++j)
@@ -114,7 +114,7 @@ void MapDrawing::runs_of_cells() {
   text_ += "\n";
 }
 
-/// As many of the values as have room.
+/// Draws the axes with as many ticks as fit.
 void MapDrawing::axes() {
   const double room = letter_width * static_cast<double>(widest(map_.x)) + 10;
   const auto each = static_cast<std::size_t>(std::max(1.0, std::ceil(room / wide_)));

@@ -8,30 +8,30 @@
 
 namespace mahlwerk::report {
 
-/// One place of a map.
+/// One cell of a map.
 struct Cell {
-  std::string colour = {};   ///< empty: nothing is there
-  std::string ink = "#000";  ///< of its text
-  std::string text = {};     ///< shown if there is room
-  std::string title = {};    ///< shown under the pointer
+  std::string colour = {};   ///< empty: no cell
+  std::string ink = "#000";  ///< colour of its text
+  std::string text = {};     ///< drawn if there is room
+  std::string title = {};    ///< tooltip
   bool failed = false;       ///< crossed out
 };
 
-/// What the colours of a map mean: a scale from `low` to `high`, or words.
+/// Legend of a map: a colour scale from `low` to `high`, or words.
 struct MapLegend {
   std::string low = {}, high = {}, about = {};
   std::vector<std::pair<std::string, std::string>> words = {};  ///< colour, word
 };
 
-/// Values of two keys side by side, and what was found where they meet.
+/// Heat map over the values of two keys.
 struct CellMap {
   std::string title, x_label, y_label;
-  std::vector<std::string> x, y;  ///< from left, from below
-  std::vector<Cell> cells;        ///< row by row from below: x.size() times y.size()
+  std::vector<std::string> x, y;  ///< tick texts, from left and from below
+  std::vector<Cell> cells;        ///< row-major from below: x.size() times y.size()
   MapLegend legend;
 };
 
-/// The map as one <svg> element. Of many cells titles are left out.
+/// The map as one <svg> element. Maps with many cells have no tooltips.
 std::string svg(const CellMap& map);
 
 }  // namespace mahlwerk::report

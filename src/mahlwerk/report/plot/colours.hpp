@@ -6,16 +6,16 @@
 #include <string>
 #include <string_view>
 
-// Colours that most colour-blind readers tell apart.
+// Colour scales that most colour-blind readers can distinguish.
 namespace mahlwerk::report {
 
-/// Viridis at `share` of its scale, 0 (dark blue) to 1 (yellow): "#440154".
+/// The viridis colour at `share`, from 0 (dark blue) to 1 (yellow): "#440154".
 std::string viridis(double share);
 
-/// What is read on viridis at `share`.
+/// Text colour with contrast on viridis at `share`.
 std::string_view ink_on_viridis(double share);
 
-/// The colours of Okabe and Ito for things of different kinds, again from the first after seven.
+/// Categorical colours of Okabe and Ito; they repeat after seven.
 std::string_view kind_colour(std::size_t kind);
 std::string_view ink_on_kind(std::size_t kind);
 

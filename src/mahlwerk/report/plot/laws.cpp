@@ -12,7 +12,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Points with their weights, which add up to their number.
+/// Points with weights, normalised to sum to the number of points.
 struct Data {
   std::vector<double> x, y, weight;
   double number() const { return static_cast<double>(x.size()); }
@@ -40,15 +40,15 @@ Data data_of(const std::vector<double>& x, const std::vector<double>& y,
   return d;
 }
 
-/// Symmetric equations of at most three unknowns.
+/// Normal equations with at most three unknowns.
 struct Normal {
   std::size_t size = 0;
   std::array<std::array<double, 3>, 3> matrix{};
   std::array<double, 3> right{};
 };
 
-/// The inverse by Gauss and Jordan; false if there is none. With unknowns scaled to be alike it
-/// needs no pivots.
+/// Inverts the matrix by Gauss-Jordan elimination; false if it is singular. The unknowns are of
+/// similar scale, so no pivoting is needed.
 bool invert(Normal& n) {
   std::array<std::array<double, 6>, 3> rows{};
   for (std::size_t i = 0; i < n.size; ++i) {
@@ -71,7 +71,7 @@ bool invert(Normal& n) {
 
 using Row = std::array<double, 3>;  // the derivatives of y with respect to the coefficients
 
-/// What a least-squares step gives: the change of the coefficients and the inverse of the matrix.
+/// Result of a least-squares step: the change of the coefficients and the inverse matrix.
 struct Step {
   bool solved = false;
   std::array<double, 3> change{};
@@ -110,14 +110,14 @@ double sum_of_squares(const Data& d, const std::function<double(double)>& y_of) 
   return sum;
 }
 
-/// What the fit leaves over, and by it how sure the coefficients are and how good the law is.
+/// Sets the half-widths of the coefficients and the goodness of fit from the residuals.
 /// `variance` holds the diagonal of (cam.22) for s = 1.
 void judge(FittedLaw& law, const Data& d, const std::vector<double>& variance) {
   const double n = d.number(), p = static_cast<double>(law.coefficients.size());
   const double mean = weighted_mean(d, d.y);
   const double total = sum_of_squares(d, [&](double) { return mean; });
   const double zero = sum_of_squares(d, [](double) { return 0.0; });
-  // What is left of a law that holds exactly is rounding, and no measure of it.
+  // Lower bound: the residuals of an exact law are rounding errors.
   constexpr double rounding = 1e-13;
   const double left =
       std::max(sum_of_squares(d, [&](double x) { return law.at(x); }), rounding * rounding * zero);
@@ -127,11 +127,11 @@ void judge(FittedLaw& law, const Data& d, const std::vector<double>& variance) {
     law.ci95.push_back(spare > 0 ? observe::student95(spare) * scatter * std::sqrt(v) : NAN);
   law.r_squared = 1 - left / total;                            // (cam.24)
   law.adjusted = 1 - (1 - law.r_squared) * (n - 1) / (n - p);  // (cam.25)
-  const double k = p + 1;                                      // with the scatter
+  const double k = p + 1;                                      // the scatter is a parameter, too
   law.aicc = n > k + 1 ? n * std::log(left / n) + 2 * k * n / (n - k - 1) : NAN;  // (cam.26)
 }
 
-/// y = sum c_j u^j, u = (x - middle)/half, and then by x itself.
+/// Polynomial fit y = sum c_j u^j with u = (x - middle)/half, converted to powers of x.
 FittedLaw polynomial(const Data& d, LawForm form) {
   const std::size_t size = form == LawForm::line ? 2 : 3;
   const double middle = weighted_mean(d, d.x);
@@ -142,7 +142,7 @@ FittedLaw polynomial(const Data& d, LawForm form) {
     return Row{1, u, u * u};
   });
   if (!s.solved) return {};
-  // By x: each coefficient is a sum over those by u.
+  // Coefficients in x are linear combinations of those in u.
   const double m = middle / half, h = half;
   const std::array<Row, 3> by{Row{1, -m, size == 3 ? m * m : 0},
                               Row{0, 1 / h, size == 3 ? -2 * m / h : 0}, Row{0, 0, 1 / (h * h)}};
@@ -161,13 +161,13 @@ FittedLaw polynomial(const Data& d, LawForm form) {
   return law;
 }
 
-/// To three digits, so that it can be written out.
+/// Rounds to three digits, for display.
 double rounded(double value) {
   const double scale = std::pow(10, std::floor(std::log10(value)) - 2);
   return std::round(value / scale) * scale;
 }
 
-/// ln y is a line in ln x: where a power law begins to be looked for.
+/// Start value of the power law: a straight line of ln y over ln x.
 FittedLaw first_power(const Data& d) {
   double x = 0, y = 0;
   for (std::size_t i = 0; i < d.x.size(); ++i) {
@@ -186,14 +186,15 @@ FittedLaw first_power(const Data& d) {
           .reference = reference};
 }
 
-/// Gauss and Newton in c and p, each step halved until it leads down.
+/// Power law by Gauss-Newton iteration in c and p; each step is halved until it decreases the sum
+/// of squares.
 FittedLaw power(const Data& d) {
   constexpr int most_steps = 100, most_halvings = 40;
   FittedLaw law = first_power(d);
   const auto left = [&](const FittedLaw& l) {
     return sum_of_squares(d, [&](double x) { return l.at(x); });
   };
-  // Of c its share is sought, so that both unknowns are numbers of the same size.
+  // The relative change of c is the unknown, so that both unknowns have the same scale.
   const auto next = [&](const FittedLaw& l) {
     std::vector<double> residuals;
     for (std::size_t i = 0; i < d.x.size(); ++i) residuals.push_back(d.y[i] - l.at(d.x[i]));
@@ -254,7 +255,7 @@ std::vector<FittedLaw> fitted_laws(const std::vector<double>& x, const std::vect
   std::vector<FittedLaw> laws{polynomial(d, LawForm::line)};
   if (*least > 0 && *std::ranges::min_element(d.x) > 0) laws.push_back(power(d));
   laws.push_back(polynomial(d, LawForm::parabola));
-  // Squares of numbers near 1e300 are none.
+  // Squares of numbers near 1e300 overflow.
   std::erase_if(laws, [](const FittedLaw& l) {
     return l.coefficients.empty() || !std::isfinite(l.r_squared);
   });
@@ -262,7 +263,7 @@ std::vector<FittedLaw> fitted_laws(const std::vector<double>& x, const std::vect
 }
 
 LawSelection select_law(const std::vector<FittedLaw>& laws) {
-  constexpr double apart = 2;  // of AICc, below which laws cannot be told from each other (cam.27)
+  constexpr double apart = 2;  // AICc difference below which laws are equivalent (cam.27)
   LawSelection choice;
   const auto ranked =
       std::ranges::count_if(laws, [](const FittedLaw& l) { return !std::isnan(l.aicc); });

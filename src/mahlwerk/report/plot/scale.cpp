@@ -11,7 +11,7 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Relative difference below which two values are told apart no more.
+/// Relative difference below which two values count as equal.
 constexpr double alike = 1e-9;
 
 std::vector<double> powers(double least, double most, int wanted) {
@@ -45,14 +45,14 @@ void AxisScale::include(double v) {
 
 void AxisScale::set_limits(const Axis& axis, bool air) {
   if (!(least <= most)) least = logarithmic ? 0.1 : 0, most = 1;
-  // Values that differ by their rounding alone are one.
+  // Values that differ only by rounding count as equal.
   if (most - least <= alike * std::max(std::abs(least), std::abs(most))) most = least;
   if (least == most && logarithmic) least /= 2, most *= 2;
   if (least == most) least -= 0.5 * std::max(std::abs(least), 1.0), most = 2 * most - least;
   if (air && logarithmic) least /= 1.3, most *= 1.3;
   if (air && !logarithmic) {
     const double room = 0.06 * (most - least);
-    // From zero where zero is not far: sizes can then be compared by eye.
+    // Starts at zero if zero is near: sizes can then be compared by eye.
     const bool from_zero = least >= 0 && least < 0.5 * most;
     least = from_zero ? 0 : least - room;
     most += room;
@@ -62,13 +62,13 @@ void AxisScale::set_limits(const Axis& axis, bool air) {
 }
 
 double AxisScale::at(double v) const {
-  if (logarithmic)  // differences, as quotients may be too large for a number
+  if (logarithmic)  // differences of logarithms: quotients may overflow
     return (std::log(v) - std::log(least)) / (std::log(most) - std::log(least));
   return (v - least) / (most - least);
 }
 
 std::string title_style(std::string_view title, double room) {
-  constexpr double usual = 14, least = 9, wide = 0.6;  // of a letter, by its size
+  constexpr double usual = 14, least = 9, wide = 0.6;  // wide: character width over font size
   const double letters = std::max(1.0, static_cast<double>(width(title)));
   return fmt::format(" font-size=\"{:.3g}\" font-weight=\"600\"",
                      std::clamp(room / (wide * letters), least, usual));

@@ -9,16 +9,16 @@
 
 #include "mahlwerk/report/plot/svg_plot.hpp"
 
-// How values lie along an axis, and which of them stand beside it.
+// Axis scales and ticks.
 namespace mahlwerk::report {
 
-constexpr double plot_width = 480;    ///< [px] of every plot
-constexpr double letter_width = 6.6;  ///< [px] average of one at 12 px
+constexpr double plot_width = 480;    ///< [px] width of every plot
+constexpr double letter_width = 6.6;  ///< [px] average character width at 12 px
 
-/// Numbers alone, and positive ones alone on a logarithmic axis.
+/// Whether `v` is finite and, on a logarithmic axis, positive.
 bool is_plottable(double v, bool logarithmic);
 
-/// Least and most of an axis, from what it is told or what the data hold, with a little air.
+/// Limits of an axis, from its settings or the data, with a margin.
 struct AxisScale {
   double least = INFINITY, most = -INFINITY;
   bool logarithmic;
@@ -26,14 +26,14 @@ struct AxisScale {
   explicit AxisScale(bool is_logarithmic) : logarithmic(is_logarithmic) {}
   void include(double v);
   void set_limits(const Axis& axis, bool air);
-  double at(double v) const;  ///< 0 at the least, 1 at the most
+  double at(double v) const;  ///< position of v: 0 at `least`, 1 at `most`
 };
 
-/// Attributes of a picture's title, in letters small enough for `room` [px].
+/// SVG attributes of a title, with a font size that fits `room` [px].
 std::string title_style(std::string_view title, double room);
 
-/// Round numbers from `least` to `most`, about `wanted` of them; powers of ten and, where they are
-/// few, what lies between, on a logarithmic axis.
+/// Tick values: about `wanted` round numbers from `least` to `most`; on a logarithmic axis powers
+/// of ten and, if these are few, values between them.
 std::vector<double> ticks(double least, double most, bool logarithmic, int wanted);
 
 }  // namespace mahlwerk::report

@@ -18,10 +18,10 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t colour_count = 7;  // before dashes begin
+constexpr std::size_t colour_count = 7;  // higher indices are dashed
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
 
-/// Where things are on the canvas, and the text that draws them.
+/// Layout of a plot, and its SVG text.
 class Canvas {
  public:
   explicit Canvas(const Plot& plot);
@@ -31,7 +31,7 @@ class Canvas {
   double across(double v) const { return left_ + x_.at(v) * (right_ - left_); }
   double down(double v) const { return bottom_ - y_.at(v) * (bottom_ - top_); }
   bool inside(double v, const AxisScale& s) const { return is_plottable(v, s.logarithmic); }
-  /// Far outside values are cut to what the clip path hides anyway.
+  /// Vertical position, clamped far outside the visible area.
   double cut_down(double v) const {
     return std::isfinite(v) && (!y_.logarithmic || v > 0) ? std::clamp(down(v), -1e4, 1e4) : 1e4;
   }
@@ -69,8 +69,8 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
       plot.width, plot.height, escaped(plot.title));
   grid();
   legend();
-  // A clip path needs a name of its own on a page with several plots: an inner <svg> clips without
-  // one.
+  // An inner <svg> clips without an id; clip paths would need unique ids on pages with several
+  // plots.
   text_ += fmt::format(
       "<svg x=\"{0:g}\" y=\"{1:g}\" width=\"{2:g}\" height=\"{3:g}\" viewBox=\"{0:g} {1:g} {2:g} "
       "{3:g}\" overflow=\"hidden\">\n",
@@ -91,7 +91,7 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
 }
 
 void Canvas::measure() {
-  // An interval that reaches below 0 where no value does needs no room: it is cut there.
+  // If no value is negative, intervals are cut at 0.
   const bool positive = std::ranges::all_of(plot_.series, [](const Series& s) {
     return std::ranges::none_of(s.y, [](double v) { return v < 0; });
   });
@@ -119,7 +119,7 @@ void Canvas::measure() {
   bottom_ = plot_.height - 46;
 }
 
-/// The legend lies above the plot, in as many rows as it takes.
+/// Places the legend above the plot, in as many rows as it needs.
 void Canvas::place_legend() {
   double x = left_, y = top_ + 6;
   for (std::size_t i = 0; i < plot_.series.size(); ++i) {
@@ -185,7 +185,7 @@ void Canvas::legend() {
   }
 }
 
-/// From point to point; where one has no error, none is shown.
+/// Shaded band of the errors, interrupted at points without error.
 void Canvas::band(const Series& s, std::string_view colour) {
   std::string path, back;
   const auto close = [&] {
@@ -221,7 +221,7 @@ void Canvas::line(const Series& s, std::string_view colour, std::string_view das
       path, colour, s.mark == Mark::points ? 1 : 1.6, dash);
 }
 
-/// So many that each is a speck, one where several would hide each other; without errors.
+/// Many points as small dots, without error bars; overlapping dots are drawn once.
 void Canvas::many(const Series& s, std::string_view colour) {
   std::set<std::pair<int, int>> places;
   for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)

@@ -10,26 +10,26 @@
 namespace mahlwerk::report {
 
 enum class Mark {
-  line,    ///< points joined
+  line,    ///< joined points
   points,  ///< dots with error bars, joined by a thin line
-  dots,    ///< the same, not joined; of more than 300 specks without errors
+  dots,    ///< dots with error bars, not joined; more than 300 are drawn small, without error bars
   steps    ///< a histogram: x holds the edges, one more than y
 };
 
 struct Series {
-  std::string name;  ///< in the legend; empty: none
+  std::string name;  ///< in the legend; empty: no entry
   std::vector<double> x = {}, y = {};
   std::vector<double> error = {};  ///< half-widths of y, or empty
   Mark mark = Mark::line;
-  /// Which of the colours, from 0; none: that of its place among the series.
+  /// Index of the colour; nullopt: the index of the series.
   std::optional<std::size_t> colour = std::nullopt;
-  bool band = false;  ///< the errors are shaded from point to point, too
+  bool band = false;  ///< also draw the errors as a shaded band
 };
 
 struct Axis {
   std::string label;  ///< with its unit: "impact energy (mJ)"
   bool logarithmic = false;
-  /// What is shown; NaN: what the data need.
+  /// Limits; NaN: from the data.
   double least = std::numeric_limits<double>::quiet_NaN();
   double most = std::numeric_limits<double>::quiet_NaN();
 };
@@ -41,9 +41,8 @@ struct Plot {
   double width = 720, height = 360;  ///< of the view box; it scales to the page
 };
 
-/// The plot as one <svg> element. Colours are those of Okabe and Ito, told apart by most
-/// colour-blind readers; text and grid follow the page's --ink, --soft and --grid where it sets
-/// them.
+/// The plot as one <svg> element, in the colours of Okabe and Ito, which most colour-blind readers
+/// can distinguish. Text and grid use the page's --ink, --soft and --grid if it sets them.
 std::string svg(const Plot& plot);
 
 }  // namespace mahlwerk::report

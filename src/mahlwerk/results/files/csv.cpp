@@ -13,7 +13,7 @@
 namespace mahlwerk::results {
 namespace {
 
-/// Letters, digits and what else a unit is written with; of "^-2" the sign, too.
+/// Whether the text has only characters of units: letters, digits, " ./%^_", and "-" after "^".
 bool is_unit(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -25,8 +25,8 @@ bool is_unit(std::string_view text) {
   return true;
 }
 
-/// Whether a spreadsheet would take the text for a formula: it begins as one, and is neither a sign
-/// alone nor a number, with a unit or without.
+/// Whether a spreadsheet would read the text as a formula: it begins as one, and is neither a sign
+/// alone nor a number with or without a unit.
 bool is_formula(std::string_view text) {
   if (text.empty() || std::string_view("=+-@\t").find(text.front()) == std::string_view::npos)
     return false;

@@ -13,7 +13,7 @@
 namespace mahlwerk::results {
 namespace {
 
-/// Whether the open file is still the one of this name: who held it before may have removed it.
+/// Whether the open file still has this name: the previous holder may have removed it.
 bool is_there(int descriptor, const std::filesystem::path& file) {
   struct stat opened {
   }, named{};
@@ -40,14 +40,14 @@ FileLock::FileLock(const std::filesystem::path& file, Mode mode, AtRelease at_re
 }
 
 FileLock::~FileLock() {
-  std::error_code none;  // while it is held
+  std::error_code none;  // the file is removed before the lock is released
   if (state_ == State::held && at_release_ == AtRelease::remove_file)
     std::filesystem::remove(file_, none);
   ::close(descriptor_);
 }
 
 bool FileLock::held(const std::filesystem::path& file) {
-  int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // as locks over a network want it
+  int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NFS locks need write access
   if (descriptor < 0) descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
   const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;

@@ -6,7 +6,7 @@
 
 namespace mahlwerk::results {
 
-/// Holds a file for this process, until it ends however it ends.
+/// Advisory lock (flock) on a file for this process. The system releases it when the process ends.
 class FileLock {
  public:
   enum class Mode { exclusive, shared };
@@ -14,10 +14,10 @@ class FileLock {
     held,
     held_elsewhere,
     unsupported
-  };  ///< the last: this file system knows none
+  };  ///< unsupported: the file system has no locks
   enum class AtRelease { keep_file, remove_file };
 
-  /// Makes the file if need be. Throws std::system_error where it cannot be opened.
+  /// Creates the file if needed. Throws std::system_error if it cannot be opened.
   explicit FileLock(const std::filesystem::path& file, Mode mode = Mode::exclusive,
                     AtRelease at_release = AtRelease::keep_file);
   ~FileLock();
@@ -25,8 +25,8 @@ class FileLock {
   FileLock& operator=(const FileLock&) = delete;
 
   State state() const { return state_; }
-  int error() const { return error_; }                  ///< why there are no locks
-  static bool held(const std::filesystem::path& file);  ///< by any process
+  int error() const { return error_; }                  ///< errno of an unsupported lock
+  static bool held(const std::filesystem::path& file);  ///< whether any process holds the lock
 
  private:
   std::filesystem::path file_;

@@ -37,24 +37,25 @@ void check_replaceable(const fs::path& target, bool force) {
     refuse("is a file, not a folder", "choose another folder with --out");
   if (fs::is_empty(target)) return;
   if (!is_result(target))
-    refuse("is not empty, and what it holds is not a result of Mahlwerk, so it is left alone",
+    refuse("is not empty and holds no result of Mahlwerk, so it is not changed",
            "choose another folder with --out");
   if (!force)
     refuse("holds a result already",
            fs::exists(target.string() + ".checkpoint")
-               ? "go on with the run that left it by --resume, replace it with --force, or choose "
-                 "another folder with --out"
+               ? "continue the interrupted run with --resume, replace the result with --force, or "
+                 "choose another folder with --out"
                : "choose another folder with --out, or replace it with --force");
   const std::vector<std::string> others = foreign_files(target);
   if (!others.empty())
     refuse(fmt::format(
-               "holds, besides a result, what Mahlwerk did not write ({}{}), so it is left alone",
+               "holds, besides a result, files that Mahlwerk did not write ({}{}), so it is not "
+               "changed",
                others.front(), others.size() > 1 ? " and more" : ""),
-           "move that away, or choose another folder with --out");
+           "move those files away, or choose another folder with --out");
   if (FileLock::held(target / "campaign.lock")) throw in_use_error(target);
 }
 
-/// The folder as an absolute path without "..", links followed as far as the path exists.
+/// The folder as an absolute path without "..". Links are followed as far as the path exists.
 fs::path resolved(const fs::path& target) {
   if (target.empty())
     throw InputError(
@@ -64,7 +65,7 @@ fs::path resolved(const fs::path& target) {
   return path;
 }
 
-/// What the name of a folder beside the wanted one begins with: ".NAME.partial-".
+/// Prefix of the name of a hidden folder beside the target: ".NAME.partial-".
 std::string hidden(const fs::path& target, std::string_view what) {
   return fmt::format(".{}.{}-", target.filename().string(), what);
 }
@@ -73,8 +74,7 @@ fs::path sibling(const fs::path& target, std::string_view what) {
   return target.parent_path() / (hidden(target, what) + std::to_string(::getpid()));
 }
 
-/// Whether the number that ends the name is that of a process that lives, other than this one; or
-/// is none.
+/// Whether `number` is the id of another living process, or not a number.
 bool is_other_process(std::string_view number) {
   ::pid_t process = 0;
   const auto read = std::from_chars(number.data(), number.data() + number.size(), process);
@@ -83,10 +83,10 @@ bool is_other_process(std::string_view number) {
   return process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);
 }
 
-/// What starts that were killed left beside the wanted folder, whose name is this process's alone.
-/// A complete result that could not be put in place stays.
+/// Removes the hidden folders that killed runs left beside the target; this process holds the lock
+/// of the target's name. A complete result that could not be put in place stays.
 void remove_leftovers(const fs::path& target) {
-  if (target.parent_path().filename() == campaign_runs) return;  // the campaign has seen to it
+  if (target.parent_path().filename() == campaign_runs) return;  // the campaign removes them
   const std::string partial = hidden(target, "partial"), replaced = hidden(target, "replaced");
   std::vector<fs::path> remains;
   std::error_code none;
@@ -103,7 +103,7 @@ void remove_leftovers(const fs::path& target) {
   for (const fs::path& one : remains) fs::remove_all(one, none);
 }
 
-/// 0, or the number of the error that kept a byte from being written.
+/// Writes the file; returns 0 or the errno of the first failure.
 int write_bytes(const fs::path& file, std::string_view text) {
   std::FILE* out = std::fopen(file.c_str(), "wb");
   if (out == nullptr) return errno;
@@ -119,7 +119,7 @@ int write_bytes(const fs::path& file, std::string_view text) {
 InputError cannot_write(const fs::path& place, const std::string& why) {
   return InputError(
       Fault{place.string(), "cannot be written: " + why,
-            "free some space or mend the permissions, or choose another folder with --out",
+            "free some space or correct the permissions, or choose another folder with --out",
             "cannot-write"});
 }
 
@@ -131,10 +131,12 @@ Folder::Folder(const fs::path& target, bool force) : force_(force) {
     lock_.emplace(target_.parent_path() / fmt::format(".{}.lock", target_.filename().string()),
                   FileLock::Mode::exclusive, FileLock::AtRelease::remove_file);
     if (lock_->state() == FileLock::State::held_elsewhere) throw in_use_error(target_);
-    check_replaceable(target_, force);  // again: who had the lock may just have written there
+    check_replaceable(target_,
+                      force);  // again: the previous holder of the lock may have written there
     if (lock_->state() == FileLock::State::held) remove_leftovers(target_);
     staging_ = sibling(target_, "partial");
-    while (listed_files(staging_)) staging_ += "-";  // complete, of a process of the same number
+    while (listed_files(staging_))
+      staging_ += "-";  // a complete result of a process with the same id
     fs::remove_all(staging_);
     fs::create_directory(staging_);
   } catch (const std::system_error& e) {
@@ -161,7 +163,7 @@ void Folder::write(std::string_view name, std::string_view text) const {
 }
 
 void Folder::commit() {
-  done_ = true;  // from here on the result is kept, come what may: it may have taken hours
+  done_ = true;  // from here on the result is kept even on failure: it may have taken hours
   try {
     list_all_files(staging_);
     put_in_place();
@@ -173,7 +175,7 @@ void Folder::commit() {
   }
 }
 
-/// Under a name that nobody takes for that of a result in the making.
+/// Renames the folder, so that no other process takes it for a partial result.
 void Folder::keep_complete() {
   const fs::path kept = sibling(target_, "complete");
   std::error_code failed;
@@ -182,7 +184,7 @@ void Folder::keep_complete() {
 }
 
 void Folder::put_in_place() const {
-  check_replaceable(target_, force_);  // again: much may have happened during the run
+  check_replaceable(target_, force_);  // again: the target may have changed during the run
   if (!fs::exists(target_) || fs::is_empty(target_)) return fs::rename(staging_, target_);
   const fs::path old = sibling(target_, "replaced");
   std::error_code ignored;

@@ -12,31 +12,31 @@
 
 namespace mahlwerk::results {
 
-/// Where, in a campaign's folder, the results of its runs are.
+/// Folder of the runs' results inside a campaign's folder.
 constexpr std::string_view campaign_runs = "runs";
 
-/// A result folder in the making. Files are written aside, into a hidden folder beside the wanted
-/// one, and appear all at once by `commit`, with a list of them (manifest.hpp). Until then nothing
-/// that exists is touched; without `commit` nothing stays behind. The name is this process's alone
-/// as long as the folder lives.
+/// Writes a result folder atomically. Files go to a hidden staging folder beside the target;
+/// `commit` renames it to the target, with a list of its files (manifest.hpp). Existing files do
+/// not change before `commit`; without `commit` nothing stays behind. This process holds a lock on
+/// the target's name during the lifetime of the object.
 class Folder {
  public:
-  /// Makes sure, before anything is computed, that the result can be written to `target`, and
-  /// removes what starts that were killed left beside it. Throws InputError if it is a file, is not
-  /// empty and `force` is off, holds what is not a result of ours, another process is at work on
-  /// it, or its place cannot be written to.
+  /// Checks that the result can be written to `target`, and removes staging folders of killed runs.
+  /// Throws InputError if `target` is a file, if it is not empty and `force` is off, if it holds
+  /// files that Mahlwerk did not write, if another process writes to it, or if its parent folder
+  /// is not writable.
   Folder(const std::filesystem::path& target, bool force);
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  const std::filesystem::path& target() const { return target_; }  ///< where the result will be
-  /// Where the file of this name is written now; folders in the name are made.
+  const std::filesystem::path& target() const { return target_; }  ///< final path of the result
+  /// Path of a file in the staging folder; folders in the name are created.
   std::filesystem::path file(std::string_view name) const;
   void write(std::string_view name, std::string_view text) const;
 
-  /// Puts the folder in its place. What it replaces goes only once the new one is there. If that
-  /// fails the result is kept where it was written, and the InputError says where.
+  /// Moves the staging folder to the target. A replaced result is removed only after that. On
+  /// failure the result is kept, and the InputError says where.
   void commit();
 
  private:
@@ -48,13 +48,13 @@ class Folder {
   bool force_, done_ = false;
 };
 
-/// That a file or folder cannot be written, and why.
+/// The error that a file or folder cannot be written, with the reason.
 InputError cannot_write(const std::filesystem::path& place, const std::string& why);
 
-/// Writes a whole file; throws InputError with the reason if any byte could not be written.
+/// Writes a whole file. Throws InputError with the reason on failure.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
-/// Makes a folder and those above it, unless it is there. Throws InputError where it cannot.
+/// Creates a folder and its parents, unless it exists. Throws InputError on failure.
 void make_folder(const std::filesystem::path& place);
 
 }  // namespace mahlwerk::results

@@ -18,9 +18,9 @@ namespace mahlwerk::results {
 struct Frame {
   double time;  ///< [s] since the start of the run
   const std::vector<scene::Ball>& balls;
-  const std::vector<Vec3>& forces;  ///< [N] of contacts on each ball; empty where not known
-  Vec3 centre;                      ///< [m] the jar's, in the laboratory
-  Rotation turn;                    ///< from the jar's own axes
+  const std::vector<Vec3>& forces;  ///< [N] contact force on each ball; empty where not known
+  Vec3 centre;                      ///< [m] the jar's centre in the laboratory
+  Rotation turn;                    ///< from the jar's own axes to the laboratory's
 };
 
 struct CloseFile {
@@ -28,7 +28,7 @@ struct CloseFile {
 };
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
-/// That frames cannot be written to `file`, for the reason in errno.
+/// The error that frames cannot be written to `file`, with the reason in errno.
 InputError cannot_write_frames(const std::filesystem::path& file);
 
 }  // namespace mahlwerk::results

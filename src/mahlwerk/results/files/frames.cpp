@@ -16,7 +16,7 @@ namespace mahlwerk::results {
 
 InputError cannot_write_frames(const std::filesystem::path& file) {
   return InputError(Fault{file.string(), std::string("cannot be written: ") + std::strerror(errno),
-                          "free some space, or keep fewer frames: a longer [observe] frames",
+                          "free some space, or write fewer frames: a longer [observe] frames",
                           "cannot-write"});
 }
 

@@ -15,17 +15,16 @@
 
 namespace mahlwerk::results {
 
-/// Where the balls of one replicate are, frame after frame, in the files that the case asks for
-/// (docs/formats.md). Every frame is on disk once it is added, so that a run that is killed leaves
-/// what it had.
+/// Writes the frames of one replicate's balls to the files that the case asks for
+/// (docs/formats.md). Each frame is flushed to disk, so that the frames of a killed run remain.
 class FrameFiles {
  public:
-  /// `stem` is the files' name without its ending: frames-1. Throws InputError, as `add` does, if
-  /// they cannot be written.
+  /// `stem`: path of the files without their extension, as frames-1. This constructor and `add`
+  /// throw InputError if the files cannot be written.
   FrameFiles(const std::filesystem::path& stem, const cases::Case& what);
 
-  /// The balls in the jar frame at `time` [s] since the start of the run, and the forces on them,
-  /// if they are known (scene::Engine::forces).
+  /// Adds a frame: the balls in the jar frame at `time` [s] since the start of the run, and the
+  /// forces on them, if known (scene::Engine::forces).
   void add(double time, const std::vector<scene::Ball>& balls,
            const std::vector<Vec3>& forces = {});
 
@@ -38,12 +37,11 @@ class FrameFiles {
 /// "frames-1" for `replicate` 0.
 std::string frames_name(int replicate);
 
-/// Times [s] since the start of the run at which frames are due; none unless the case asks for
-/// them.
+/// Times [s] of frames since the start of the run; none unless the case asks for frames.
 class FrameTimes {
  public:
   explicit FrameTimes(const cases::Case& what);
-  double next() const;  ///< infinite after the last
+  double next() const;  ///< [s] of the next frame; infinite after the last
   void advance() { ++done_; }
 
  private:

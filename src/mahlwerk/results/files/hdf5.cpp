@@ -19,9 +19,9 @@ namespace {
 
 using scene::Collision;
 constexpr hsize_t chunk = 4096;                 // records; 0.5 MB
-constexpr std::size_t records_at_once = 16384;  // records handed over at once
+constexpr std::size_t records_at_once = 16384;  // records per write
 
-/// One number of a record: its name in the file, its unit, what it is, and where it lies in a
+/// One number of a record: its name in the file, its unit, its description and its offset in
 /// Collision.
 struct RecordMember {
   const char *name, *unit, *about;
@@ -30,35 +30,43 @@ struct RecordMember {
 };
 
 const RecordMember record_parts[] = {
-    {"time", "s", "of first touch, since the start of the run", offsetof(Collision, time)},
-    {"duration", "s", "of the contact; 0 in the event engine", offsetof(Collision, duration)},
+    {"time", "s", "time of first contact, since the start of the run", offsetof(Collision, time)},
+    {"duration", "s", "duration of the contact; 0 in the event engine",
+     offsetof(Collision, duration)},
     {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
     {"other", "1", "number of the other ball; below 0: face -1 - other of the jar",
      offsetof(Collision, other), true},
-    {"where_x", "m", "point of contact, in the jar's own turning axes",
+    {"where_x", "m", "x of the contact point, in the jar's own rotating axes",
      offsetof(Collision, where) + offsetof(Vec3, x)},
-    {"where_y", "m", "likewise", offsetof(Collision, where) + offsetof(Vec3, y)},
-    {"where_z", "m", "likewise", offsetof(Collision, where) + offsetof(Vec3, z)},
-    {"normal_x", "1", "from the centre of the ball to the contact, same axes",
+    {"where_y", "m", "y of the contact point, likewise",
+     offsetof(Collision, where) + offsetof(Vec3, y)},
+    {"where_z", "m", "z of the contact point, likewise",
+     offsetof(Collision, where) + offsetof(Vec3, z)},
+    {"normal_x", "1", "x of the unit normal from the ball's centre to the contact, same axes",
      offsetof(Collision, normal) + offsetof(Vec3, x)},
-    {"normal_y", "1", "likewise", offsetof(Collision, normal) + offsetof(Vec3, y)},
-    {"normal_z", "1", "likewise", offsetof(Collision, normal) + offsetof(Vec3, z)},
+    {"normal_y", "1", "y of the unit normal, likewise",
+     offsetof(Collision, normal) + offsetof(Vec3, y)},
+    {"normal_z", "1", "z of the unit normal, likewise",
+     offsetof(Collision, normal) + offsetof(Vec3, z)},
     {"mass", "kg", "effective mass", offsetof(Collision, mass)},
-    {"approach", "m/s", "normal speed u_n at first touch", offsetof(Collision, approach)},
-    {"slip", "m/s", "of the touching surfaces, spin included", offsetof(Collision, slip)},
-    {"glide", "m/s", "tangential speed of the centres, spin left out", offsetof(Collision, glide)},
-    {"impulse", "N s", "along the normal", offsetof(Collision, impulse)},
-    {"lost_normal", "J", "dissipated along the normal", offsetof(Collision, lost_normal)},
-    {"lost_tangential", "J", "dissipated across the normal", offsetof(Collision, lost_tangential)},
+    {"approach", "m/s", "normal speed u_n at first contact", offsetof(Collision, approach)},
+    {"slip", "m/s", "tangential speed |u_t| of the contact points, spin included",
+     offsetof(Collision, slip)},
+    {"glide", "m/s", "tangential speed of the centres, without spin", offsetof(Collision, glide)},
+    {"impulse", "N s", "impulse along the normal", offsetof(Collision, impulse)},
+    {"lost_normal", "J", "energy dissipated along the normal", offsetof(Collision, lost_normal)},
+    {"lost_tangential", "J", "energy dissipated across the normal",
+     offsetof(Collision, lost_tangential)},
 };
 
 InputError failure(const std::filesystem::path& file, const char* doing) {
-  return hdf5_failure(file, doing,
-                      "free some space or mend the permissions, choose another folder with --out, "
-                      "or leave out observe.collisions");
+  return hdf5_failure(
+      file, doing,
+      "free some space or correct the permissions, choose another folder with --out, "
+      "or leave out observe.collisions");
 }
 
-/// The record as it lies in memory.
+/// HDF5 compound type with the memory layout of Collision.
 Handle record_type() {
   Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Collision)), H5Tclose);
   for (const RecordMember& p : record_parts)
@@ -76,7 +84,7 @@ struct CollisionFile::Impl {
   std::filesystem::path path;
   Handle file, in_memory;
   std::map<int, Handle> sets;
-  std::exception_ptr pending_error;  ///< of a log's last records_at_once, kept until close()
+  std::exception_ptr pending_error;  ///< of a log's last write, rethrown by close()
 
   Handle& set(int replicate);
 };

@@ -13,12 +13,11 @@
 
 namespace mahlwerk::results {
 
-/// collisions.h5: every record of every replicate, as /replicate_1/collisions and so on; replicates
-/// may be written from several threads. Every function throws InputError if the file cannot be
-/// written.
+/// Writer of collisions.h5: every record of every replicate, as /replicate_1/collisions and so on.
+/// Several threads may write replicates. Every function throws InputError on failure.
 class CollisionFile {
  public:
-  /// `case_text` (case.resolved.toml) and `version` travel inside.
+  /// `case_text` (case.resolved.toml) and `version` become attributes of the file.
   CollisionFile(const std::filesystem::path& file, std::string_view case_text,
                 std::string_view version);
   ~CollisionFile();
@@ -27,7 +26,7 @@ class CollisionFile {
 
   /// `replicate` counts from 0.
   void append(int replicate, std::span<const scene::Collision> records);
-  /// Ends the file; a failure nobody has heard of yet is thrown here. Call it before the folder's
+  /// Closes the file and throws any pending error of a CollisionLog. Call it before the folder's
   /// commit.
   void close();
 
@@ -37,7 +36,8 @@ class CollisionFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Writes what it hears to one replicate of a file, in large pieces; the last when it is destroyed.
+/// Observer that writes collisions of one replicate to a file, through a buffer. The destructor
+/// writes the last records.
 class CollisionLog final : public scene::Observer {
  public:
   CollisionLog(CollisionFile& file, int replicate);
@@ -54,7 +54,7 @@ class CollisionLog final : public scene::Observer {
   std::vector<scene::Collision> buffer_;
 };
 
-/// The records of one replicate, counted from 0. Throws InputError if they are not there.
+/// Reads the records of one replicate, counted from 0. Throws InputError if there are none.
 std::vector<scene::Collision> read_collisions(const std::filesystem::path& file, int replicate);
 
 }  // namespace mahlwerk::results

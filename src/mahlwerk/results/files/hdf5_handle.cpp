@@ -16,8 +16,8 @@ static_assert(std::is_same_v<hid_t, Handle::Id> && std::is_same_v<herr_t, int>);
 std::unique_lock<std::mutex> hdf5_library() {
   static std::mutex library;
   std::unique_lock held(library);
-  // Its own trace would go to the terminal, and its clean-up at exit tries again and again to write
-  // what a full disk did not take.
+  // Disables the library's error trace on the terminal and its clean-up at exit, which retries
+  // without end on a full disk.
   static const bool quiet = [] {
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -11,13 +11,13 @@
 
 #include "mahlwerk/base/error.hpp"
 
-// What the writers of HDF5 share; for their .cpp files alone. The library's identifiers are plain
-// integers here, so that its header need not be known.
+// Helpers of the HDF5 writers, for their .cpp files only. Identifiers of the library are plain
+// integers here, so that this header does not include the library's.
 namespace mahlwerk::results {
 
-constexpr unsigned deflation = 4;  ///< of 9: most of the gain at little time
+constexpr unsigned deflation = 4;  ///< of 9: most of the compression at little cost
 
-/// An identifier of the library and the function that gives it back.
+/// Owns an identifier of the library, with the function that closes it.
 class Handle {
  public:
   using Id = std::int64_t;
@@ -39,14 +39,14 @@ class Handle {
   int (*close_)(Id) = nullptr;
 };
 
-/// The library, to be held while it is called: it is not safe to call from two threads, whichever
-/// file they write. It is quiet from here on.
+/// Locks the HDF5 library, which is not thread-safe even for different files. Hold the lock during
+/// calls. Disables the library's error messages on the terminal.
 std::unique_lock<std::mutex> hdf5_library();
 
-/// Adds an attribute, a text in UTF-8; false if that failed.
+/// Adds a UTF-8 text attribute; returns false on failure.
 bool write_attribute(Handle::Id object, const std::string& name, std::string_view text);
 
-/// That the library could not do something to `file`, with the reason in errno, if there is one.
+/// The error that the library could not do `doing` to `file`, with the reason in errno, if any.
 InputError hdf5_failure(const std::filesystem::path& file, const char* doing,
                         const std::string& remedy);
 

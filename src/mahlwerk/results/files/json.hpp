@@ -12,11 +12,11 @@
 
 namespace mahlwerk::results {
 
-/// summary.json: every quantity an object under its plain name, and "_about" with what made them.
-/// What is not a number is null.
+/// Text of summary.json: an object for each quantity under its name, and "_about" with the case and
+/// the program. NaN is null.
 std::string summary_json(const Outcome& outcome, std::string_view version);
 
-/// A list of objects: code, severity, in how many runs, and the text of the first.
+/// A list of objects: code, severity, number of runs, and the text of the first notice.
 Json notices_json(const NoticeCounts& counts);
 
 }  // namespace mahlwerk::results

@@ -12,11 +12,11 @@
 
 namespace mahlwerk::results {
 
-/// A value of JSON, to be put together and written. It is light: the library that writes it, whose
-/// header takes seconds to compile, is read by one file.
+/// A JSON value to build and write. Only one source file includes the JSON library, whose header
+/// takes seconds to compile.
 class Json {
  public:
-  struct Member;  ///< of an object: {"key", value}
+  struct Member;  ///< member of an object: {"key", value}
   using Array = std::vector<Json>;
   using Object = std::vector<Member>;
   using Value = std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string,
@@ -39,8 +39,8 @@ class Json {
   Json(const std::vector<T>& list) : Json(array()) {
     for (const T& one : list) push_back(one);
   }
-  Json(char) = delete;         // a text or a number?
-  Json(const void*) = delete;  // would be a bool
+  Json(char) = delete;         // ambiguous: a text or a number
+  Json(const void*) = delete;  // would convert to bool
 
   Json(const Json&);
   Json(Json&&) noexcept;
@@ -49,19 +49,20 @@ class Json {
   ~Json();
 
   static Json array(std::initializer_list<Json> values = {});
-  /// In this order; every key once.
+  /// An object with its members in this order; each key once.
   static Json object(std::initializer_list<Member> members = {});
 
-  /// The value of a key, which is added if there is none. Null becomes an object; of anything else
-  /// this throws std::bad_variant_access.
+  /// The value of a key of an object. A missing key is added; null becomes an object. Throws
+  /// std::bad_variant_access for any other value.
   Json& operator[](std::string_view key);
-  /// To an array. Null becomes one; of anything else this throws std::bad_variant_access.
+  /// Appends to an array. Null becomes an array. Throws std::bad_variant_access for any other
+  /// value.
   void push_back(Json value);
-  Json& back();  ///< of an array that is not empty
+  Json& back();  ///< last value of a non-empty array
 
   const Value& value() const { return value_; }
 
-  /// In one line, or, where `indent` is not negative, a line for each value. Bytes that are not
+  /// The text in one line, or with a line for each value if `indent` >= 0. Bytes that are not valid
   /// UTF-8 are replaced.
   std::string text(int indent = -1) const;
 

@@ -12,17 +12,17 @@
 // The list of files that Mahlwerk wrote into a folder: --force removes these and nothing else.
 namespace mahlwerk::results {
 
-/// Where it stands in the folder: a line each, relative to the folder, behind lines with "#".
+/// File name of the list in the folder: lines with "#", then one relative path per line.
 constexpr std::string_view manifest_name = "mahlwerk-files.txt";
 
-/// The files listed, or nothing where there is no list.
+/// The listed files, or nothing if there is no list.
 std::optional<std::set<std::string>> listed_files(const std::filesystem::path& folder);
 
-/// Lists every file that is in the folder and below it, and folders with nothing in them ("a/").
+/// Writes the list of all files in the folder and its subfolders, and of empty folders ("a/").
 void list_all_files(const std::filesystem::path& folder);
 
-/// Adds names to the list, which is made if need be; processes may do so at the same time. Throws
-/// InputError where that cannot be written.
+/// Appends names to the list, which is created if needed. Several processes may append at the same
+/// time. Throws InputError on failure.
 void list_files(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace mahlwerk::results

@@ -71,7 +71,7 @@ constexpr std::array our_files{std::string_view("summary.json"),
 
 constexpr std::string_view digits = "0123456789", hex_digits = "0123456789abcdef";
 
-/// What stands between `before` and `behind`; empty if the name is not so.
+/// The part of the name between `before` and `behind`; empty if the name lacks one of them.
 std::string_view between(std::string_view name, std::string_view before, std::string_view behind) {
   if (name.size() <= before.size() + behind.size() || !name.starts_with(before) ||
       !name.ends_with(behind))
@@ -83,19 +83,19 @@ bool is_of(std::string_view letters, std::string_view text) {
   return !text.empty() && text.find_first_not_of(letters) == std::string_view::npos;
 }
 
-/// A name with a number in it, by what stands before and behind that.
+/// Whether the name is `before`, a number and `behind`.
 bool is_numbered(std::string_view name, std::string_view before, std::string_view behind) {
   return is_of(digits, between(name, before, behind));
 }
 
-/// Two numbers with `mark` between them: "2-of-8", "17_2".
+/// Whether the text is two numbers with `mark` between them: "2-of-8", "17_2".
 bool are_numbers(std::string_view text, std::string_view mark) {
   const std::size_t at = text.find(mark);
   return at != std::string_view::npos && is_of(digits, text.substr(0, at)) &&
          is_of(digits, text.substr(at + mark.size()));
 }
 
-/// "campaign.shard-2-of-8.sqlite", and its journal and lock.
+/// Whether the name is that of a shard, as "campaign.shard-2-of-8.sqlite", its journal or lock.
 bool is_of_shard(std::string_view name) {
   constexpr std::array endings{".sqlite", ".sqlite-journal", ".lock"};
   return std::ranges::any_of(endings, [&](std::string_view ending) {
@@ -103,7 +103,7 @@ bool is_of_shard(std::string_view name) {
   });
 }
 
-/// "slurm-17_2.out", what a job of ours said, where there is a script of ours.
+/// Whether the name is that of a job's output, as "slurm-17_2.out", beside a script of Mahlwerk.
 bool is_of_slurm(const fs::path& folder, std::string_view name) {
   return (are_numbers(between(name, "slurm-", ".out"), "_") ||
           is_numbered(name, "slurm-", ".out")) &&
@@ -124,7 +124,7 @@ std::string beginning(const fs::path& file) {
   return text;
 }
 
-/// A picture that begins as ours do.
+/// Whether the file begins as pictures of Mahlwerk do.
 bool is_our_picture(const fs::path& file) {
   if (file.extension() != ".svg") return false;
   const std::string text = beginning(file);
@@ -132,7 +132,7 @@ bool is_our_picture(const fs::path& file) {
          text.find("\" role=\"img\" aria-label=\"") < 100;
 }
 
-/// What a folder inside a result may hold besides: pictures, or frames.
+/// Whether a folder inside a result may hold the entry: a picture or a frame.
 bool is_our_inner_name(std::string_view folder, const fs::directory_entry& entry) {
   if (!entry.is_regular_file() || entry.is_symlink()) return false;
   const std::string name = entry.path().filename().string();
@@ -141,7 +141,7 @@ bool is_our_inner_name(std::string_view folder, const fs::directory_entry& entry
          (is_numbered(name, "balls-", ".vtp") || is_numbered(name, "jar-", ".vtp"));
 }
 
-/// "0012-0123abcd": a run of a campaign.
+/// Whether the name is that of a campaign's run, as "0012-0123abcd".
 bool is_run(std::string_view name) {
   constexpr std::size_t of_hash = 8;
   if (name.size() < of_hash + 2) return false;
@@ -150,13 +150,14 @@ bool is_run(std::string_view name) {
          is_of(hex_digits, name.substr(mark + 1));
 }
 
-/// What a run that goes on has beside its folder: its state, its lock, results in the making.
+/// Whether the name is of a file beside the folder of an unfinished run: its checkpoint, its lock
+/// or its partial result.
 bool is_beside_run(std::string_view name) {
   if (!name.starts_with('.')) return is_run(name.substr(0, name.find(".checkpoint")));
   return is_run(name.substr(1, name.find('.', 1) - 1));
 }
 
-/// In the folder with a campaign's runs.
+/// Foreign files in the folder of a campaign's runs.
 Names foreign_runs(const fs::path& runs) {
   Names names;
   for (const fs::directory_entry& entry : fs::directory_iterator(runs)) {
@@ -170,7 +171,7 @@ Names foreign_runs(const fs::path& runs) {
   return names;
 }
 
-/// Of a folder without a list: of one inside a result, a point of a campaign, pictures, or frames.
+/// Foreign files in a folder without a list inside a result: a campaign's point, pictures, frames.
 Names foreign_inside(const fs::path& inner) {
   const std::string folder = inner.filename().string();
   if (folder == campaign_runs) return foreign_runs(inner);
@@ -196,7 +197,7 @@ Names foreign_by_name(const fs::path& folder) {
   return names;
 }
 
-/// A listed file, or what is beside one that is being written.
+/// Whether the file is listed, or is a temporary file beside a listed one.
 bool is_listed(const std::set<std::string>& listed, const std::string& name) {
   constexpr std::array endings{".part", "-wal", "-shm", "-journal"};
   return listed.contains(name) || std::ranges::any_of(endings, [&](std::string_view ending) {
@@ -205,7 +206,8 @@ bool is_listed(const std::set<std::string>& listed, const std::string& name) {
          });
 }
 
-/// `below`: of the folder in the one that has the list, with a slash behind it, or empty.
+/// Adds the files that are not in the list. `below`: path of the folder relative to the list's
+/// folder, with a slash at its end, or empty.
 void add_unlisted(const fs::path& folder, const std::string& below,
                   const std::set<std::string>& listed, Names& names) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {

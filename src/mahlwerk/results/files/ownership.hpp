@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-// What in a folder is Mahlwerk's: by its list of files, or by names where an earlier version left
-// none.
+// Decides which files in a folder Mahlwerk wrote: by the list of files, or by their names where an
+// earlier version left no list.
 namespace mahlwerk::results {
 
-/// A folder with a list of files; or with a summary, a store, or a table that begins as we write
-/// it.
+/// Whether the folder is a result: it has a list of files, or a summary, a store or a table that
+/// begins as Mahlwerk writes them.
 bool is_result(const std::filesystem::path& folder);
 
-/// What is in the folder and not ours, by names relative to it, in order.
+/// Files in the folder that Mahlwerk did not write, as sorted relative paths.
 std::vector<std::string> foreign_files(const std::filesystem::path& folder);
 
-/// Of a campaign's folder without a list: makes one of the files that are ours by their names.
+/// Writes the list of a campaign's folder that has none, from the names of its files.
 void list_campaign_files(const std::filesystem::path& folder);
 
 }  // namespace mahlwerk::results

@@ -14,7 +14,7 @@
 namespace mahlwerk::results {
 namespace {
 
-/// Collects whether everything went well, and says so at the end.
+/// Writes data sets. Records failures and reports them at the end.
 class Writer {
  public:
   explicit Writer(const std::filesystem::path& path) : path_(path) {
@@ -29,7 +29,7 @@ class Writer {
   }
   void attribute(const std::string& name, std::string_view text) { attribute(file_, name, text); }
 
-  /// A data set with its content; `name` may lie in a group that is made for it.
+  /// Writes a data set. Groups in `name` are created.
   Handle dataset(const std::string& name, Handle::Id type, const std::vector<hsize_t>& shape,
                  const void* content) {
     const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -61,7 +61,7 @@ class Writer {
  private:
   InputError failure(const char* doing) const {
     return hdf5_failure(path_, doing,
-                        "free some space or mend the permissions, or choose another folder with "
+                        "free some space or correct the permissions, or choose another folder with "
                         "--out");
   }
 
@@ -70,7 +70,7 @@ class Writer {
   bool good_ = true;
 };
 
-/// Texts as long as the longest word, filled up with zeros.
+/// Fixed-length text type, as long as the longest word, padded with zeros.
 Handle text_type(const Column& column) {
   std::size_t longest = 1;
   for (const std::string& word : column.words) longest = std::max(longest, word.size());
@@ -81,7 +81,7 @@ Handle text_type(const Column& column) {
   return type;
 }
 
-/// Rows as records, a field for each column.
+/// Writes rows as compound records with a field for each column.
 void write_table(Writer& out, const std::string& name, const std::string& about,
                  const Table& table) {
   std::vector<Handle> types;
@@ -117,12 +117,13 @@ void write_table(Writer& out, const std::string& name, const std::string& about,
 }
 
 Table summary_table(const std::vector<Quantity>& quantities) {
-  Table table{{{"name", "1", "of the quantity, as in summary.json"},
+  Table table{{{"name", "1", "name of the quantity, as in summary.json"},
                {"value", "see unit", "mean over replicates"},
                {"ci95", "see unit", "half-width of its 95 % confidence interval over replicates"},
-               {"ci95_time", "see unit", "half-width that the scatter over time gives"},
-               {"unit", "1", "of value and ci95"},
-               {"about", "1", "what it is"}},
+               {"ci95_time", "see unit",
+                "half-width of the 95 % confidence interval from the scatter over time"},
+               {"unit", "1", "unit of value and ci95"},
+               {"about", "1", "description of the quantity"}},
               {}};
   for (const Quantity& q : quantities)
     table.rows.push_back({table.columns[0].number_of(q.name), q.value, q.ci95, q.ci95_time,
@@ -138,7 +139,8 @@ void write_matrix(Writer& out, const Matrix& m) {
     fits = m.edges[k].size() == m.shape[k] + 1;
   }
   if (!fits || cells != m.values.size())
-    throw std::invalid_argument("the matrix " + m.name + " and its shape are not of one size");
+    throw std::invalid_argument("the matrix " + m.name +
+                                " has a number of values that differs from its shape");
   const auto numbers = [&](const std::string& name, const std::vector<hsize_t>& shape,
                            const std::vector<double>& values, const std::string& unit,
                            const std::string& about) {

@@ -13,25 +13,25 @@
 
 namespace mahlwerk::results {
 
-/// A table under the name of its file, "spectrum" for spectrum.csv.
+/// A table and the name of its file without extension: "spectrum" for spectrum.csv.
 struct NamedTable {
   std::string name, about;
   Table table;
 };
 
-/// Numbers on a grid, of any rank: the last axis runs fastest.
+/// Numbers on a grid of any rank, in row-major order (the last axis runs fastest).
 struct Matrix {
   std::string name, unit, about;
-  std::vector<Column> axes;                ///< what each axis is of
-  std::vector<std::vector<double>> edges;  ///< of each axis: one more than it has cells
+  std::vector<Column> axes;                ///< quantity of each axis
+  std::vector<std::vector<double>> edges;  ///< cell edges of each axis: one more than its cells
   std::vector<std::size_t> shape;          ///< cells along each axis
   std::vector<double> values;
 };
 
-/// result.h5, everything a result holds in one file (docs/formats.md): the quantities as /summary,
-/// every table as /NAME, every matrix as /NAME with the edges of its cells as /NAME_edges/AXIS. The
-/// case and the version travel inside. The same content gives the same bytes. Throws InputError if
-/// it cannot be written, std::invalid_argument if a matrix and its shape are not of one size.
+/// Writes result.h5, a whole result in one file (docs/formats.md): the quantities as /summary, each
+/// table as /NAME, each matrix as /NAME with its cell edges as /NAME_edges/AXIS. The case and the
+/// version are attributes. The same content gives the same bytes. Throws InputError on failure,
+/// std::invalid_argument if a matrix has a number of values that differs from its shape.
 void write_result_file(const std::filesystem::path& file, const std::vector<NamedTable>& tables,
                        const std::vector<Matrix>& matrices, const std::vector<Quantity>& quantities,
                        std::string_view case_text, std::string_view version);

@@ -16,7 +16,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr std::uint32_t facets_still = 96, facets_turning = 48;  // a smaller file for every frame
+constexpr std::uint32_t facets_still = 96, facets_turning = 48;  // fewer for smaller files
 constexpr std::string_view list_end = "</Collection>\n</VTKFile>\n";
 
 std::string vtk_head(const char* type, const char* version) {
@@ -30,7 +30,8 @@ std::string vtk_head(const char* type, const char* version) {
 template <class Number>
 constexpr const char* type_name = std::is_same_v<Number, double> ? "Float64" : "Int32";
 
-/// Inline and uncompressed, behind its length: ParaView of Debian 12 does not read appended data.
+/// Inline, uncompressed base64 data, preceded by its length: ParaView of Debian 12 does not read
+/// appended data.
 template <class Number>
 std::string array(const char* name, const std::vector<Number>& values, int components = 1) {
   const std::uint64_t size = values.size() * sizeof(Number);
@@ -50,7 +51,7 @@ void add(Doubles& all, const Vec3& a) {
   for (const double x : {a.x, a.y, a.z}) all.push_back(x);
 }
 
-/// Cells of so many points each.
+/// Cells of `each` points.
 std::string cells(const char* kind, const Integers& points, std::int32_t each) {
   Integers ends;
   for (std::int32_t end = each; end <= std::ssize(points); end += each) ends.push_back(end);
@@ -126,7 +127,7 @@ void VtkFrames::add(const Frame& frame) {
   ++frames_;
 }
 
-/// All of its surfaces as one, each triangle with the number of its own.
+/// All surfaces as one PolyData. Each triangle has the number of its surface.
 std::string VtkFrames::jar_text(const Frame& frame) const {
   Doubles places;
   Integers corners, parts;
@@ -156,7 +157,7 @@ void VtkFrames::write(const std::string& name, std::string_view text) const {
     throw cannot_write_frames(path);
 }
 
-/// Over the old end, in one piece: whoever looks, or is left with it, finds a whole list.
+/// Overwrites the old end in a single write, so that the list is always valid XML.
 void VtkFrames::end_list(std::string_view entries) {
   const std::string text = std::string(entries) + std::string(list_end);
   errno = 0;

@@ -13,12 +13,12 @@
 
 namespace mahlwerk::results {
 
-/// frames-1.pvd, the times of all frames, and beside it a folder frames-1 with the balls and the
-/// jar of each, as VTK's PolyData in XML: ParaView opens the first, any program with VTK the
-/// others. The list is whole XML after every frame.
+/// Writes frames-1.pvd with the times of all frames, and a folder frames-1 with the balls and the
+/// jar of each frame as VTK PolyData in XML. ParaView opens the .pvd file, any program with VTK the
+/// others. The list is valid XML after every frame.
 class VtkFrames {
  public:
-  /// A jar that looks still is written once.
+  /// `still`: the jar does not move in its frame and is written once.
   VtkFrames(std::filesystem::path list, const geometry::AnyShape& shape, bool still);
   void add(const Frame& frame);
 
@@ -29,7 +29,7 @@ class VtkFrames {
 
   std::filesystem::path path_, folder_;
   OpenFile list_;
-  long written_ = 0;  // bytes of the list but for its end
+  long written_ = 0;  // bytes of the list without its end
   Indirect<geometry::AnyShape> shape_;
   bool still_;
   std::vector<JarMesh> jar_;

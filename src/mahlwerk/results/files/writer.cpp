@@ -24,20 +24,20 @@ namespace {
 
 constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
 
-/// A measured motion travels with the result: its samples, as a case can read them again.
+/// The samples of a measured motion, in the form that a case reads.
 Table samples(const kinematics::Tabulated& motion) {
-  Table table{{{"time", "s", "of the sample"},
-               {"x", "m", "the jar's centre in the laboratory"},
-               {"y", "m", "likewise"},
-               {"z", "m", "likewise"},
-               {"angle", "rad", "by which the jar has turned"}},
+  Table table{{{"time", "s", "time of the sample"},
+               {"x", "m", "x of the jar's centre in the laboratory"},
+               {"y", "m", "y of the jar's centre, likewise"},
+               {"z", "m", "z of the jar's centre, likewise"},
+               {"angle", "rad", "angle of rotation of the jar"}},
               {}};
   for (const kinematics::Sample& s : motion.samples())
     table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
   return table;
 }
 
-/// Those of every result first; each is a CSV file, too.
+/// All tables, those of every result first. Each is also a CSV file.
 std::vector<NamedTable> tables(const Outcome& outcome) {
   std::vector<NamedTable> all{
       {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
@@ -45,7 +45,7 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
       {"angles", "collisions per degree of impact angle", angles(outcome)},
       {"normal_tangential", "collisions per bin of normal and of tangential energy",
        normal_tangential(outcome)},
-      {"timeseries", "the run in equal stretches of its counted time", time_series(outcome)},
+      {"timeseries", "the run in equal windows of its counted time", time_series(outcome)},
       {"replicates", "the quantities of each replicate", replicates(outcome)}};
   if (!outcome.summary.pairs.empty())
     all.push_back({"collisions_by_pair", "quantities by kind of pair",
@@ -55,25 +55,28 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   };
   unless_empty("spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
                spectra_by_pair(outcome));
-  unless_empty("durations", "contacts per bin of how long they lasted", durations(outcome));
-  unless_empty("flashes", "collisions per bin of the rise of the temperature", flashes(outcome));
-  unless_empty("wall_map", "where the jar is hit and worn", wall_map(outcome));
-  unless_empty("fields", "where the charge is and how it moves", fields(outcome));
-  unless_empty("wear", "what balls and jar lose", wear(outcome));
-  unless_empty("temperature", "of balls and jar over milling and pauses", temperatures(outcome));
-  unless_empty("capture", "powder caught per bin of energy, by kind of pair", capture(outcome));
-  unless_empty("captured_grains", "collisions by grains caught", captured_grains(outcome));
-  unless_empty("grinding", "sizes of the powder over the time of milling", grinding(outcome));
+  unless_empty("durations", "contacts per bin of duration", durations(outcome));
+  unless_empty("flashes", "collisions per bin of flash temperature rise", flashes(outcome));
+  unless_empty("wall_map", "hits and wear by cell of the jar's wall", wall_map(outcome));
+  unless_empty("fields", "density and velocity of the charge", fields(outcome));
+  unless_empty("wear", "wear of balls and jar", wear(outcome));
+  unless_empty("temperature", "temperatures of balls and jar over milling and pauses",
+               temperatures(outcome));
+  unless_empty("capture", "captured powder per bin of energy, by kind of pair", capture(outcome));
+  unless_empty("captured_grains", "collisions by number of captured grains",
+               captured_grains(outcome));
+  unless_empty("grinding", "sizes of the powder over the milling time", grinding(outcome));
   unless_empty("size_distribution", "sizes of the powder at some times",
                size_distribution(outcome));
-  unless_empty("conversion", "what the dose has done", conversion(outcome));
+  unless_empty("conversion", "dose and conversion over the milling time", conversion(outcome));
   unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.what.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
     if (const Replicate& r = outcome.replicates[i]; !r.balls_at_stop.empty())
       all.push_back({stopped_name(static_cast<int>(i)),
-                     "the balls of a replicate where physics stopped it", balls_at_stop(r)});
+                     "the balls of a replicate at the time when physics stopped it",
+                     balls_at_stop(r)});
   return all;
 }
 

@@ -11,12 +11,12 @@
 namespace mahlwerk::results {
 
 /// Writes summary.json, result.h5, case.resolved.toml and the tables of a result (docs/formats.md)
-/// into `folder`, under `below` if that is given ("" or "point-03/").
+/// into `folder`. `below`: subfolder with a slash at its end ("point-03/"), or "".
 void write(const Folder& folder, const Outcome& outcome, std::string_view version,
            std::string_view below = "");
 
-/// Writes the case as `name` ("case.resolved.toml", perhaps in a folder), with its jar's mesh and a
-/// measured motion beside it; the text.
+/// Writes the case as `name` ("case.resolved.toml", with or without a folder), and its jar's mesh
+/// and measured motion beside it. Returns the text of the case.
 std::string write_case(const Folder& folder, cases::Case what, std::string_view name);
 
 }  // namespace mahlwerk::results

@@ -14,12 +14,12 @@
 namespace mahlwerk::results {
 namespace {
 
-/// Each as the shortest text that reads back as the same double: at most 17 digits.
+/// Each component as the shortest text that reads back as the same double: at most 17 digits.
 std::string numbers(const Vec3& a) {
   return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
 }
 
-/// The jar's box: a cube that it fits into however it turns, or the periods of a periodic box.
+/// The jar's cell: a cube that holds it in any orientation, or the periods of a periodic box.
 std::string cell_of(const geometry::AnyShape& shape) {
   const auto* periodic = geometry::as<geometry::PeriodicBox>(shape);
   const double reach = geometry::reach(shape);

@@ -10,7 +10,7 @@
 
 namespace mahlwerk::results {
 
-/// frames-1.xyz: frames one behind the other, in extended XYZ, which OVITO and other viewers read.
+/// Writes frames-1.xyz: consecutive frames in extended XYZ, which OVITO and other viewers read.
 class XyzFrames {
  public:
   XyzFrames(std::filesystem::path file, const geometry::AnyShape& shape);
@@ -19,7 +19,7 @@ class XyzFrames {
  private:
   std::filesystem::path path_;
   OpenFile file_;
-  std::string cell_;  // keys of the box drawn around the jar
+  std::string cell_;  // keys of the cell around the jar
 };
 
 }  // namespace mahlwerk::results

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where the models of grinding are asked beyond their range.
+// Warnings where grinding models are used beyond their range of validity.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Chosen = std::vector<const Replicate*>;
 
 void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
   const double size = *what.powder->size;
-  double nip = INFINITY;  // the narrowest where anything collides
+  double nip = INFINITY;  // smallest effective radius with collisions
   for (const powder::Stress& s : hits.stresses)
     nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
   constexpr double large = 0.25;
@@ -27,9 +27,9 @@ void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, N
     list.push_back(warning(
         "large-grains",
         fmt::format(
-            "Grains of {} are large beside the balls: the bed one grain high is made for grains "
-            "far "
-            "smaller than the nip's radius, here {}. How many are caught is a rough estimate.",
+            "Grains of {} are large compared with the balls: the model of a bed one grain high is "
+            "valid for grains far smaller than the nip's radius, here {}. The number of captured "
+            "grains is a rough estimate.",
             show_rounded(size, "m"), show_rounded(nip, "m"))));
 }
 
@@ -40,11 +40,10 @@ void more_than_dissipated(const Chosen& chosen, Notices& list) {
   if (given > 1)
     list.push_back(warning(
         "more-than-dissipated",
-        fmt::format("Caught grains get {} times the power that the mill dissipates, more than "
-                    "there is: a "
-                    "mill with powder between its balls loses more in each collision. Give a "
-                    "restitution as "
-                    "with powder, choose [capture] energy = \"lost\", or lower energy_share.",
+        fmt::format("Captured grains get {} times the power that the mill dissipates, which is "
+                    "impossible: with powder between its balls a mill loses more in each "
+                    "collision. Give a restitution measured with powder, choose [capture] energy "
+                    "= \"lost\", or lower energy_share.",
                     two_digits(given))));
 }
 
@@ -61,8 +60,9 @@ void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hi
   }
   if (whole > often * all)
     list.push_back(warning("catch-cut", fmt::format("Collisions that carry {} % of the power "
-                                                    "would catch more powder than there is: their "
-                                                    "catch was cut to all of it.",
+                                                    "would capture more powder than there is: "
+                                                    "their captured mass was limited to the mass "
+                                                    "of the powder.",
                                                     two_digits(100 * whole / all))));
 }
 
@@ -74,17 +74,16 @@ void ends_of_the_classes(const cases::Grinding& grinding, const Chosen& chosen, 
     list.push_back(warning(
         "finest-class",
         fmt::format(
-            "{} % of the powder are as fine as is told apart, below {}, where nothing breaks "
-            "any "
-            "further: a smaller grinding.smallest shows more, if the models still hold there.",
+            "{} % of the powder are in the finest size class, below {}, where nothing breaks "
+            "further: a smaller grinding.smallest resolves more, if the models still hold there.",
             two_digits(100 * finest), show_rounded(grinding.smallest, "m"))));
   const double coarsest = mean_over(
       chosen, [](const Replicate& r) { return r.grinding->milling().shares.back().front(); });
   if (grinding.welding > 0 && coarsest > often)
     list.push_back(
-        warning("coarsest-class", fmt::format("{} % of the powder welded into grains sixteen "
-                                              "times as large as the feed, the largest "
-                                              "told apart.",
+        warning("coarsest-class", fmt::format("{} % of the powder welded into grains of the "
+                                              "coarsest size class, sixteen times as large as "
+                                              "the feed.",
                                               two_digits(100 * coarsest))));
 }
 
@@ -94,11 +93,10 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
   if (binary && chosen.front()->grinding->balance && grinding.classes_per_octave < close)
     list.push_back(warning(
         "wide-classes",
-        fmt::format("Two pieces cut anywhere are nearly as large as the grain: with {} classes an "
-                    "octave the "
-                    "balance grinds too slowly, by shares of up to {} %. "
-                    "grinding.classes_per_octave = 12, or "
-                    "method = \"statistical\", is closer.",
+        fmt::format("With binary fragments one piece is often nearly as large as the grain: with "
+                    "{} classes an octave the population balance grinds too slowly, by shares of "
+                    "up to {} %. grinding.classes_per_octave = 12, or method = \"statistical\", "
+                    "is more accurate.",
                     grinding.classes_per_octave, grinding.classes_per_octave < 6 ? 13 : 3)));
 }
 

@@ -9,22 +9,23 @@
 
 #include "mahlwerk/base/notice.hpp"
 
-// The notices of many runs, counted by code.
+// Notices of many runs, counted by code.
 namespace mahlwerk::results {
 
 /// A code with the number of runs that have it.
 struct NoticeCount {
-  Notice first;  ///< of the first run that has the code, with the gravest severity of all
+  Notice first;  ///< notice of the first run with this code, at the highest severity of all runs
   std::size_t runs = 0;
 };
-/// The gravest first, then in the order of first mention.
+/// After `sort`: highest severity first, then in order of first occurrence.
 using NoticeCounts = std::vector<NoticeCount>;
 
 /// Adds the notices of one run; a code that the run has twice counts once.
 void count(NoticeCounts& counts, const Notices& of_run);
 void sort(NoticeCounts& counts);
 
-/// One notice for each code of several runs of the same case: of the first, and the gravest.
+/// Merges notices of several runs of the same case: one notice for each code, with the first text
+/// and the highest severity.
 void merge(Notices& all, const Notices& more);
 
 /// The codes of warnings, each once, separated by ";": a cell of a table.

@@ -18,19 +18,19 @@
 namespace mahlwerk::results {
 namespace {
 
-/// The balance of a collision closes to 1e-9, that of a run to what its billions of roundings
-/// allow; where contacts are followed in steps, to what the step allows.
+/// Largest relative residuals of energy balances: of a collision; of a run, by rounding errors; of
+/// a run of the soft engine, by the error of its time steps.
 constexpr double closed_collision = 1e-9, closed_run = 1e-6, closed_run_in_steps = 1e-3;
 
-/// Of a ball's radius: far beyond what contact laws are made for.
+/// Overlap over the ball's radius beyond which contact laws are not valid.
 constexpr double sunk = 0.2;
 
 double value(const Outcome& outcome, std::string_view name) {
   return named(outcome.summary.quantities, name).value;
 }
 
-/// [J] What the charges of all replicates have stored since counting began, at the end of each
-/// window.
+/// [J] Energy that the charges of all replicates have stored since counting began, at the end of
+/// each window.
 std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
   std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
   for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
@@ -42,8 +42,8 @@ std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
   return sums;
 }
 
-/// Whether the charge stored more or less energy when counting began, which is zero here, than it
-/// does at any time after the first windows (sta.8).
+/// Whether the stored energy when counting began, zero here, differs from that after the first
+/// windows by more than its scatter (sta.8).
 bool start_differs(const std::vector<double>& stored, std::size_t first) {
   constexpr double far = 3;  // standard deviations
   if (first == 0 || first + 1 >= stored.size()) return false;
@@ -54,8 +54,8 @@ bool start_differs(const std::vector<double>& stored, std::size_t first) {
   return std::abs(mean) > far * std::sqrt(squares / static_cast<double>(rest.size() - 1));
 }
 
-/// What the start of a run does to its means: the settling that its power shows, and energy that
-/// the charge gains or loses meanwhile. Short series show neither.
+/// Warns if the means contain an initial transient: a long transient of the power, an imbalance of
+/// drawn and dissipated power, and a stored energy that changes. Short series show none of them.
 void not_steady(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.1, balanced = 0.01;
   constexpr std::size_t fewest = 50;  // windows: ten batches
@@ -68,13 +68,13 @@ void not_steady(const Outcome& outcome, Notices& list) {
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
       !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
     return;
-  list.push_back(warning(
-      "not-settled",
-      fmt::format("The charge had not settled when counting began: the first {} of {} "
-                  "counted stand out, and {} % {} power was drawn than dissipated. A longer "
-                  "run.settle helps.",
-                  show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
-                  two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
+  list.push_back(
+      warning("not-settled",
+              fmt::format("The charge had not settled when counting began: the first {} of {} "
+                          "counted are an initial transient, and {} % {} power was drawn than "
+                          "dissipated. A longer run.settle helps.",
+                          show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
+                          two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
@@ -95,12 +95,12 @@ void not_certain(const Outcome& outcome, Notices& list) {
   list.push_back(warning(
       "not-certain",
       fmt::format(
-          "{} is not known within {:.3g} % at the longest time allowed: a longer run.longest "
+          "{} is not known within {:.3g} % after the longest time allowed: a longer run.longest "
           "helps.",
           outcome.what.run.until->quantity, 100 * outcome.what.run.until->within)));
 }
 
-/// Whether the largest residual is of energy that came from nowhere.
+/// Whether energy was gained, rather than lost, in the run with the largest residual.
 bool appeared(const Outcome& outcome) {
   double worst = 0;
   for (const Replicate& r : outcome.replicates)
@@ -109,7 +109,7 @@ bool appeared(const Outcome& outcome) {
   return worst > 0;
 }
 
-/// Collisions that gain energy stop a run; this finds what a sum of them would hide.
+/// A collision that gains energy stops a run. This check finds negative losses in the sum.
 void energy_gained(const Outcome& outcome, Notices& list) {
   const bool soft = outcome.engine == cases::EngineName::soft;
   const double rounding = soft ? closed_run_in_steps : 1e-9;
@@ -121,12 +121,12 @@ void energy_gained(const Outcome& outcome, Notices& list) {
     const char* const why =
         soft
             ? "Under this contact law a tangential spring stiffens while it is stretched, which "
-              "adds energy; where dampers are strong, at a restitution near 0, that is more than "
-              "they take. A larger restitution, or law = \"linear-spring\", has less of it."
+              "adds energy; at a restitution near 0 this energy exceeds what the dampers "
+              "dissipate. A larger restitution, or law = \"linear-spring\", reduces it."
             : "This is an error of Mahlwerk, not of the case: please report it with the case file.";
     list.push_back(
         invalid("energy-gained",
-                fmt::format("Collisions dissipated {:.3g} J, less than nothing. {}", lost, why)));
+                fmt::format("Collisions dissipated {:.3g} J, which is negative. {}", lost, why)));
     return;
   }
 }
@@ -151,7 +151,7 @@ void energy_balances(const Outcome& outcome, Notices& list) {
                     soft ? " A shorter run.time_step or stiffer contacts may close it." : "")));
 }
 
-/// What was reached, by bodies as they collided.
+/// Warns of overlaps beyond the range of the contact laws.
 void overlaps(const Outcome& outcome, Notices& list) {
   const double deepest = value(outcome, "deepest_overlap");
   if (outcome.engine != cases::EngineName::soft || !(deepest > soft_overlap)) return;
@@ -159,9 +159,9 @@ void overlaps(const Outcome& outcome, Notices& list) {
     list.push_back(warning(
         "deep-overlap",
         fmt::format(
-            "Two bodies overlapped by {} of a ball's radius. Where balls are squeezed so, "
-            "forces are no longer those of the contact law: a larger contact.softening, stiffer "
-            "contacts or a shorter run.time_step help.",
+            "Two bodies overlapped by {} of a ball's radius. At such overlaps the contact law is "
+            "no longer valid: a larger contact.softening, stiffer contacts or a shorter "
+            "run.time_step help.",
             two_digits(deepest))));
   else
     list.push_back(warning(

@@ -9,11 +9,11 @@
 
 namespace mahlwerk::results {
 
-/// [1] Overlaps above this share of a ball's radius are more than contact laws are meant for.
+/// [1] Overlap over a ball's radius above which contact laws are less accurate.
 constexpr double soft_overlap = 0.01;
 
-/// What the numbers of a run say of themselves: a run cut short or stopped, an energy balance that
-/// does not close. Made from `outcome.summary` once, when the run ends, and kept in
+/// Warnings of a run: a run cut short or stopped, an energy balance that does not close and others
+/// (docs/warnings.md). Made once from `outcome.summary` when the run ends, and kept in
 /// `Outcome::notices`.
 Notices warnings(const Outcome& outcome);
 

@@ -25,14 +25,14 @@ double ratio(const cases::Case& c) {
 std::vector<Measure> grain_measures(const cases::Case& what) {
   if (!what.powder || !what.powder->grain_size) return {};
   std::vector<Measure> list{
-      {"grain_count", "1", "spheres that stand for the powder",
+      {"grain_count", "1", "spheres that represent the powder",
        [](const cases::Case& c, const Replicate&) {
          return static_cast<double>(c.balls.back().count);
        },
        true},
       {"coarse_graining_ratio", "1", "size of a grain over the powder's size",
        [](const cases::Case& c, const Replicate&) { return ratio(c); }, true},
-      {"particles_per_grain", "1", "particles of the powder that each grain stands for",
+      {"particles_per_grain", "1", "particles of the powder that each grain represents",
        [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); }, true},
   };
   if (!what.powder->size) list.resize(1);
@@ -42,16 +42,15 @@ std::vector<Measure> grain_measures(const cases::Case& what) {
 std::vector<Measure> check_measures() {
   return {
       {"energy_residual", "1",
-       "largest relative residual of one collision's energy balance, of all replicates",
+       "largest relative residual of one collision's energy balance, over all replicates",
        [](const cases::Case&, const Replicate& r) { return r.energy_balance.worst_collision; },
        true},
       {"energy_balance", "1",
-       "residual of a whole run's energy balance over wall work + losses + energy at the start, of "
-       "the "
-       "worst replicate",
+       "residual of a whole run's energy balance over wall work + losses + energy at the start, "
+       "in the worst replicate",
        energy_balance, true},
       {"deepest_overlap", "1",
-       "deepest overlap of two bodies as they collided over the ball's radius, of all replicates",
+       "deepest overlap of two colliding bodies over the ball's radius, over all replicates",
        [](const cases::Case&, const Replicate& r) { return r.energy_balance.deepest_overlap; },
        true},
       {"simulated_time", "s", "counted time of one replicate",

@@ -46,7 +46,7 @@ std::vector<Measure> collision_rates() {
          return share(static_cast<double>(r.tally.above.count), r.time());
        }},
       {"collision_rate_in_flight", "1/s",
-       "collisions above the threshold per second that the balls are not in lasting contact",
+       "collisions above the threshold per second that the balls are not in sustained contact",
        [](const cases::Case& c, const Replicate& r) {
          const double contact = r.energy_balance.contact_time - r.at_settled.contact_time;
          return share(static_cast<double>(r.tally.above.count),
@@ -62,12 +62,14 @@ std::vector<Measure> collision_rates_by_partner(const cases::Case& what) {
        "collisions of balls with balls per second, each once",
        [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.all, r); }},
       {"collision_rate_between_balls_above_threshold", "1/s",
-       "those with a normal speed u_n of at least the threshold",
+       "collisions of balls with balls per second with a normal speed u_n of at least the "
+       "threshold",
        [](const cases::Case&, const Replicate& r) { return between_balls(r.tally.above, r); }},
       {"collision_rate_with_jar", "1/s", "collisions of balls with the jar per second",
        [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.all, r); }},
       {"collision_rate_with_jar_above_threshold", "1/s",
-       "those with a normal speed u_n of at least the threshold",
+       "collisions of balls with the jar per second with a normal speed u_n of at least the "
+       "threshold",
        [](const cases::Case&, const Replicate& r) { return with_jar(r.tally.above, r); }},
   };
 }
@@ -78,7 +80,7 @@ std::vector<Measure> collision_means() {
                                            "mean impact energy of the normal motion, m u_n^2/2");
   add_means<&CollisionSums::energy_contact_point>(
       list, "energy_contact_point_mean", "J",
-      "mean impact energy of the motion of the touching points, "
+      "mean impact energy of the motion of the contact points, "
       "m (u_n^2 + u_t^2)/2, spin included");
   add_means<&CollisionSums::energy_centre>(
       list, "energy_centre_mean", "J",
@@ -86,10 +88,10 @@ std::vector<Measure> collision_means() {
   add_means<&CollisionSums::lost>(list, "energy_lost_mean", "J",
                                   "mean energy dissipated in one collision");
   add_means<&CollisionSums::approach>(list, "impact_speed_normal_mean", "m/s",
-                                      "mean normal speed u_n at first touch");
+                                      "mean normal speed u_n at first contact");
   add_means<&CollisionSums::slip>(
       list, "impact_speed_tangential_mean", "m/s",
-      "mean tangential speed |u_t| of the touching points at first touch, spin included");
+      "mean tangential speed |u_t| of the contact points at first contact, spin included");
   add_means<&CollisionSums::angle>(
       list, "impact_angle_mean", "deg",
       "mean angle of impact, atan2(|u_t|, u_n): 0 head-on, 90 grazing");

@@ -30,8 +30,8 @@ const LogHistogram& energies(const Case& what, const observe::Spectra& spectra) 
   return spectra.energy_lost;
 }
 
-/// Collisions of one kind of pair, a bin of energy at its mean, as means over replicates. What has
-/// no energy presses nothing.
+/// Appends the collisions of one kind of pair: one stress per energy bin, at the bin's mean energy,
+/// as means over replicates. Bin 0, which holds collisions without energy, is left out.
 void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int pair,
                   StressSpectrum& all) {
   for (int bin = 1; bin < LogHistogram::bins; ++bin) {
@@ -46,7 +46,7 @@ void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int
   }
 }
 
-/// Each nip as the mean over replicates.
+/// Each nip: mean over replicates.
 std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Replicate*>& of) {
   std::vector<powder::Nip> mean;
   for (const Replicate* r : of) {
@@ -72,7 +72,7 @@ powder::Stream stream_of(const Replicate& r, const std::vector<powder::Nip>& nip
 
 powder::SizeEvolution milling_by_sample(const Case& what, const Replicate& r,
                                         const StressSpectrum& stresses, int index) {
-  // A stream of its own, far from those that place balls.
+  // A random stream of its own, apart from the streams that place balls.
   constexpr std::uint32_t first = 0x706f7764U;
   Random random(what.seed, first + static_cast<std::uint32_t>(index));
   const auto start = static_cast<std::uint64_t>(std::ldexp(random.uniform(), 53));
@@ -181,7 +181,7 @@ void grind(const Case& what, Replicate& replicate, int index) {
 
 namespace {
 
-/// Of the powder at the end of its milling, of what the case chose.
+/// `of(grid, shares)` at the end of milling, by the method that counts; NaN without milling.
 template <class Of>
 double at_end(const Replicate& r, const Of& of) {
   if (!r.grinding || !r.grinding->has_milling()) return undefined;
@@ -204,19 +204,21 @@ CaptureRates capture_of(const Replicate& r) {
 std::vector<Measure> capture_measures(const Case& what) {
   if (!what.capture) return {};
   return {
-      {"captured_mass_rate", "kg/s", "powder that collisions catch per second",
+      {"captured_mass_rate", "kg/s", "mass of powder that collisions capture per second",
        [](const Case&, const Replicate& r) { return capture_of(r).mass; }},
-      {"captured_share_rate", "1/s", "that over the mass of the powder: how often a grain is hit",
+      {"captured_share_rate", "1/s",
+       "captured mass rate over the mass of the powder: how often a grain is hit",
        [](const Case& c, const Replicate& r) { return capture_of(r).mass / c.powder->mass; }},
       {"captured_grains_mean", "1",
-       "grains of the feed's median size in a collision, mean weighted by its energy",
+       "captured grains of the feed's median size in a collision, mean weighted by energy",
        [](const Case&, const Replicate& r) { return capture_of(r).grains; }},
-      {"captured_energy_mean", "J/g", "energy that caught powder gets in a collision, by its mass",
+      {"captured_energy_mean", "J/g",
+       "energy that captured powder gets in a collision, by its mass",
        [](const Case&, const Replicate& r) {
          const CaptureRates rates = capture_of(r);
          return share(rates.power, 1000 * rates.mass);
        }},
-      {"captured_dose_rate", "W/g", "power that caught grains get, by mass of the powder",
+      {"captured_dose_rate", "W/g", "power that captured grains get, by mass of the powder",
        [](const Case& c, const Replicate& r) {
          return capture_of(r).power / (1000 * c.powder->mass);
        }},
@@ -232,17 +234,17 @@ std::vector<Measure> grinding_measures(const Case& what) {
        [](const Case&, const Replicate& r) { return size_at_end(r, 0.5); }},
       {"d90", "m", "size that 90 % of the powder's mass is finer than, after milling",
        [](const Case&, const Replicate& r) { return size_at_end(r, 0.9); }},
-      {"specific_surface", "m2/kg", "of spheres of these sizes, after milling",
+      {"specific_surface", "m2/kg", "specific surface of spheres of these sizes, after milling",
        [](const Case& c, const Replicate& r) {
          return at_end(r, [&](const auto& grid, const auto& shares) {
            return powder::specific_surface(grid, shares, *c.powder->density);
          });
        }},
-      {"finest_share", "1", "mass in the finest class, which does not break any further",
+      {"finest_share", "1", "share of the mass in the finest class, which does not break further",
        [](const Case&, const Replicate& r) {
          return at_end(r, [](const auto&, const auto& shares) { return shares.back(); });
        }},
-      {"specific_grinding_energy", "J/g", "what caught grains got over the time of milling",
+      {"specific_grinding_energy", "J/g", "energy that captured grains got over the milling time",
        [](const Case& c, const Replicate& r) {
          return capture_of(r).power * c.grinding->time / (1000 * c.powder->mass);
        }},
@@ -253,11 +255,12 @@ std::vector<Measure> grinding_measures(const Case& what) {
 std::vector<Measure> kinetics_measures(const Case& what) {
   if (!what.kinetics) return {};
   std::vector<Measure> list{
-      {"milling_dose", "J/g", "energy by mass of powder over the time of milling",
+      {"milling_dose", "J/g", "energy by mass of powder over the milling time",
        [](const Case& c, const Replicate& r) {
          return r.grinding ? r.grinding->dose_rate * c.kinetics->time / 1000 : undefined;
        }},
-      {"conversion", "1", "after milling, by that dose", [](const Case& c, const Replicate& r) {
+      {"conversion", "1", "conversion after milling, by that dose",
+       [](const Case& c, const Replicate& r) {
          return r.grinding ? c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time)
                            : undefined;
        }}};

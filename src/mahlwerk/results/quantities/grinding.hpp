@@ -10,37 +10,38 @@
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
-// What collisions do to the powder (docs/theory/powder.md).
+// Capture, grinding and dose of the powder (docs/theory/powder.md).
 namespace mahlwerk::results {
 
-/// The collisions of some replicates together, by kind of pair, in the energy that [capture] chose.
-/// A new run of the mill is not needed to grind anew.
+/// Stress spectrum of the replicates in `of`, by kind of pair, for the energy that [capture]
+/// chooses. New grinding parameters need no new run of the mill.
 powder::StressSpectrum stress_spectrum(const cases::Case& what,
                                        const std::vector<const Replicate*>& of);
 
-/// The energy that [capture] chose, as the stream knows it.
+/// The energy that [capture] chooses, as StressStream::Energy.
 observe::StressStream::Energy stream_energy(const cases::Case& what);
 
-/// Classes of size for a case with [grinding].
+/// Size classes of a case with [grinding].
 powder::SizeGrid size_grid(const cases::Case& what);
 
-/// How the powder of a case with [grinding] gets finer under these collisions, by the balance.
-/// `known`: its beds by size, where they are at hand.
+/// Size evolution of the powder of a case with [grinding] by the population balance. `known`: its
+/// capture table, if it is available.
 powder::SizeEvolution milling_by_balance(const cases::Case& what,
                                          const powder::StressSpectrum& stresses,
                                          const powder::CaptureTable* known = nullptr);
-/// Those beds, which stay the same as long as [capture], [powder] and the classes do; of a mixed
-/// bed nothing that could be kept.
+/// Capture table of the case. It is valid as long as [capture], [powder] and the classes do not
+/// change. Empty for a mixed bed, whose captures change with the powder.
 powder::CaptureTable beds(const cases::Case& what, const powder::StressSpectrum& stresses);
 
-/// [J/kg] That the powder gets in a second: what is dissipated, or what caught grains get.
+/// [W/kg] Dose rate of the powder: dissipated power, or power of captured grains, by its mass.
 double dose_rate(const cases::Case& what, const std::vector<const Replicate*>& of,
                  const powder::StressSpectrum& stresses);
 
-/// Of grains of the median size of the feed.
+/// Capture rates of grains of the feed's median size.
 CaptureRates capture_rates(const cases::Case& what, const powder::StressSpectrum& stresses);
 
-/// Fills `replicate.grinding` of a case with [capture] or [kinetics].
+/// Fills `replicate.grinding` of a case with [capture] or [kinetics]. `index`: number of the
+/// replicate, from 0, which selects its random numbers.
 void grind(const cases::Case& what, Replicate& replicate, int index);
 
 std::vector<Measure> capture_measures(const cases::Case& what);
@@ -49,13 +50,13 @@ std::vector<Measure> kinetics_measures(const cases::Case& what);
 
 Table capture(const Outcome& outcome);  ///< capture.csv: a row per pair and bin of energy
 Table captured_grains(
-    const Outcome& outcome);             ///< captured_grains.csv: collisions by grains caught
+    const Outcome& outcome);             ///< captured_grains.csv: collisions by captured grains
 Table grinding(const Outcome& outcome);  ///< grinding.csv: sizes over time
-/// size_distribution.csv: the classes at the feed and at some times of milling.
+/// size_distribution.csv: shares of the classes in the feed and at some milling times.
 Table size_distribution(const Outcome& outcome);
 Table conversion(const Outcome& outcome);  ///< conversion.csv: over time and dose
 
-/// Where the models are asked beyond their range; empty if all is well.
+/// Warnings where grinding models are used beyond their range of validity; else empty.
 Notices grinding_warnings(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is told of the powder, as tables.
+// Tables of the powder: capture, grinding, size distribution, conversion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::vector<MillingOf> methods(const Replicate& r) {
   return list;
 }
 
-/// What stands before the names of columns of the sample where there is a balance, too.
+/// Prefix of the sample's column names where there is a balance, too.
 std::string prefix(const Replicate& r, MillingOf method) {
   return methods(r).size() == 2 && method == &GrindingOutcome::sample ? "sample_" : "";
 }
@@ -43,11 +43,11 @@ Table capture(const Outcome& outcome) {
   for (const Column& c : std::vector<Column>{
            {"energy", "J", "mean energy of the collisions in a bin, as [capture] energy says"},
            {"rate", "1/s", "collisions per second"},
-           {"grains", "1", "grains of the feed's median size that such a collision catches"},
-           {"mass", "kg", "their mass, mean"},
-           {"radius", "m", "of the spot they are caught on"},
-           {"energy_per_grain", "J", "that each gets"},
-           {"specific_energy", "J/kg", "that by its mass"}})
+           {"grains", "1", "grains of the feed's median size that such a collision captures"},
+           {"mass", "kg", "mean captured mass"},
+           {"radius", "m", "radius of the area on which they are captured"},
+           {"energy_per_grain", "J", "energy that each captured grain gets"},
+           {"specific_energy", "J/kg", "energy that each captured grain gets, by its mass"}})
     table.columns.push_back(c);
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
@@ -68,11 +68,12 @@ Table capture(const Outcome& outcome) {
 }
 
 Table captured_grains(const Outcome& outcome) {
-  Table table{{{"grains_low", "1", "grains caught by a collision, lower edge of the bin"},
-               {"grains_high", "1", "upper edge; the first bin holds single grains alone"},
-               {"rate", "1/s", "collisions per second"},
-               {"power", "W", "the sum of their energy per second"}},
-              {}};
+  Table table{
+      {{"grains_low", "1", "grains captured by a collision, lower edge of the bin"},
+       {"grains_high", "1", "upper edge of the bin; the first bin holds single grains only"},
+       {"rate", "1/s", "collisions per second"},
+       {"power", "W", "sum of the energies of these collisions per second"}},
+      {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.capture || chosen.empty()) return table;
   const powder::Process process = cases::process(outcome.what);
@@ -93,8 +94,8 @@ Table captured_grains(const Outcome& outcome) {
 }
 
 Table grinding(const Outcome& outcome) {
-  Table table{{{"time", "s", "of milling"},
-               {"specific_energy", "J/g", "that caught grains got until then"}},
+  Table table{{{"time", "s", "milling time"},
+               {"specific_energy", "J/g", "energy that captured grains got until then"}},
               {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.grinding || chosen.empty()) return table;
@@ -107,8 +108,8 @@ Table grinding(const Outcome& outcome) {
           {prefix(first, method) + name, "m",
            fmt::format("size that {:.0f} % of the mass is finer than{}", 100 * share,
                        method == &GrindingOutcome::sample ? ", of the sample" : "")});
-    table.columns.push_back(
-        {prefix(first, method) + "specific_surface", "m2/kg", "of spheres of these sizes"});
+    table.columns.push_back({prefix(first, method) + "specific_surface", "m2/kg",
+                             "specific surface of spheres of these sizes"});
   }
   const double power =
       mean_over(chosen, [](const Replicate& r) { return r.grinding->capture.power; });
@@ -132,7 +133,7 @@ Table grinding(const Outcome& outcome) {
 }
 
 Table size_distribution(const Outcome& outcome) {
-  Table table{{{"time", "s", "of milling"},
+  Table table{{{"time", "s", "milling time"},
                {"size_low", "m", "lower edge of the class"},
                {"size_high", "m", "upper edge of the class"}},
               {}};
@@ -141,7 +142,7 @@ Table size_distribution(const Outcome& outcome) {
   const Replicate& first = *chosen.front();
   for (const MillingOf method : methods(first)) {
     const std::string before = prefix(first, method);
-    table.columns.push_back({before + "share", "1", "of the mass in the class"});
+    table.columns.push_back({before + "share", "1", "share of the mass in the class"});
     table.columns.push_back({before + "density", "1", "share per unit of the logarithm of size"});
     table.columns.push_back(
         {before + "passing", "1", "share of the mass finer than the upper edge"});
@@ -174,9 +175,9 @@ Table size_distribution(const Outcome& outcome) {
 }
 
 Table conversion(const Outcome& outcome) {
-  Table table{{{"time", "s", "of milling"},
+  Table table{{{"time", "s", "milling time"},
                {"dose", "J/g", "energy by mass of powder until then"},
-               {"conversion", "1", "by that dose"}},
+               {"conversion", "1", "conversion by that dose"}},
               {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
   if (!outcome.what.kinetics || chosen.empty()) return table;

@@ -6,45 +6,45 @@
 
 #include "mahlwerk/results/quantities/measure.hpp"
 
-// The groups of quantities that measures.cpp lists (docs/formats.md). Which a case has depends on
-// what it asks for, not on what ran it; those of powder and wear stand with their tables.
+// The groups of quantities that measures.cpp lists (docs/formats.md). The case decides which of
+// them a result has. Quantities of powder and wear are declared beside their tables.
 namespace mahlwerk::results {
 
 // collisions.cpp
 std::vector<Measure> collision_rates();
-/// With each other and with the jar, where there are several balls.
+/// Collision rates between balls and with the jar; empty for a single ball.
 std::vector<Measure> collision_rates_by_partner(const cases::Case& what);
 /// Means over all collisions, and over those above the threshold.
 std::vector<Measure> collision_means();
 
 // power.cpp
-/// What the mill draws and dissipates, and the time in lasting contact.
+/// Drawn and dissipated power, and the time in sustained contact.
 std::vector<Measure> power_measures();
-/// Where the soft engine's power goes. Their sum is the dissipated power.
+/// Dissipated power by mechanism (soft engine). Normal, tangential and rolling power sum to the
+/// dissipated power; sliding power is part of the tangential one.
 std::vector<Measure> loss_measures(const cases::Case& what);
-/// How far an event run rests on the TC rule (man.8).
+/// Influence of the TC rule on an event run (man.8).
 std::vector<Measure> contact_time_measures(const cases::Case& what);
 
 // milling.cpp
 /// Impacts per ball, power of all jars, torque.
 std::vector<Measure> mill_measures(const cases::Case& what);
-/// Dose and stress of the powder; none without [powder].
+/// Dose and stress of the powder; empty without [powder].
 std::vector<Measure> dose_measures(const cases::Case& what);
-/// Where the dissipated energy is: in finished collisions, in contacts that go on, in lasting ones.
+/// Dissipated power of finished collisions, and of sustained and unfinished contacts (obs.3).
 std::vector<Measure> energy_balance_measures();
 
 // motion.cpp
-/// Occupied share of the jar's cross-section, of tumbling and planetary mills, and the balls'
-/// speeds (obs.9).
+/// Occupied share of the jar's cross-section (tumbling and planetary mills) and root mean square
+/// speeds of the balls (obs.9).
 std::vector<Measure> motion_measures(const cases::Case& what);
-/// Energy of the motion across the normal, in a collision and in a second, and the share of grazing
-/// impacts.
+/// Tangential impact energy per collision and per second, and the share of grazing impacts.
 std::vector<Measure> tangential_measures();
 
 // checks.cpp
-/// Of powder as grains: the same in every replicate.
+/// Numbers of powder as grains, the same in every replicate.
 std::vector<Measure> grain_measures(const cases::Case& what);
-/// What says how exact a run was.
+/// Checks of a run's accuracy: energy residuals and the deepest overlap.
 std::vector<Measure> check_measures();
 
 }  // namespace mahlwerk::results

@@ -17,13 +17,13 @@ Index count(const JarMesh& mesh) {
   return static_cast<Index>(mesh.vertices.size());
 }
 
-/// A point of a profile: distance from the axis, and height.
+/// A point of a profile: distance from the axis and height [m].
 struct ProfilePoint {
   double rho, z;
 };
 using Profile = std::vector<ProfilePoint>;
 
-/// Adds a quarter of a circle about a point, from `from` on [rad, 0 outwards, pi/2 upwards].
+/// Adds a quarter circle about a point, from the angle `from` [rad]: 0 outwards, pi/2 upwards.
 void add_quarter(Profile& profile, const ProfilePoint& middle, double radius, double from,
                  Index facets) {
   for (Index i = 0; i <= facets / 4; ++i) {
@@ -32,7 +32,7 @@ void add_quarter(Profile& profile, const ProfilePoint& middle, double radius, do
   }
 }
 
-/// A profile from the lower end of the axis to its upper end, turned about it.
+/// Adds the surface of revolution of a profile from the lower to the upper end of the axis.
 void add_revolved(JarMesh& mesh, const Profile& profile, Index facets) {
   const double tiny = 1e-12 * (profile.back().z - profile.front().z);  // rounding
   Profile rings;
@@ -65,7 +65,7 @@ Profile profile_of(double diameter, double height) {
   return {{0, -h}, {r, -h}, {r, h}, {0, h}};
 }
 
-/// Half spheres below and above; without a height, a sphere.
+/// Hemispheres below and above; without a height, a sphere.
 Profile capsule_profile(double diameter, double height, Index facets) {
   Profile profile;
   add_quarter(profile, {0, -0.5 * height}, 0.5 * diameter, -0.5 * std::numbers::pi, facets);
@@ -82,9 +82,10 @@ Profile rounded_profile(const geometry::RoundedCylinder& jar, Index facets) {
   return profile;
 }
 
-using Cap = std::vector<std::array<Index, 3>>;  // a polygon's triangles, by its corners' numbers
+using Cap =
+    std::vector<std::array<Index, 3>>;  // triangles of a polygon, by the indices of its corners
 
-/// A polygon, anticlockwise, drawn along z.
+/// Adds an anticlockwise polygon extruded along z.
 void add_prism(JarMesh& mesh, const std::vector<Vec3>& polygon, const Cap& cap, double height) {
   const auto n = static_cast<Index>(polygon.size());
   for (const double z : {-0.5 * height, 0.5 * height})
@@ -105,7 +106,8 @@ void add_box(JarMesh& mesh, double width, double depth, double height) {
   add_prism(mesh, {{w, -d, 0}, {w, d, 0}, {-w, d, 0}, {-w, -d, 0}}, {{0, 1, 2}, {0, 2, 3}}, height);
 }
 
-/// Where the side of a bar ends on the shell: [m] out from the axis, and aside of the bar's middle.
+/// Point where a bar's side meets the shell: [m] z outwards from the axis, rho aside from the bar's
+/// middle.
 ProfilePoint bar_base(const geometry::LifterCylinder& jar, const ProfilePoint& top) {
   const SinCos side = sin_cos(jar.lifter_face_angle);
   const double r = 0.5 * jar.diameter, b = top.z * side.sin + top.rho * side.cos;
@@ -113,7 +115,8 @@ ProfilePoint bar_base(const geometry::LifterCylinder& jar, const ProfilePoint& t
   return {top.rho + down * side.cos, top.z + down * side.sin};
 }
 
-/// The drum's section: for each bar the two edges of its top, then the shell as far as the next.
+/// Adds the extruded cross-section of the drum: for each bar the two edges of its top, then the
+/// shell up to the next bar.
 void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
   const double slope = std::cos(jar.lifter_face_angle) / std::sin(jar.lifter_face_angle);
   const ProfilePoint top{0.5 * jar.lifter_width - slope * jar.lifter_height,
@@ -135,8 +138,8 @@ void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facet
           sin_cos(2 * std::numbers::pi * bar / jar.lifters + half + shell * i / pieces);
       section.push_back(0.5 * jar.diameter * Vec3{to.cos, to.sin, 0});
     }
-    // Behind the tops the pocket between two bars, the nearer half of the shell seen from each;
-    // before them a convex polygon.
+    // Triangulates the pocket between two bars as two fans from the edges of their tops. The tops
+    // themselves form a convex polygon.
     const Index left = bar * each + 1, first = left + 1, right = (left + each - 1) % all;
     for (Index i = 0; i < pieces; ++i)
       cap.push_back({i < middle ? left : right, first + i, first + i + 1});
@@ -148,7 +151,7 @@ void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facet
   add_prism(mesh, section, cap, jar.height);
 }
 
-/// A shaft through the lid, and arms: capsules that lie across it.
+/// Adds a shaft through the lid, and arms: capsules across the shaft.
 void add_rotor(JarMesh& mesh, const geometry::Attritor& jar, Index facets) {
   const double bottom = -0.5 * jar.height, length = jar.height - jar.shaft_clearance;
   add_revolved(mesh, profile_of(jar.shaft_diameter, length), facets);
@@ -160,7 +163,8 @@ void add_rotor(JarMesh& mesh, const geometry::Attritor& jar, Index facets) {
                  facets / 4);
     const double z = bottom + jar.arm_clearance + arm * jar.arm_spacing;
     for (Index i = first; i < count(mesh); ++i) {
-      const Vec3 p = mesh.vertices[i];  // its axis, z, along x or y by going round the three axes
+      const Vec3 p =
+          mesh.vertices[i];  // cyclic permutation of axes: the capsule's z becomes x or y
       mesh.vertices[i] = arm % 2 == 0 ? Vec3{p.z, p.x, p.y + z} : Vec3{p.y, p.z, p.x + z};
     }
   }

@@ -10,25 +10,24 @@
 #include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 
-// What a jar looks like: its inner wall as triangles, for viewers.
+// The jar's inner wall as triangles, for viewers.
 namespace mahlwerk::results {
 
-/// A closed surface in the jar's own axes. Its triangles run anticlockwise as seen from outside of
-/// what it encloses: balls are inside of a jar and outside of a rotor.
+/// A closed surface in the jar's own axes. Triangles are anticlockwise seen from outside of the
+/// enclosed volume: balls are inside of a jar and outside of a rotor.
 struct JarMesh {
   std::string name;            ///< "jar" or "rotor"
   std::vector<Vec3> vertices;  ///< [m], all on the wall
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  bool rotor = false;  ///< turns by itself, about z: see rotor_turn
+  bool rotor = false;  ///< rotates about z relative to the jar: see rotor_turn
 };
 
-/// The jar, and its rotor where it has one, as it stands at first. Round walls are cut into so many
-/// facets all round, a multiple of 16, arms of a rotor into a quarter of that; with 96 surfaces
-/// stay below 20 000 triangles. One that was read from a file is as it was. A periodic box is drawn
-/// as a box.
+/// The jar, and its rotor if it has one, at time 0. `facets`, a multiple of 16: facets around a
+/// round wall; rotor arms have a quarter of them. With 96 facets a surface has fewer than 20 000
+/// triangles. A jar from a mesh file keeps its triangles. A periodic box is a box.
 std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, std::uint32_t facets = 96);
 
-/// How the rotor has turned in the jar's own axes at `time` [s] since the start.
+/// Rotation of the rotor in the jar's own axes at `time` [s] since the start.
 Rotation rotor_turn(const geometry::AnyShape& shape, double time);
 
 }  // namespace mahlwerk::results

@@ -9,12 +9,12 @@
 
 namespace mahlwerk::results {
 
-/// The mean of a quantity and its half-width; a replicate in which it does not exist (no collision)
-/// is left out.
+/// Sets a quantity's mean and its half-width. Values that are not finite, as of a replicate without
+/// collisions, are left out.
 void combine(Quantity& q, const std::vector<double>& values);
 
-/// Each quantity's mean over the replicates with these numbers, from 1; `each` holds the values of
-/// every replicate.
+/// Means of all quantities over the replicates with these `numbers`, from 1. `each` holds the
+/// values of every replicate.
 std::vector<Quantity> means(const std::vector<Measure>& measures,
                             const std::vector<std::vector<double>>& each,
                             const std::vector<std::size_t>& numbers);

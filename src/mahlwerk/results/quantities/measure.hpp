@@ -8,7 +8,7 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// How quantities of a summary are made: each from a case and one replicate of it.
+// Definitions of summary quantities, each computed from a case and one of its replicates.
 namespace mahlwerk::results {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -16,17 +16,17 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 struct Measure {
   std::string name, unit, about;
   double (*compute)(const cases::Case&, const Replicate&);
-  bool worst = false;  ///< over replicates: the largest instead of the mean
+  bool worst = false;  ///< the summary has the largest value over replicates instead of the mean
 };
 
-/// All that each replicate of a case has, in the order of summary.json.
+/// All quantities that each replicate of a case has, in the order of summary.json.
 std::vector<Measure> measures(const cases::Case& what);
 
 inline double share(double part, double whole) {
   return whole > 0 ? part / whole : undefined;
 }
 
-/// Of an account's number, how much a second of the counted time.
+/// Change of a member of the energy balance per second of counted time.
 inline double per_time(const Replicate& r, double scene::EnergyBalance::*what) {
   return share(r.energy_balance.*what - r.at_settled.*what, r.time());
 }

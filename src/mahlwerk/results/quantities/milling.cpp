@@ -14,7 +14,7 @@ namespace {
 using cases::Case;
 
 double impacts_per_ball(const Case& c, const Replicate& r, const observe::CollisionSums& sums) {
-  // A collision of two balls is an impact on each.
+  // A collision of two balls is one impact on each ball.
   return share(static_cast<double>(sums.count + sums.between_balls), r.time() * count_of_balls(c));
 }
 
@@ -22,7 +22,7 @@ double drawn(const Replicate& r) {
   return per_time(r, &scene::EnergyBalance::wall_work);
 }
 
-/// [rad/s] of the shaft that drives the mill; NaN where none turns steadily.
+/// [rad/s] Speed of the shaft that drives the mill; NaN where no shaft turns steadily.
 double shaft_speed(const Case& c) {
   if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
     return std::abs(drum->speed);
@@ -31,7 +31,7 @@ double shaft_speed(const Case& c) {
   return undefined;
 }
 
-/// [1] particles of the powder; NaN if their size is not known.
+/// [1] Number of powder particles; NaN if their size is not known.
 double particles(const Case& c) {
   if (!c.powder->size || !c.powder->density) return undefined;
   const double x = *c.powder->size;
@@ -50,24 +50,26 @@ double dose_rate(const Case& c, const Replicate& r) {
 
 std::vector<Measure> mill_measures(const Case& what) {
   std::vector<Measure> list{
-      {"impacts_per_ball", "1/s", "impacts on each ball per second, on others and on the jar",
+      {"impacts_per_ball", "1/s",
+       "impacts of each ball per second, with other balls and with the jar",
        [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.all); }},
-      {"impacts_per_ball_above_threshold", "1/s", "those of at least the threshold in normal speed",
+      {"impacts_per_ball_above_threshold", "1/s",
+       "impacts of each ball per second with a normal speed u_n of at least the threshold",
        [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.above); }},
       {"power_imbalance", "1",
-       "drawn over dissipated power, less one: the charge still gains or loses energy where it is "
-       "not small",
+       "drawn over dissipated power, minus one: where it is not small, the charge still gains or "
+       "loses energy",
        [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
   };
   if (std::isfinite(shaft_speed(what)))
     list.push_back({"shaft_torque", "N m",
-                    "drawn power over the speed of the shaft, per jar; friction of the drive left "
-                    "out",
+                    "drawn power over the speed of the shaft, per jar; without friction of the "
+                    "drive",
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) / shaft_speed(c);  // (obs.7)
                     }});
   if (what.mill.jars_carried > 1)
-    list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars the mill carries",
+    list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars that the mill carries",
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) * static_cast<double>(c.mill.jars_carried);
                     }});
@@ -78,16 +80,16 @@ std::vector<Measure> dose_measures(const Case& what) {
   if (!what.powder || !(what.powder->mass > 0)) return {};
   std::vector<Measure> list{
       {"specific_energy_dose_rate", "W/g",
-       "dissipated power per mass of powder: what the powder gets at most", dose_rate},
+       "dissipated power per mass of powder: an upper bound of what the powder gets", dose_rate},
       {"specific_energy_dose", "J/g",
-       cases::milling_time(what) ? "that dose rate times the milling time"
-                                 : "that dose rate times the counted time: the case says of no "
-                                   "other how long the mill works",
+       cases::milling_time(what) ? "dose rate times the milling time"
+                                 : "dose rate times the counted time, as the case gives no "
+                                   "milling time",
        [](const Case& c, const Replicate& r) {
          return dose_rate(c, r) * cases::milling_time(c).value_or(r.time());
        }},
       {"specific_impact_power", "W/g",
-       "impact energy of the touching points of all collisions, per second and mass of powder",
+       "impact energy of the contact points of all collisions, per second and mass of powder",
        [](const Case& c, const Replicate& r) {
          return share(r.tally.all.energy_contact_point, r.time() * 1000 * c.powder->mass);
        }},
@@ -96,14 +98,13 @@ std::vector<Measure> dose_measures(const Case& what) {
        [](const Case&, const Replicate& r) { return stress_energy(r); }},
   };
   if (cases::milling_time(what))
-    list.insert(
-        list.begin() + 2,
-        {"milling_time", "s",
-         "how long the mill works, pauses left out, as [grinding], [kinetics] or [heat] say",
-         [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
+    list.insert(list.begin() + 2,
+                {"milling_time", "s",
+                 "operating time of the mill without pauses, from [grinding], [kinetics] or [heat]",
+                 [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
   if (what.powder->size && what.powder->density)
     list.push_back({"stress_number_rate", "1/s",
-                    "stress events per second and particle of the powder, each event on one",
+                    "stress events per second and particle of the powder, one particle an event",
                     [](const Case& c, const Replicate& r) {
                       return share(static_cast<double>(r.tally.above.count),
                                    r.time() * particles(c));
@@ -114,11 +115,11 @@ std::vector<Measure> dose_measures(const Case& what) {
 std::vector<Measure> energy_balance_measures() {  // (obs.3)
   return {
       {"dissipated_power_of_collisions", "W",
-       "of the dissipated power, what finished collisions tell: the sum of the spectrum",
+       "power dissipated in finished collisions: the sum of the spectrum",
        [](const Case&, const Replicate& r) { return share(r.tally.all.lost, r.time()); }},
       {"dissipated_power_of_lasting_contacts", "W",
-       "of it, in contacts that last: rolling and sliding that no record tells of, and contacts "
-       "that had not ended",
+       "power dissipated in sustained contacts, for which there are no collision records, and in "
+       "contacts that had not ended",
        [](const Case&, const Replicate& r) {
          return per_time(r, &scene::EnergyBalance::lost_lasting) +
                 per_time(r, &scene::EnergyBalance::lost_open);

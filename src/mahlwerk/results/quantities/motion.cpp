@@ -22,8 +22,8 @@ double smallest_radius(const Case& c) {
   return least;
 }
 
-/// Of the cells whose middle a ball's centre can reach, those that hold more than `bound` of what
-/// an even charge would have there.
+/// Share of the cells within reach of a ball's centre that hold more than `bound` times the density
+/// of a uniformly spread charge (obs.9).
 double occupied_share(const Case& c, const Replicate& r) {
   constexpr double bound = 0.1;
   const PlaneField& field = r.charge.in_carrier;
@@ -43,7 +43,7 @@ double occupied_share(const Case& c, const Replicate& r) {
   return static_cast<double>(full) / static_cast<double>(found.size());
 }
 
-/// Root of the mean square, by mass.
+/// [m/s] Root mean square speed, weighted by mass.
 double speed(const PlaneField& field) {
   double mass = 0, energy = 0;
   for (int j = 0; j < PlaneField::cells; ++j)
@@ -61,7 +61,7 @@ double mean_across(const CollisionSums& sums) {
   return share(across(sums), static_cast<double>(sums.count));
 }
 
-/// Of angles from 80 to 90 degrees.
+/// Share of the counts at angles from 80 to 90 degrees.
 double grazing(const observe::Angles& angles, std::int64_t count) {
   constexpr std::ptrdiff_t from = 80;
   const auto those = std::accumulate(angles.begin() + from, angles.end(), std::int64_t{0});
@@ -74,15 +74,16 @@ std::vector<Measure> motion_measures(const Case& what) {
   std::vector<Measure> list;
   if (!regime_measures(what).empty())
     list.push_back({"occupied_share", "1",
-                    "share of the jar's cross-section, as far as balls' centres reach, that holds "
-                    "more than a tenth of an even charge on average, seen from what carries the "
-                    "jar",
+                    "share of the jar's cross-section within reach of balls' centres whose mean "
+                    "density is more than a tenth of that of a uniformly spread charge, in the "
+                    "carrier's frame",
                     occupied_share});
   list.push_back({"ball_speed_seen_from_carrier", "m/s",
-                  "root of the mean square of the balls' speeds by mass, riding with the jar's "
-                  "centre and turning with what carries it",
+                  "root mean square speed of the balls by mass, in a frame that moves with the "
+                  "jar's centre and rotates with its carrier",
                   [](const Case&, const Replicate& r) { return speed(r.charge.in_carrier); }});
-  list.push_back({"ball_speed_seen_from_jar", "m/s", "the same seen from the turning jar",
+  list.push_back({"ball_speed_seen_from_jar", "m/s",
+                  "root mean square speed of the balls by mass, in the jar's frame",
                   [](const Case&, const Replicate& r) { return speed(r.charge.in_jar); }});
   return list;
 }

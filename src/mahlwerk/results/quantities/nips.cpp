@@ -16,14 +16,16 @@
 namespace mahlwerk::results {
 namespace {
 
-/// A patch of the wall: its face, its curvature as a matrix over two tangents [1/m], concave > 0.
+/// A patch of the wall: its face and its symmetric curvature matrix over two tangents [1/m],
+/// concave > 0.
 struct WallPatch {
   int face = 0;
   double area = 0;  // [m2]
-  int cell = 0;     // of the map
+  int cell = 0;     // of WallGrid
   double one = 0, both = 0, other = 0;
 
-  /// [m] Geometric mean of both effective radii (cap.3); 0 where a ball so large does not touch.
+  /// [m] Geometric mean of both effective radii (cap.3); 0 where a ball of this radius does not
+  /// fit.
   double effective_radius(double radius) const {
     const double a = 1 / radius - one, b = 1 / radius - other, det = a * b - both * both;
     return a > 0 && det > 0 ? 1 / std::sqrt(det) : 0;
@@ -57,20 +59,20 @@ WallPatch wall_patch(const Shape& shape, const Vec3& near, double area,
   return patch;
 }
 
-/// Calls `visit(middle, area)` for pieces of a triangle that are no larger than `most` [m2].
+/// Calls `visit(middle, area)` for pieces of a triangle with areas of at most `most` [m2].
 template <class Visit>
 void subdivide(const Vec3& a, const Vec3& b, const Vec3& c, double most, const Visit& visit) {
   const double area = 0.5 * norm(cross(b - a, c - a));
   if (!(area > most)) return visit((a + b + c) / 3, area);
   const double ab = norm(b - a), bc = norm(c - b), ca = norm(a - c);
-  // Halved at its longest side, which comes first.
+  // Bisects the longest side, which is rotated to the first place.
   if (bc > ab && bc >= ca) return subdivide(b, c, a, most, visit);
   if (ca > ab) return subdivide(c, a, b, most, visit);
   subdivide(a, (a + b) / 2, c, most, visit);
   subdivide((a + b) / 2, b, c, most, visit);
 }
 
-/// The wall in some thousand patches, as fine as the cells of its map.
+/// Splits the wall into some thousand patches, about as fine as the cells of its map.
 std::vector<WallPatch> wall_patches(const geometry::AnyShape& shape,
                                     const observe::WallGrid& grid) {
   constexpr std::uint32_t facets = 32;
@@ -90,7 +92,8 @@ std::vector<WallPatch> wall_patches(const geometry::AnyShape& shape,
   return patches;
 }
 
-/// [m] Mean over the patches of a face, each by its area and the power of the hits around it.
+/// [m] Mean effective radius over the patches of a face, weighted by the power of hits on them; by
+/// area alone if there are no hits (cap.4).
 double mean_radius(const std::vector<WallPatch>& patches, int face, double radius,
                    const observe::WallMap& hits, const std::vector<double>& areas) {
   double hit = 0, hit_weight = 0, plain = 0, plain_weight = 0;
@@ -128,7 +131,7 @@ std::vector<powder::Nip> nips(const cases::Case& what, const observe::CollisionS
     const auto one = static_cast<std::size_t>(kinds.one);
     powder::Nip nip;
     if (kinds.with_jar() && !what.balls[one].grains) {
-      // Faces beyond those that are told apart are all in the last.
+      // With one face in the statistics, it stands for all faces of the jar.
       const int face = pairs.faces() == 1 ? -1 : kinds.face();
       nip.radius = mean_radius(patches, face, 0.5 * what.balls[one].diameter, hits, areas);
       nip.modulus = cases::flash_pair_with_jar(what, one).modulus;

@@ -10,12 +10,12 @@
 
 namespace mahlwerk::results {
 
-/// Where powder is caught between each kind of pair of a tally, balls of their mean size. A face
-/// whose curvature is not the same everywhere counts as its mean, by where it is hit hardest
-/// (cap.3, cap.4). A radius of 0 where nothing is: pairs with grains of the powder.
+/// The nip of each kind of pair, for balls of their mean size. A face with varying curvature has
+/// its mean effective radius, weighted by the power of hits (cap.3, cap.4). The radius is 0 for
+/// pairs with powder grains, which capture nothing.
 std::vector<powder::Nip> nips(const cases::Case& what, const observe::CollisionStatistics& tally);
 
-/// [m] The effective radius of a ball of that `radius` [m] and a face of the jar, likewise.
+/// [m] Effective radius of a ball of `radius` [m] on a face of the jar, likewise; face -1: all.
 double effective_radius(const geometry::AnyShape& shape, int face, double radius,
                         const observe::WallMap& hits);
 

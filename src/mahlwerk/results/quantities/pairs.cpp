@@ -18,18 +18,18 @@ using observe::PairStatistics;
 using observe::PairSums;
 using observe::StatisticsByPair;
 
-/// A kind of pair under its names, and the tallies it is made of.
+/// A kind of pair: its names, and the indices of the pairs that it sums.
 struct PairKind {
   std::string one, other;
   std::vector<int> pairs;
 };
 
-/// What one kind of pair's collisions add up to in one replicate.
+/// Sums over the collisions of one kind of pair in one replicate.
 struct PairTotals {
   PairSums all, above;
 };
 
-/// A number of one kind of pair in one replicate, whose counted time is `time` [s].
+/// A quantity of one kind of pair in one replicate, whose counted time is `time` [s].
 struct PairMeasure {
   std::string name, unit, about;
   double (*compute)(const PairTotals& tally, double time);
@@ -44,21 +44,24 @@ const std::vector<PairMeasure>& pair_measures() {
       {"collision_rate", "1/s", "collisions of this kind per second",
        [](const PairTotals& t, double time) { return static_cast<double>(t.all.count) / time; }},
       {"collision_rate_above_threshold", "1/s",
-       "those with a normal speed u_n of at least the threshold",
+       "collisions of this kind per second with a normal speed u_n of at least the threshold",
        [](const PairTotals& t, double time) { return static_cast<double>(t.above.count) / time; }},
       {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
        [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_normal); }},
-      {"energy_normal_mean_above_threshold", "J", "of collisions above the threshold",
+      {"energy_normal_mean_above_threshold", "J",
+       "mean impact energy of the normal motion; collisions above the threshold",
        [](const PairTotals& t, double) { return mean_of(t.above, &PairSums::energy_normal); }},
-      {"energy_contact_point_mean", "J", "mean impact energy of the motion of the touching points",
+      {"energy_contact_point_mean", "J", "mean impact energy of the motion of the contact points",
        [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_contact_point); }},
-      {"energy_contact_point_mean_above_threshold", "J", "of collisions above the threshold",
+      {"energy_contact_point_mean_above_threshold", "J",
+       "mean impact energy of the motion of the contact points; collisions above the threshold",
        [](const PairTotals& t, double) {
          return mean_of(t.above, &PairSums::energy_contact_point);
        }},
-      {"collision_power_normal", "W", "dissipated along the normal by finished collisions",
+      {"collision_power_normal", "W", "power dissipated along the normal by finished collisions",
        [](const PairTotals& t, double time) { return t.all.lost_normal / time; }},
-      {"collision_power_tangential", "W", "dissipated across the normal by finished collisions",
+      {"collision_power_tangential", "W",
+       "power dissipated across the normal by finished collisions",
        [](const PairTotals& t, double time) { return t.all.lost_tangential / time; }},
   };
   return list;
@@ -66,7 +69,7 @@ const std::vector<PairMeasure>& pair_measures() {
 
 constexpr std::string_view jar = "jar";
 
-/// Kinds of pairs with the faces of the jar taken together.
+/// Kinds of pairs. All faces of the jar count as one.
 std::vector<PairKind> kinds_of_pairs(const cases::Case& what,
                                      const observe::StatisticsByPair& pairs) {
   std::vector<PairKind> list;
@@ -95,7 +98,7 @@ PairSums sums_of(const Replicate& r, const PairKind& kind, PairSums (*of)(const 
 
 std::vector<Column> pair_columns() {
   return {{"one", "1", "a ball set"},
-          {"other", "1", "what it collides with: a ball set, the jar or a face of it"}};
+          {"other", "1", "its collision partner: a ball set, the jar or a face of it"}};
 }
 
 std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names) {
@@ -139,7 +142,8 @@ Table collisions_by_pair(const std::vector<PairSummary>& pairs) {
   Table table{pair_columns(), {}};
   for (const PairMeasure& m : pair_measures()) {
     table.columns.push_back({m.name, m.unit, m.about});
-    table.columns.push_back({m.name + "_ci95", m.unit, "its half-width at 95 %"});
+    table.columns.push_back(
+        {m.name + "_ci95", m.unit, "half-width of the 95 % confidence interval of that quantity"});
   }
   for (const PairSummary& pair : pairs) {
     std::vector<double> row = pair_cells(table, {pair.one, pair.other});
@@ -153,7 +157,7 @@ Table sizes(const cases::Case& what) {
   Table table{{{"set", "1", "the ball set"},
                {"diameter", "m", "diameter of this size of ball"},
                {"count", "1", "balls of this size"},
-               {"mass_share", "1", "of the set's mass"}},
+               {"mass_share", "1", "share of the set's mass"}},
               {}};
   if (std::ranges::all_of(what.balls, [](const auto& set) { return set.classes.empty(); }))
     return table;

@@ -8,17 +8,17 @@ using scene::EnergyBalance;
 
 std::vector<Measure> power_measures() {
   return {
-      {"dissipated_power", "W", "power dissipated in collisions and lasting contacts together",
+      {"dissipated_power", "W", "power dissipated in collisions and sustained contacts together",
        [](const cases::Case&, const Replicate& r) { return dissipated_power(r); }},
       {"drawn_power", "W", "work of the jar on the balls per time",
        [](const cases::Case&, const Replicate& r) {
          return per_time(r, &EnergyBalance::wall_work);
        }},
-      {"contact_time_share", "1", "share of the balls' time spent in lasting contact",
+      {"contact_time_share", "1", "share of the balls' time spent in sustained contact",
        [](const cases::Case& c, const Replicate& r) {
          return per_time(r, &EnergyBalance::contact_time) / count_of_balls(c);
        }},
-      {"lasting_contacts_rate", "1/s", "lasting contacts begun per second",
+      {"lasting_contacts_rate", "1/s", "sustained contacts begun per second",
        [](const cases::Case&, const Replicate& r) {
          const auto begun = r.energy_balance.lasting_contacts - r.at_settled.lasting_contacts;
          return share(static_cast<double>(begun), r.time());
@@ -29,17 +29,19 @@ std::vector<Measure> power_measures() {
 std::vector<Measure> loss_measures(const cases::Case& what) {
   if (what.run.engine != cases::EngineName::soft) return {};
   return {
-      {"dissipated_power_normal", "W", "of it along the normal: dampers, hysteresis, cohesion",
+      {"dissipated_power_normal", "W",
+       "power dissipated along the normal: dampers, hysteresis, cohesion",
        [](const cases::Case&, const Replicate& r) {
          return per_time(r, &EnergyBalance::lost_normal);
        }},
-      {"dissipated_power_tangential", "W", "of it across the normal: sliding and dampers",
+      {"dissipated_power_tangential", "W",
+       "power dissipated across the normal: sliding and dampers",
        [](const cases::Case&, const Replicate& r) {
          return per_time(r, &EnergyBalance::lost_tangential);
        }},
-      {"dissipated_power_sliding", "W", "of that, by slip at the Coulomb limit",
+      {"dissipated_power_sliding", "W", "part of the tangential power: slip at the Coulomb limit",
        [](const cases::Case&, const Replicate& r) { return per_time(r, &EnergyBalance::slid); }},
-      {"dissipated_power_rolling", "W", "of the dissipated power, by rolling resistance",
+      {"dissipated_power_rolling", "W", "power dissipated by rolling resistance",
        [](const cases::Case&, const Replicate& r) {
          return per_time(r, &EnergyBalance::lost_rolling);
        }},
@@ -47,7 +49,7 @@ std::vector<Measure> loss_measures(const cases::Case& what) {
 }
 
 std::vector<Measure> contact_time_measures(const cases::Case& what) {
-  const bool soft = what.run.engine == cases::EngineName::soft;  // which has no such rule
+  const bool soft = what.run.engine == cases::EngineName::soft;  // has no TC rule
   if (soft || what.contact.lasting != cases::SustainedContactModel::tc) return {};
   return {{"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
            [](const cases::Case&, const Replicate& r) {
@@ -71,7 +73,7 @@ std::vector<Measure> contact_time_measures(const cases::Case& what) {
                  static_cast<double>(r.tally.above.count));
            }},
           {"withheld_power_share", "1",
-           "power that restitution would have dissipated but for the TC rule, over the dissipated "
+           "power that restitution would have dissipated without the TC rule, over the dissipated "
            "power",
            [](const cases::Case&, const Replicate& r) {
              return share(r.energy_balance.withheld - r.at_settled.withheld,

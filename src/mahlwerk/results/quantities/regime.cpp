@@ -23,7 +23,7 @@ using observe::Charge;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// Of a mill with a regime that is no drum.
+/// The motion of a mill with a regime that is not a drum.
 const Planetary& planetary(const Case& c) {
   const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
   if (mill == nullptr) throw std::logic_error("a regime is that of a drum or of a planetary mill");
@@ -36,8 +36,9 @@ bool has_regime(const Case& c) {
          kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
 
-/// Where angles begin, from the plane's right, and the sense in which they grow (obs.8): the lowest
-/// point and the drum's turning; outwards and the jar's turning on its disc.
+/// Zero of angles, from the plane's right axis, and the sense in which they increase (obs.8). Drum:
+/// from its lowest point, in its sense of rotation. Planetary mill: from the outward direction, in
+/// the jar's sense of rotation on its disc.
 struct Reference {
   double zero = 0;  // [rad]
   double sense = 1;
@@ -48,9 +49,8 @@ Reference reference(const Case& c) {
   return {0, planetary(c).ratio < 0 ? -1.0 : 1.0};
 }
 
-/// Toe and shoulder [deg]: between them lies all but 5 % of the charge's mass at either end,
-/// counted round from where there is least, opposite its middle. The toe is within half a turn of
-/// the reference.
+/// Toe and shoulder [deg]: the 5 % and 95 % quantiles of the charge's mass by angle. Counting
+/// begins opposite the centre of mass. The toe is within half a turn of the reference.
 struct Ends {
   double toe = undefined, shoulder = undefined;
 };
@@ -66,7 +66,7 @@ Ends ends(const Charge& charge, const Reference& from) {
   }
   if (!(all > 0)) return {};
   const int first = static_cast<int>(std::floor((std::atan2(y, x) + std::numbers::pi) / step));
-  const int on = from.sense < 0 ? -1 : 1;  // slots are gone through whole, in the sense of turning
+  const int on = from.sense < 0 ? -1 : 1;  // whole slots, in the sense of rotation
   const double start = from.sense * (step * (on < 0 ? first + 1 : first) - from.zero);
   const auto angle_of = [&](double part) {
     double below = 0;
@@ -86,7 +86,7 @@ double flight_share(const Case& c, const Replicate& r) {
   return 1 - per_time(r, &scene::EnergyBalance::contact_time) / count_of_balls(c);
 }
 
-/// Mass in the emptiest of 36 sectors over what an even charge would have there.
+/// Mass in the emptiest of 36 sectors over that of a uniformly spread charge.
 double emptiest_sector(const Case&, const Replicate& r) {
   constexpr std::size_t sectors = 36, each = Charge::angles / sectors;
   const std::vector<double>& mass = r.charge.mass_by_angle;
@@ -116,7 +116,8 @@ double wall_slip(const Case& c, const Replicate& r) {
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall);
 }
 
-/// What turning presses a ball on the wall with, over what pulls it off it.
+/// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
+/// a drum, the disc's rotation in a planetary mill.
 double pinning(const Case& c, const Replicate& r) {
   double largest = 0;
   for (const cases::BallSet& set : c.balls)
@@ -128,7 +129,7 @@ double pinning(const Case& c, const Replicate& r) {
   return share(spin * spin * arm, c.gravity);
 }
 
-/// The mean over the averaged replicates.
+/// Mean over the averaged replicates.
 double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
   double sum = 0;
   const auto chosen = averaged_replicates(outcome);
@@ -144,21 +145,22 @@ std::vector<Measure> regime_measures(const Case& what) {
   return {
       {"flight_share", "1", "share of the balls' time without any contact", flight_share},
       {"toe_angle", "deg",
-       drum ? "angle below which 5 % of the charge lies, from the lowest point on with the turning"
-            : "angle below which 5 % of the charge lies, seen from the disc, from outwards on with "
-              "the jar's turning",
+       drum ? "angle below which 5 % of the charge lies, from the lowest point in the sense of "
+              "rotation"
+            : "angle below which 5 % of the charge lies, in the disc's frame, from the outward "
+              "direction in the jar's sense of rotation",
        toe},
-      {"shoulder_angle", "deg", "angle below which 95 % of the charge lies, likewise", shoulder},
+      {"shoulder_angle", "deg",
+       "angle below which 95 % of the charge lies, measured as the toe angle", shoulder},
       {"emptiest_sector", "1",
-       "mass in the emptiest 10 degrees about the axis over what an even charge would have there",
+       "mass in the emptiest 10 degrees about the axis over that of a uniformly spread charge",
        emptiest_sector},
       {"wall_slip_ratio", "1",
-       "mean speed at which balls at the wall slip on it, over the wall's speed of turning",
-       wall_slip},
+       "mean slip speed of balls at the wall over the wall's speed of rotation", wall_slip},
       {drum ? "froude_number" : "pinning_ratio", "1",
-       drum ? "acceleration by turning of the largest ball at the wall over gravity: 1 pins it"
-            : "acceleration by the jar's turning of the largest ball at the wall over that of the "
-              "disc: above 1 it is pinned",
+       drum ? "centripetal acceleration of the largest ball at the wall over gravity: 1 pins it"
+            : "centripetal acceleration of the largest ball at the wall by the jar's rotation over "
+              "that by the disc's: above 1 the ball is pinned",
        pinning},
   };
 }
@@ -175,8 +177,8 @@ std::string regime(const Outcome& outcome) {
 
 std::string regime_reason(const Outcome& outcome) {
   return fmt::format(
-      "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of an even "
-      "charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
+      "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of a "
+      "uniform charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
       100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
       mean_of(outcome, toe), mean_of(outcome, shoulder),
       kinematics::as<Tumbling>(*outcome.what.mill.motion) != nullptr ? "Froude number"

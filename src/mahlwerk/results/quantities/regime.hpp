@@ -7,17 +7,18 @@
 
 #include "mahlwerk/results/quantities/measure.hpp"
 
-// How the charge of a tumbling or planetary mill moves, by what was measured of it (obs.8).
+// Regime of motion of the charge of a tumbling or planetary mill, by measured quantities (obs.8).
 namespace mahlwerk::results {
 
-/// Flight share, toe and shoulder, spread, slip, pinning; none for other mills.
+/// Flight share, toe and shoulder angles, emptiest sector, wall slip, pinning; empty for other
+/// mills.
 std::vector<Measure> regime_measures(const cases::Case& what);
 
 /// "cascading", "cataracting", "centrifuging" (of a drum), "rolling" (of a planetary mill); empty
-/// for other mills or before anything was seen.
+/// for other mills or without a counted time.
 std::string regime(const Outcome& outcome);
 
-/// The numbers it rests on, in a sentence, where there is a regime.
+/// The quantities that decide the regime, in a sentence. Call only where there is a regime.
 std::string regime_reason(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

@@ -11,19 +11,19 @@
 
 namespace mahlwerk::results {
 
-/// The quantities of summary.json that every window of time has a value of.
+/// Names of the summary.json quantities that have a value in each time window.
 const std::vector<std::string>& series_names();
 
-/// One of them, window by window; empty for any other name. A window in which it does not exist is
-/// left out.
+/// The time series of one of these quantities; empty for any other name. Windows without a finite
+/// value are left out.
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name);
 
-/// Half-width of the 95 % confidence interval of the replicates' mean that their scatter over time
-/// gives; NaN where there is no series.
+/// Half-width of the 95 % confidence interval of the replicates' mean, from the scatter over time;
+/// NaN where there is no series.
 double ci95_over_time(const std::vector<const Replicate*>& replicates, std::string_view name);
 
-/// [s] of the counted time that still belongs to the start, by the dissipated power of all
-/// replicates together (sta.5); half the time or more: it has not settled.
+/// [s] Initial transient within the counted time, by the dissipated power of all replicates
+/// together (MSER-5, sta.5). Half the counted time or more: the charge has not settled.
 double settling_time(const std::vector<const Replicate*>& replicates);
 
 }  // namespace mahlwerk::results

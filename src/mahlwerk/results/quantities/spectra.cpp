@@ -15,7 +15,7 @@ using observe::JointHistogram;
 using observe::LogHistogram;
 using observe::Spectra;
 
-/// An energy of collisions: its name in columns, and what it is.
+/// An energy of collisions: its name in columns and its description.
 struct Energy {
   std::string name, about;
   HistogramMember part;
@@ -28,8 +28,8 @@ const std::vector<Energy>& energies() {
        &Spectra::energy_contact_point},
       {"centre", "the energy of the motion of the centres", &Spectra::energy_centre},
       {"lost", "the energy dissipated", &Spectra::energy_lost},
-      {"lost_normal", "what is dissipated along the normal", &Spectra::lost_normal},
-      {"lost_tangential", "what is dissipated across the normal", &Spectra::lost_tangential},
+      {"lost_normal", "the energy dissipated along the normal", &Spectra::lost_normal},
+      {"lost_tangential", "the energy dissipated across the normal", &Spectra::lost_tangential},
   };
   return list;
 }
@@ -40,7 +40,8 @@ std::vector<HistogramMember> histograms() {
   return list;
 }
 
-/// Rates and powers of the first four, then of the two that came later: columns keep their places.
+/// Rates and powers of the first four energies, then of the two added later, so that older columns
+/// keep their places.
 template <class Rate, class Power>
 void in_order(const Rate& rate, const Power& power) {
   const std::span<const Energy> all(energies());
@@ -149,21 +150,22 @@ Table durations(const Outcome& outcome) {
   return single(outcome, &Spectra::duration,
                 {{"duration_low", "s", "lower edge of the bin, which belongs to it"},
                  {"duration_high", "s", "upper edge of the bin"},
-                 {"rate", "1/s", "contacts that ended per second by how long they lasted"}});
+                 {"rate", "1/s", "contacts that ended per second by their duration"}});
 }
 
 Table flashes(const Outcome& outcome) {
   return single(outcome, &Spectra::flash,
                 {{"rise_low", "K", "lower edge of the bin, which belongs to it"},
                  {"rise_high", "K", "upper edge of the bin"},
-                 {"rate", "1/s", "collisions per second by the rise of the temperature in them"}});
+                 {"rate", "1/s", "collisions per second by their flash temperature rise"}});
 }
 
 Table angles(const Outcome& outcome) {
   Table table{{{"angle_low", "deg", "lower edge of the bin; 0 is head-on, 90 grazing"},
                {"angle_high", "deg", "upper edge of the bin"},
                {"rate", "1/s", "collisions per second by impact angle"},
-               {"rate_above_threshold", "1/s", "those of at least the threshold in normal speed"}},
+               {"rate_above_threshold", "1/s",
+                "collisions per second with a normal speed u_n of at least the threshold"}},
               {}};
   const MeanSpectra spectra(averaged_replicates(outcome));
   if (spectra.empty()) return table;
@@ -180,7 +182,7 @@ Table normal_tangential(const Outcome& outcome) {
                {"energy_normal_high", "J", "upper edge of that bin"},
                {"energy_tangential_low", "J", "lower edge of the bin of m u_t^2/2"},
                {"energy_tangential_high", "J", "upper edge of that bin"},
-               {"rate", "1/s", "collisions per second in both bins"}},
+               {"rate", "1/s", "collisions per second with both energies in these bins"}},
               {}};
   const MeanSpectra spectra(averaged_replicates(outcome));
   for (int n = 0; n < JointHistogram::bins; ++n)

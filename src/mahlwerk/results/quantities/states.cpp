@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* power = "dissipated_power";
 
-/// [W] Below it a power is rounding: of the kinetic energy, over the counted time.
+/// [W] Powers below this are rounding errors of the kinetic energy over the counted time.
 double rounding_power(const std::vector<const Replicate*>& chosen) {
   constexpr double rounding = 1e-9;
   double most = 0;
@@ -74,8 +74,8 @@ Notices state_notices(const Summary& summary) {
   return {warning(
       "two-states",
       fmt::format("The replicates fall into two states: {}, {}. One normal distribution splits as "
-                  "sharply with a chance of {:.2g} %. A mean over both, with its interval, "
-                  "describes neither.",
+                  "sharply with a probability of {:.2g} %. A mean over both states, with its "
+                  "interval, describes neither.",
                   words(*found, 0), words(*found, 1), 100 * found->p_value))};
 }
 

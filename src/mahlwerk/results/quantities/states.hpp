@@ -11,12 +11,12 @@
 // (docs/theory/statistics.md, "Two states").
 namespace mahlwerk::results {
 
-/// Nothing where the replicates show one state, or are too few to tell. `each` holds the values of
-/// every replicate.
+/// The two states, or nothing if the replicates show one state or are too few. `each` holds the
+/// values of every replicate.
 std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Measure>& measures,
                                     const std::vector<std::vector<double>>& each);
 
-/// The notice of them; none where there is one state.
+/// The warning about two states; empty where there is one state.
 Notices state_notices(const Summary& summary);
 
 }  // namespace mahlwerk::results

@@ -25,16 +25,17 @@ double mean(const Chosen& chosen, std::size_t window, const Of& of) {
 }  // namespace
 
 Table time_series(const Outcome& outcome) {
-  Table table{
-      {{"time", "s", "end of the stretch, since counting began"},
-       {"collision_rate", "1/s", "collisions per second"},
-       {"collision_rate_above_threshold", "1/s", "those of at least the threshold in normal speed"},
-       {"energy_normal_mean", "J", "mean impact energy of the normal motion"},
-       {"dissipated_power", "W", "all losses per time"},
-       {"drawn_power", "W", "work of the jar on the balls per time"},
-       {"contact_time_share", "1", "share of the balls' time in lasting contact"},
-       {"kinetic_energy", "J", "at the end of the stretch, in the laboratory frame"}},
-      {}};
+  Table table{{{"time", "s", "end of the time window, since counting began"},
+               {"collision_rate", "1/s", "collisions per second"},
+               {"collision_rate_above_threshold", "1/s",
+                "collisions per second with a normal speed u_n of at least the threshold"},
+               {"energy_normal_mean", "J", "mean impact energy of the normal motion"},
+               {"dissipated_power", "W", "all losses per time"},
+               {"drawn_power", "W", "work of the jar on the balls per time"},
+               {"contact_time_share", "1", "share of the balls' time in sustained contact"},
+               {"kinetic_energy", "J",
+                "kinetic energy at the end of the time window, in the laboratory frame"}},
+              {}};
   const Chosen chosen = averaged_replicates(outcome);
   double balls = 0;
   for (const cases::BallSet& set : outcome.what.balls) balls += static_cast<double>(set.count);
@@ -56,8 +57,9 @@ Table time_series(const Outcome& outcome) {
 }
 
 Table replicates(const Outcome& outcome) {
-  Table table{
-      {{"replicate", "1", "its number, from 1"}, {"complete", "1", "1 if it ran to its end"}}, {}};
+  Table table{{{"replicate", "1", "number of the replicate, from 1"},
+               {"complete", "1", "1 if it ran to its end"}},
+              {}};
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i) {
     const Replicate& r = outcome.replicates[i];
     if (!(r.time() > 0)) continue;
@@ -75,18 +77,18 @@ Table replicates(const Outcome& outcome) {
 }
 
 Table balls_at_stop(const Replicate& replicate) {
-  Table table{{{"ball", "1", "its number, from 1"},
-               {"kind", "1", "its set in the case, from 1"},
+  Table table{{{"ball", "1", "number of the ball, from 1"},
+               {"kind", "1", "number of its ball set in the case, from 1"},
                {"radius", "m", "radius of the ball"},
-               {"x", "m", "its centre, from the jar's, in axes of the laboratory"},
-               {"y", "m", "likewise"},
-               {"z", "m", "likewise"},
-               {"velocity_x", "m/s", "relative to the jar's centre"},
-               {"velocity_y", "m/s", "likewise"},
-               {"velocity_z", "m/s", "likewise"},
-               {"spin_x", "rad/s", "angular velocity in axes of the laboratory"},
-               {"spin_y", "rad/s", "likewise"},
-               {"spin_z", "rad/s", "likewise"}},
+               {"x", "m", "x of the ball's centre from the jar's centre, in laboratory axes"},
+               {"y", "m", "y of the ball's centre, likewise"},
+               {"z", "m", "z of the ball's centre, likewise"},
+               {"velocity_x", "m/s", "x velocity relative to the jar's centre"},
+               {"velocity_y", "m/s", "y velocity relative to the jar's centre"},
+               {"velocity_z", "m/s", "z velocity relative to the jar's centre"},
+               {"spin_x", "rad/s", "x component of the angular velocity, in laboratory axes"},
+               {"spin_y", "rad/s", "y component of the angular velocity"},
+               {"spin_z", "rad/s", "z component of the angular velocity"}},
               {}};
   double number = 0;
   for (const scene::Ball& b : replicate.balls_at_stop)

@@ -5,13 +5,13 @@
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// The tables of a result, one function a file (docs/formats.md). Each is a mean over replicates.
+// Tables of a result, one function per file (docs/formats.md).
 namespace mahlwerk::results {
 
-Table time_series(const Outcome& outcome);  ///< timeseries.csv: one row per stretch of time
+Table time_series(const Outcome& outcome);  ///< timeseries.csv: one row per time window
 Table replicates(const Outcome& outcome);   ///< replicates.csv: one row per replicate
 
-/// stopped-1: the balls of one replicate when physics stopped it.
+/// stopped-1.csv: the balls of one replicate when physics stopped it.
 Table balls_at_stop(const Replicate& replicate);
 std::string stopped_name(int replicate);  ///< "stopped-1" for `replicate` 0
 

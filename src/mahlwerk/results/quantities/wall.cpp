@@ -53,10 +53,10 @@ Borders borders_of(const WallGrid& grid) {
   return made;
 }
 
-/// Shares triangles out to the cells they lie in.
+/// Splits triangles along cell borders and sums their areas by cell.
 class AreaSplitter {
  public:
-  /// Pieces at the borders of rings, which are round, are no longer than `least` [m].
+  /// `least` [m]: longest edge of pieces at the borders of rings, which are round.
   AreaSplitter(const WallGrid& grid, double least)
       : areas(WallGrid::cells), grid_(grid), borders_(borders_of(grid)), least_(least) {}
 
@@ -73,7 +73,7 @@ class AreaSplitter {
  private:
   int cell_at(const Vec3& where) const { return observe::cell_of(grid_, where, axial_); }
 
-  /// Along the borders it crosses.
+  /// Cuts a triangle along the plane borders that it crosses.
   void cut(const Triangle& t, std::span<const Border> borders) {
     for (std::size_t i = 0; i < borders.size(); ++i) {
       std::array<double, 3> off;
@@ -82,7 +82,7 @@ class AreaSplitter {
       const double rounding = 1e-12 * grid_.radius;
       const auto [least, most] = std::ranges::minmax(off);
       if (least > -rounding || most < rounding) continue;
-      // One corner is on a side of its own.
+      // Finds the corner that is alone on its side of the border.
       std::size_t k = 0;
       while (off[k] * off[(k + 1) % 3] > 0 || off[k] * off[(k + 2) % 3] > 0 || off[k] == 0) ++k;
       const Vec3 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
@@ -95,7 +95,7 @@ class AreaSplitter {
     halve(t);
   }
 
-  /// Across its longest edge, until a piece is within one ring or short enough.
+  /// Bisects the longest edge until a piece is within one ring or short enough.
   void halve(const Triangle& t) {
     const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
     std::size_t longest = 0;
@@ -124,7 +124,7 @@ class AreaSplitter {
   WallGrid grid_;
   Borders borders_;
   double least_;
-  double axial_ = 0;  // along the axis, of the unit normal of the triangle that is shared out
+  double axial_ = 0;  // axial component of the unit normal of the current triangle
 };
 
 template <class Of>
@@ -147,7 +147,7 @@ const char* part_name(int cell) {
 }
 
 std::vector<double> compute_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
-  // A third as long as cells, but no more pieces than take a blink.
+  // A third as long as cells, but long enough to limit the number of pieces.
   constexpr double parts = 3, many = 1e6;
   const double cell = 2 * std::numbers::pi * grid.radius / WallGrid::around;
   AreaSplitter splitter(grid, std::max(cell / parts, std::sqrt(wall_area(shape) / many)));
@@ -155,7 +155,7 @@ std::vector<double> compute_areas(const geometry::AnyShape& shape, const WallGri
   return std::move(splitter.areas);
 }
 
-/// A jar and its grid, the areas of which are reckoned when they are first asked for.
+/// A jar and its grid. Areas of the cells are computed at the first request.
 struct CachedAreas {
   CachedAreas(const geometry::AnyShape& of, const WallGrid& in) : shape(of), grid(in) {}
   bool matches(const geometry::AnyShape& other, const WallGrid& in) const {
@@ -172,7 +172,7 @@ struct CachedAreas {
   std::vector<double> areas;
 };
 
-/// A result asks several times, the points of a campaign mostly for a few jars.
+/// Cache of areas: a result needs them several times, and points of a campaign share a few jars.
 std::shared_ptr<CachedAreas> cached_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   constexpr std::size_t most = 64;
   static std::mutex mutex;
@@ -222,16 +222,16 @@ WallRates wall_rates(const Outcome& outcome) {
 }
 
 Table wall_map(const Outcome& outcome) {
-  Table table{{{"part", "1", "of the wall: the unrolled side, or the discs at its ends"},
-               {"angle_low", "rad", "about the jar's own axis"},
-               {"angle_high", "rad", "likewise"},
-               {"across_low", "m", "height along the axis of the side, radius of a disc"},
-               {"across_high", "m", "likewise"},
-               {"area", "m2", "of the wall in the cell"},
+  Table table{{{"part", "1", "part of the wall: the unrolled side, or the discs at its ends"},
+               {"angle_low", "rad", "lower angle about the jar's own axis"},
+               {"angle_high", "rad", "upper angle about the jar's own axis"},
+               {"across_low", "m", "lower height along the axis (side) or radius (disc)"},
+               {"across_high", "m", "upper height along the axis (side) or radius (disc)"},
+               {"area", "m2", "area of the wall in the cell"},
                {"rate", "1/s", "hits per second"},
-               {"power_normal", "W", "the sum of their m u_n^2/2 per second"},
-               {"power_lost", "W", "what they dissipate"},
-               {"slid", "N m/s", "normal force times way slid, per second"}},
+               {"power_normal", "W", "sum of m u_n^2/2 of the hits per second"},
+               {"power_lost", "W", "power that the hits dissipate"},
+               {"slid", "N m/s", "normal force times sliding distance, per second"}},
               {}};
   const bool wears = outcome.what.wear.has_value();
   if (wears)
@@ -260,14 +260,15 @@ observe::Charge charge_of(const Outcome& outcome) {
 }
 
 Table fields(const Outcome& outcome) {
-  Table table{{{"frame", "1", "carrier: turning with the disc, or at rest; jar: turning with it"},
-               {"x", "m", "to the right in the plane, middle of the cell"},
-               {"y", "m", "up in the plane, likewise"},
-               {"density", "kg/m2", "mass of balls above an area of the plane, mean over time"},
-               {"velocity_x", "m/s", "of that mass"},
-               {"velocity_y", "m/s", "likewise"},
-               {"kinetic_energy", "J/m2", "of the balls' flight, seen from the frame"}},
-              {}};
+  Table table{
+      {{"frame", "1", "carrier: rotates with the disc, or at rest; jar: rotates with the jar"},
+       {"x", "m", "to the right in the plane, centre of the cell"},
+       {"y", "m", "up in the plane, centre of the cell"},
+       {"density", "kg/m2", "mass of balls per area of the plane, mean over time"},
+       {"velocity_x", "m/s", "mean x velocity of that mass"},
+       {"velocity_y", "m/s", "mean y velocity of that mass"},
+       {"kinetic_energy", "J/m2", "translational energy of the balls, in that frame"}},
+      {}};
   const observe::Charge charge = charge_of(outcome);
   if (!(charge.mass_total > 0)) return table;
   for (const auto& [name, field] :

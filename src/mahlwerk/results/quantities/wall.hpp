@@ -7,28 +7,28 @@
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// Where the jar's wall is hit and worn, and where the charge is: maps.
+// Maps of hits and wear on the jar's wall, and density and velocity fields of the charge.
 namespace mahlwerk::results {
 
-/// [m2] of the jar's wall in each cell of the grid; their sum is the wall's area.
+/// [m2] Area of the jar's wall in each cell of the grid. Their sum is the wall's area.
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const observe::WallGrid& grid);
-/// [m2] of the whole wall.
+/// [m2] Area of the whole wall.
 double wall_area(const geometry::AnyShape& shape);
 
-/// What hits on each cell of the wall come to a second, as a mean over the replicates.
+/// Hits on each cell of the wall per second: means over the replicates.
 struct WallRates {
   observe::WallGrid grid;
   std::vector<double> area;                 ///< [m2]
   std::vector<double> rate;                 ///< [1/s] hits
-  std::vector<double> energy_normal, lost;  ///< [W]
-  std::vector<double> slid, erosion;        ///< [N m/s], [W]
+  std::vector<double> energy_normal, lost;  ///< [W] sums of E_n and of losses, per second
+  std::vector<double> slid, erosion;        ///< [N m/s], [W] load times distance; (wea.4)
 };
 WallRates wall_rates(const Outcome& outcome);
 
 Table wall_map(const Outcome& outcome);  ///< wall_map.csv: a row per cell of the wall
 Table fields(const Outcome& outcome);    ///< fields.csv: a row per cell of the plane and frame
 
-/// The charge of all averaged replicates together.
+/// Sum of the charge statistics of all averaged replicates.
 observe::Charge charge_of(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

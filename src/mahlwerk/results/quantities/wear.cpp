@@ -26,7 +26,7 @@ double wear_rate(const Case& c, double slid, double erosion, double vickers) {
              : c.wear->coefficient * erosion / hardness;  // (wea.4)
 }
 
-/// [m3/s] off the balls of one set; grains are powder, and do not wear.
+/// [m3/s] Wear of the balls of one set. Grains are powder and do not wear.
 double set_wear_rate(const Case& c, const Replicate& r, int set) {
   const cases::BallSet& balls = c.balls[static_cast<std::size_t>(set)];
   if (balls.grains) return 0;
@@ -34,14 +34,14 @@ double set_wear_rate(const Case& c, const Replicate& r, int set) {
   const observe::StatisticsByPair& pairs = r.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
-    const int times = (one == set ? 1 : 0) + (other == set ? 1 : 0);  // two of it both wear
+    const int times = (one == set ? 1 : 0) + (other == set ? 1 : 0);  // both balls wear
     slid += times * pairs[pair].load_distance;
     erosion += times * pairs[pair].erosion;
   }
   return wear_rate(c, slid, erosion, balls.substance.hardness) / r.time();
 }
 
-/// [m3/s] off one face of the jar, or all of them for -1.
+/// [m3/s] Wear of one face of the jar, or of all faces for -1.
 double face_wear_rate(const Case& c, const Replicate& r, int face) {
   double slid = 0, erosion = 0;
   const observe::StatisticsByPair& pairs = r.tally.by_pair;
@@ -64,7 +64,7 @@ double jar_wear(const Case& c, const Replicate& r) {
   return face_wear_rate(c, r, -1) * c.jar.density;
 }
 
-/// What a mill comes to that loses this power, at the end of its last milling.
+/// Temperatures at the end of the last milling period, for the replicate's dissipated power.
 powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
   const powder::HeatNodes nodes = cases::heat_nodes(c, wall_area(*c.jar.shape));
   const powder::MillCycles mill = cases::mill_cycles(c, dissipated_power(r));
@@ -84,8 +84,8 @@ double wall_wear_rate(const Case& what, double slid, double erosion) {
 std::vector<Measure> wear_measures(const Case& what) {
   if (!what.wear) return {};
   std::vector<Measure> list{
-      {"wear_rate_balls", "kg/s", "mass that all balls lose per second", balls_wear},
-      {"wear_rate_jar", "kg/s", "mass that the jar loses per second", jar_wear}};
+      {"wear_rate_balls", "kg/s", "mass worn off all balls per second", balls_wear},
+      {"wear_rate_jar", "kg/s", "mass worn off the jar per second", jar_wear}};
   if (what.powder && what.powder->mass > 0)
     list.push_back({"contamination_rate", "ug/g/h",
                     "worn mass of balls and jar per mass of powder and hour of milling",
@@ -124,13 +124,13 @@ Table wear(const Outcome& outcome) {
 std::vector<Measure> heat_measures(const Case& what) {
   if (!what.heat) return {};
   return {
-      {"temperature_balls", "degC", "of the balls at the end of the last milling",
+      {"temperature_balls", "degC", "temperature of the balls at the end of the last milling",
        [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; }},
-      {"temperature_jar", "degC", "of the jar then",
+      {"temperature_jar", "degC", "temperature of the jar at the end of the last milling",
        [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; }},
       {"flash_rise_mean", "K",
-       "mean rise of the temperature where two touch in a collision, weighted by what it loses; an "
-       "upper estimate, as no powder takes its share",
+       "mean flash temperature rise at the contact of a collision, weighted by the energy lost; an "
+       "upper estimate, as the heat that powder takes is neglected",
        [](const Case&, const Replicate& r) {
          double rise = 0, lost = 0;
          for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {
@@ -143,7 +143,7 @@ std::vector<Measure> heat_measures(const Case& what) {
 }
 
 Table temperatures(const Outcome& outcome) {
-  Table table{{{"time", "s", "since the mill was first switched on"},
+  Table table{{{"time", "s", "time since the mill was first switched on"},
                {"balls", "degC", "temperature of the balls"},
                {"jar", "degC", "temperature of the jar"}},
               {}};

@@ -7,20 +7,20 @@
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
-// What balls and jar lose, and how warm they get (docs/theory/wear-heat.md).
+// Wear and temperatures of balls and jar (docs/theory/wear-heat.md).
 namespace mahlwerk::results {
 
-/// [m3/s] off the jar's wall, from sums per second over hits on it. The case must have [wear].
+/// [m3/s] Wear of the jar's wall, from sums per second over its hits. The case must have [wear].
 double wall_wear_rate(const cases::Case& what, double slid, double erosion);
 
-/// Wear of balls and jar and what of it comes into the powder; none without [wear].
+/// Wear of balls and jar, and contamination of the powder; empty without [wear].
 std::vector<Measure> wear_measures(const cases::Case& what);
 /// wear.csv: a row per ball set and face of the jar; no rows without [wear].
 Table wear(const Outcome& outcome);
 
-/// Temperatures at the end of milling; none without [heat].
+/// Temperatures at the end of milling; empty without [heat].
 std::vector<Measure> heat_measures(const cases::Case& what);
-/// temperature.csv: over milling and pauses; no rows without [heat].
+/// temperature.csv: temperatures over milling and pauses; no rows without [heat].
 Table temperatures(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

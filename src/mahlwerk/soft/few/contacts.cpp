@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Contacts that begin and end, and their records.
+// Contacts that begin and end, and their collision records.
 namespace mahlwerk::soft {
 
 void FewBodySolver::begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,

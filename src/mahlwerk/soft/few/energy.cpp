@@ -19,7 +19,7 @@ FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
       const Vec3 separation = nearest(particles_.position.get(static_cast<std::size_t>(p.j[l])) -
                                       particles_.position.get(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
-      if (overlap < -p.radius_i[l]) continue;  // it has left this face over an edge
+      if (overlap < -p.radius_i[l]) continue;  // the ball has left this face across an edge
       energy.normal += std::visit(
           [&](const auto& law) {
             return law.elastic_energy(coefficients_of(p, l), law_history, overlap);
@@ -56,7 +56,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.work.deepest[l] / p.radius_i[l]);
     }
-  a.lost_normal -= kept.normal;  // of what contacts took so far, this can come back
+  a.lost_normal -= kept.normal;  // stored, not dissipated
   a.lost_tangential -= kept.tangential;
   a.lost_open -= a.elastic;
   a.contact_time +=

@@ -5,10 +5,12 @@
 
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Time in which nothing touches and nothing can is passed in one step (dem.27).
+// Free-flight skip: time in which no contact exists and none can begin is passed in one step
+// (dem.27).
 namespace mahlwerk::soft {
 
-/// Starts a skip if one is due and worth it. Its end does not depend on how a run is cut.
+/// Starts a skip if one is due and long enough to pay off. Its end does not depend on how calls of
+/// advance() divide a run.
 bool FewBodySolver::start_skip() {
   if (!skips_ || touched_ || particles_.step < next_skip_) return false;
   constexpr std::int64_t worth = 8, pause = 4;
@@ -21,8 +23,9 @@ bool FewBodySolver::start_skip() {
   return true;
 }
 
-/// Whole steps that end before the next touch. Between balls that is a quadratic: all fall alike,
-/// so they pass each other on straight lines.
+/// Number of whole steps that end before the next possible contact. For two balls a quadratic
+/// equation gives the time: all balls have the same acceleration, so their relative motion is
+/// straight.
 std::int64_t FewBodySolver::collision_free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;

@@ -5,7 +5,7 @@
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Which lane of which packet a pair has, and what it finds there: its numbers, its wall point.
+// Lane allocation: assigns each pair a lane of a packet, with its parameters and its wall point.
 namespace mahlwerk::soft {
 namespace {
 
@@ -26,7 +26,7 @@ void each_column(PairPacket& p, const F& f) {
   f(p.face), f(p.species_pair), f(p.used), f(p.onset);
 }
 
-/// Empties a lane; its bodies are the first ball twice, far from touching: radii 0.
+/// Frees a lane. Both bodies become ball 0 with radii 0, which never touch.
 void clear_lane(PairPacket& p, int lane) {
   each_column(p, [&](auto& column) {
     using One = std::remove_reference_t<decltype(column[0])>;
@@ -34,7 +34,7 @@ void clear_lane(PairPacket& p, int lane) {
   });
 }
 
-/// Calls `f` with the same column of both.
+/// Calls `f` with the same column of both packets.
 template <class F>
 void each_column_of_both(PairPacket& a, PairPacket& b, const F& f) {
   const auto* here = reinterpret_cast<const char*>(&a);
@@ -61,13 +61,14 @@ void move_lane(PairPacket& from, int lane, PairPacket& to, int other_lane) {
 
 }  // namespace
 
-/// Pairs that touch sit in the first packets, so that the others are passed over.
+/// Moves touching pairs to the first packets, so that the remaining packets are skipped. Returns
+/// whether a lane moved.
 bool FewBodySolver::sort_touching_first() {
   std::vector<PairPacket>& packets = particles_.packets;
   bool moved = false;
   std::size_t from = packets.size(), to = 0;
   int lane = 0, other_lane = 0;
-  const auto next_waiting = [&] {  // a lane that does not touch, from the front
+  const auto next_waiting = [&] {  // the first lane without contact
     for (; to < packets.size(); ++to, other_lane = 0)
       for (; other_lane < lanes; ++other_lane)
         if (packets[to].touching[other_lane] == 0) return;
@@ -83,8 +84,9 @@ bool FewBodySolver::sort_touching_first() {
   return moved;
 }
 
-/// Lanes whose pair is still near stay where they are; the others are freed, new pairs take free
-/// lanes, and the last packets give theirs to the first.
+/// Updates the lanes for the sorted neighbour list `wanted`. A pair that remains keeps its lane,
+/// other lanes are freed, new pairs take free lanes, and the last packets are merged into the
+/// first.
 void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
   std::vector<PairPacket>& packets = particles_.packets;
   std::vector<bool> listed(wanted.size());
@@ -150,10 +152,10 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
       pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
                       wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), rules_.time_step),
       0, p, lane);
-  p.per_radius[lane] = 0;  // the deepest overlap is divided by the radius when the contact ends
+  p.per_radius[lane] = 0;  // flush_work() divides the largest overlap by the radius
 }
 
-/// A wall point for each ball near a wall, in the order of the lanes.
+/// Allocates a wall point for each ball near a wall, in the order of the lanes.
 void FewBodySolver::find_wall_points() {
   ParticleData& w = particles_;
   w.wall_neighbours.clear();

@@ -6,12 +6,12 @@
 
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Who is near whom: pairs that may touch before a ball has moved half a skin sit in the lanes of
-// packets; all others are left alone until then.
+// Neighbour list with a skin: pairs that can touch before a ball has moved half the skin have a
+// lane of a packet. Other pairs are not tested until the list is rebuilt.
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t all_pairs_limit = 8;  // balls all of whose pairs are tested
+constexpr std::size_t all_pairs_limit = 8;  // up to this many balls, all pairs are tested
 
 }  // namespace
 
@@ -40,12 +40,12 @@ void FewBodySolver::rebuild_neighbour_list() {
     find_wall_points();
     build_gather_maps();
   }
-  if (jar_->sweep() > 0) return;  // the wall comes by itself
+  if (jar_->sweep() > 0) return;  // the wall itself moves towards the balls
   for (WallNeighbour& n : particles_.wall_neighbours)
     n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - pull_off_distance_;
 }
 
-/// Finds a ball that has gone wrong, too.
+/// Finds the faces near a ball. Stops the run if the ball's state is invalid.
 void FewBodySolver::find_wall_pairs(std::size_t b) {
   const Vec3 x = particles_.position.get(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.get(b))))
@@ -62,7 +62,7 @@ void FewBodySolver::find_wall_pairs(std::size_t b) {
   }
 }
 
-/// i < j.
+/// Adds the pair i < j to the found pairs if its gap is within the skin.
 void FewBodySolver::test_pair(std::size_t i, std::size_t j) {
   const Vec3 separation = nearest(particles_.position.get(j) - particles_.position.get(i));
   const double far =
@@ -71,8 +71,8 @@ void FewBodySolver::test_pair(std::size_t i, std::size_t j) {
     found_pairs_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), -1});
 }
 
-/// All pairs along a line: sorted by x, only those whose intervals of x are near are tested. Where
-/// the box repeats along x, every pair is.
+/// Sort and sweep: balls are sorted by x, and only pairs whose intervals in x are near are tested.
+/// If the box is periodic along x, all pairs are tested.
 void FewBodySolver::find_ball_pairs() {
   const bool periodic = std::isfinite(jar_->periods().x);
   double largest = 0;

@@ -9,7 +9,7 @@
 
 namespace mahlwerk::soft {
 
-/// Vectors, a component at a time, eight bodies to a block.
+/// 3-vectors of bodies as a structure of arrays, in blocks of eight bodies.
 struct VectorColumns {
   std::vector<AlignedLanes> x, y, z;
 
@@ -30,7 +30,7 @@ struct VectorColumns {
   }
 };
 
-/// One column as plain numbers.
+/// One column as an array of doubles.
 inline double* column_data(std::vector<AlignedLanes>& column) {
   return reinterpret_cast<double*>(column.data());
 }
@@ -38,30 +38,31 @@ inline const double* column_data(const std::vector<AlignedLanes>& column) {
   return reinterpret_cast<const double*>(column.data());
 }
 
-/// Eight neighbour pairs side by side, with the history of those that touch. Free lanes touch
-/// nothing. A ContactPacket of many bodies has contacts only, and a sixth of the memory: parameters
-/// are those of a species pair, and most of the work is summed over a chunk.
+/// Eight neighbour pairs, with the history of those that touch. Free lanes touch nothing. In
+/// contrast, a ContactPacket of ManyBodySolver holds contacts only and takes a sixth of the memory:
+/// its parameters are those of a species pair, and most work is summed over a chunk.
 struct alignas(64) PairPacket : PairParameters, History {
   LaneMask i{}, j{};    ///< bodies; i is always a ball
-  LaneMask touching{};  ///< since the last step
-  Vec<Lanes> normal{};  ///< from i to j, at the last step: what ends may have no normal any more
+  LaneMask touching{};  ///< at the last step
+  Vec<Lanes> normal{};  ///< from i to j, at the last step: needed when a contact ends
   ContactWork work;
 
-  std::array<std::int32_t, lanes> face{};          ///< of a wall; < 0: balls
-  std::array<std::int32_t, lanes> species_pair{};  ///< which pair of species (SpeciesPairs)
+  std::array<std::int32_t, lanes> face{};          ///< face of a wall; < 0: two balls
+  std::array<std::int32_t, lanes> species_pair{};  ///< index in SpeciesPairs
   std::array<bool, lanes> used{};
   std::array<ContactOnset, lanes> onset{};
 };
 
-/// Where each of up to eight balls finds its contacts in a packet: the k-th at lane `source[k]`,
-/// from `lanes` on with the opposite sign.
+/// Gather indices: the k-th contact of each of up to eight balls is in lane `source[k]` of a
+/// packet; indices from `lanes` on mean body j of lane `source[k] - lanes`, with the opposite
+/// force.
 struct alignas(64) GatherMap {
   std::array<LaneMask, lanes> source{}, active{};
-  int max_contacts = 0;  ///< contacts of one ball
+  int max_contacts = 0;  ///< largest number of contacts of one ball
 };
 
-/// All bodies and contacts, and how far they have come. Bodies: the balls, up to a whole number of
-/// blocks; then the wall points (MovingWall::wall_points).
+/// State of all bodies and contacts. Bodies are the balls, padded to whole blocks, followed by the
+/// wall points (MovingWall::wall_points).
 struct ParticleData {
   std::int64_t step = 0;
   std::size_t balls = 0, blocks = 0;  ///< blocks of balls
@@ -73,15 +74,16 @@ struct ParticleData {
   std::vector<AlignedLanes> half_kick;       ///< [s/kg] half a step over mass
   std::vector<AlignedLanes> half_spin_kick;  ///< [s/(kg m2)] half a step over inertia
   std::vector<PairPacket> packets;
-  std::vector<GatherMap> gather_maps;          ///< of each packet, where `fits_registers`
+  std::vector<GatherMap> gather_maps;          ///< of each packet, if `fits_registers`
   std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
-  VectorColumns list_positions;                ///< at which the neighbour list was built
-  std::vector<AlignedLanes> displacement_squared;  ///< [m2] the square of how far balls have moved since
-  bool fits_registers = false;      ///< all bodies fit into two registers
-  bool wall_points_due = true;      ///< every wall point must be found at the next step
+  VectorColumns list_positions;                ///< [m] when the neighbour list was built
+  std::vector<AlignedLanes>
+      displacement_squared;     ///< [m2] squared displacement of the balls since then
+  bool fits_registers = false;  ///< all bodies fit in two registers
+  bool wall_points_due = true;  ///< update every wall point at the next step
 };
 
-/// What happens seldom, outside the innermost loop.
+/// Callbacks for rare events, outside the innermost loop.
 class SlowPath {
  public:
   virtual ~SlowPath() = default;
@@ -90,7 +92,7 @@ class SlowPath {
   /// Contacts of a packet begin.
   virtual void begin(PairPacket& packet, const LaneMask& begun, const ContactGeometry& geometry,
                      const PairMotion& motion) = 0;
-  /// Contacts end, after their last push.
+  /// Contacts end, after their last force was applied.
   virtual void end(PairPacket& packet, const LaneMask& ended) = 0;
 };
 
@@ -100,17 +102,17 @@ struct alignas(64) StepBlock {
   const MovingWall& jar;
   SlowPath& slow_path;
   StepConstants constants;
-  std::span<const DriveSample> drive;  ///< one more than steps
+  std::span<const DriveSample> drive;  ///< samples: one more than steps
   double start = 0;                    ///< [s] the mill's clock at step 0
-  double max_displacement = 0;         ///< [m] a ball may move before the neighbour list is rebuilt
-  std::int64_t list_step = 0;          ///< the step at which it was last built
-  bool stop_when_idle = false;         ///< stop after a step in which nothing touched
+  double max_displacement = 0;         ///< [m] a larger one rebuilds the neighbour list
+  std::int64_t list_step = 0;          ///< step of the last rebuild
+  bool stop_when_idle = false;         ///< stop after a step without contacts
 };
 
-/// Takes steps; returns whether anything touched in the last one.
+/// Computes a block of steps; returns whether the last one had contacts.
 using BlockStepper = bool (*)(StepBlock&);
 
-/// The steps of each law, compiled for this machine.
+/// The step function of a law, compiled for the instruction set of this machine.
 template <class Law>
 BlockStepper block_stepper();
 

@@ -15,7 +15,7 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int64_t energy_check = 64;  // steps between two checks of the energy
-constexpr std::size_t skipping = 32;       // balls: beyond, something touches at nearly all times
+constexpr std::size_t skipping = 32;       // balls: with more, contacts exist nearly always
 
 }  // namespace
 
@@ -64,7 +64,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   watch_.begin(now);
 }
 
-/// Bodies that overlap much at the start would fly apart.
+/// A large overlap at the start would eject the balls at high speed.
 void FewBodySolver::refuse_overlaps() const {
   const double t = clock(particles_.step);
   for (const NearPair& c : listed_pairs_) {
@@ -118,7 +118,8 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
   hand_over();
 }
 
-/// Steps up to `until`, the end of a block, or the first idle step after which to try a skip.
+/// Steps to `until` or the end of the block; stops early after a step without contacts, if a skip
+/// may start there.
 void FewBodySolver::advance_block(std::int64_t until) {
   ParticleData& w = particles_;
   std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);

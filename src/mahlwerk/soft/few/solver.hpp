@@ -38,7 +38,7 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   struct ElasticEnergy {
     double normal = 0, tangential = 0;  // [J]
   };
-  ElasticEnergy elastic_energy() const;  // in contacts, now
+  ElasticEnergy elastic_energy() const;  // of open contacts
   void check_energy();
 
   // Neighbour list (neighbours.cpp).
@@ -67,42 +67,42 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   void end(PairPacket& p, const LaneMask& ended) override;
   void begin(PairPacket& p, int lane, const ContactGeometry& m, const PairMotion& b);
   void end(PairPacket& p, int lane);
-  void flush_work(PairPacket& p, int lane);                // adds its work to the account
-  void change_contact_count(std::int64_t body, int more);  // a contact more or less of a ball
+  void flush_work(PairPacket& p, int lane);  // adds the work of a lane to the energy balance
+  void change_contact_count(std::int64_t body, int more);  // of a ball, by +1 or -1
 
   // Free flight (free_flight_skip.cpp).
   bool start_skip();
   std::int64_t collision_free_steps() const;
   struct FreeFlight {
-    Vec3 shift, gain;  // of every position and velocity, besides those of straight flight
+    Vec3 shift, gain;  // [m], [m/s] of all balls, added to straight flight
     double time = 0;
   };
   FreeFlight free_flight(std::int64_t steps) const;
   void end_skip();
 
   std::unique_ptr<const MovingWall> jar_;
-  std::vector<scene::Ball> initial_balls_;  // radius, density, kind; positions of the start
+  std::vector<scene::Ball> initial_balls_;  // radius, density, kind; initial positions
   Rules rules_;
   SpeciesPairs pairs_;
   BlockStepper step_block_;
   double start_, skin_;
   double mass_ = 0;               // [kg] of all balls
-  double pull_off_distance_ = 0;  // [m] farthest that a contact holds beyond touch
-  bool skips_, periodic_;         // over free flight; the box repeats
-  std::vector<double> gaps_;      // [m] of each ball to each face, when the list was built
+  double pull_off_distance_ = 0;  // [m] largest of all pairs
+  bool skips_, periodic_;         // skip free flight; periodic box
+  std::vector<double> gaps_;      // [m] from each ball to each face, when the list was built
 
   ParticleData particles_;
-  std::vector<NearPair> found_pairs_, listed_pairs_;  // near each other now; that have a lane
+  std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; of those with a lane
   std::int64_t list_step_ = 0;
-  std::int64_t next_skip_ = 0;  // not before this step
-  std::int64_t skip_end_ = -1;  // of a skip under way; < 0: none
-  std::int64_t now_ = 0;        // the step reached; ahead of the particles' in a skip
-  bool touched_ = true;         // in the last step
-  double target_time_ = 0;      // [s] where the last call wanted to go
+  std::int64_t next_skip_ = 0;  // earliest step of the next skip
+  std::int64_t skip_end_ = -1;  // end of the current skip; < 0: none
+  std::int64_t now_ = 0;        // current step; in a skip ahead of particles_.step
+  bool touched_ = true;         // contacts existed in the last step
+  double target_time_ = 0;      // [s] target of the last advance()
 
-  scene::EnergyBalance energy_balance_;    // of contacts that have ended
-  std::vector<std::int32_t> contacts_of_;  // each ball
-  std::int64_t balls_in_contact_ = 0;      // balls that touch something
+  scene::EnergyBalance energy_balance_;    // sums over contacts that have ended
+  std::vector<std::int32_t> contacts_of_;  // number of contacts of each ball
+  std::int64_t balls_in_contact_ = 0;      // balls with contacts
   std::int64_t contact_count_step_ = 0;
   EnergyWatch watch_;
   std::vector<scene::Collision> finished_;

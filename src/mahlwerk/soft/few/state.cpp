@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/soft/few/solver.hpp"
 
-// Balls, forces, checkpoints.
+// State of the balls, forces and checkpoints.
 namespace mahlwerk::soft {
 
 std::vector<scene::Ball> FewBodySolver::balls() const {
@@ -17,7 +17,7 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
   return all;
 }
 
-/// Those of the last step; in a skip there are none.
+/// Contact forces of the last step; 0 in a skip.
 std::vector<Vec3> FewBodySolver::forces() const {
   std::vector<Vec3> all(initial_balls_.size());
   for (std::size_t b = 0; b < all.size(); ++b) all[b] = particles_.force.get(b);

@@ -5,11 +5,11 @@
 #include "mahlwerk/soft/few/particle_data.hpp"
 #include "mahlwerk/soft/kernel/isa.hpp"
 
-// The innermost loop: one text, compiled for each law and each instruction set.
+// The innermost loop of FewBodySolver: a template, compiled for each law and each instruction set.
 namespace mahlwerk::soft {
 
-/// Numbers of a column at the bodies of eight lanes. With AVX-512, two registers hold all
-/// bodies and one instruction picks eight.
+/// Gathers the values of a column at the bodies of eight lanes. With AVX-512 and at most sixteen
+/// bodies, two registers hold the column and one permute instruction picks eight.
 template <bool avx512>
 [[gnu::always_inline]] inline Lanes gather(const std::vector<AlignedLanes>& column,
                                            const LaneMask& at, bool fits_registers) {
@@ -29,8 +29,8 @@ template <bool avx512>
           gather<avx512>(c.z, at, fits_registers)};
 }
 
-/// Half a kick, a drift, and the velocities predicted for the contacts of this step (dem.26).
-/// Returns where a ball has moved farther than it may.
+/// Half a kick, a drift, and the velocities predicted for the contacts of this step (velocity
+/// Verlet, dem.26). Returns whether a displacement since the last rebuild exceeds the limit.
 [[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
@@ -49,7 +49,7 @@ template <bool avx512>
     const Vec<Lanes> x = w.position.at(b) + step * v;
     w.position.put(b, x);
     w.velocity_predicted.put(b, v + kick + half * pull1);
-    w.velocity.put(b, v + half * pull1);  // lacks the second kick of the contacts
+    w.velocity.put(b, v + half * pull1);  // still without the second half kick of the contacts
     const Vec<Lanes> turn = w.half_spin_kick[b].value * w.torque.at(b), spin = w.spin.at(b) + turn;
     w.spin.put(b, spin);
     w.spin_predicted.put(b, spin + turn);
@@ -61,7 +61,7 @@ template <bool avx512>
   return any(far);
 }
 
-/// The second half of the kick.
+/// The second half kick of the contacts.
 [[gnu::always_inline]] inline void kick(ParticleData& w, std::size_t b, const Vec<Lanes>& force,
                                         const Vec<Lanes>& torque) {
   w.force.put(b, force);
@@ -70,17 +70,16 @@ template <bool avx512>
   w.spin.put(b, w.spin.at(b) + w.half_spin_kick[b].value * torque);
 }
 
-/// Adds what a packet does to each of eight balls, in the order of its lanes.
-[[gnu::always_inline]] inline void gather_forces(const GatherMap& gather_maps,
-                                                 const ContactForce& f, Vec<Lanes>& force,
-                                                 Vec<Lanes>& torque) {
+/// Adds the forces and torques of a packet to eight balls in registers, in the order of its lanes.
+[[gnu::always_inline]] inline void gather_forces(const GatherMap& map, const ContactForce& f,
+                                                 Vec<Lanes>& force, Vec<Lanes>& torque) {
 #ifdef MAHLWERK_AVX512
   const auto sum = [&](Lanes& all, const Lanes& i, const Lanes& j, int k) {
-    const Lanes part = __builtin_shuffle(i, j, gather_maps.source[static_cast<std::size_t>(k)]);
-    all += select(gather_maps.active[static_cast<std::size_t>(k)], part, Lanes{});
+    const Lanes part = __builtin_shuffle(i, j, map.source[static_cast<std::size_t>(k)]);
+    all += select(map.active[static_cast<std::size_t>(k)], part, Lanes{});
   };
   const Vec<Lanes> back = -f.force;
-  for (int k = 0; k < gather_maps.max_contacts; ++k) {
+  for (int k = 0; k < map.max_contacts; ++k) {
     sum(force.x, f.force.x, back.x, k);
     sum(force.y, f.force.y, back.y, k);
     sum(force.z, f.force.z, back.z, k);
@@ -91,7 +90,7 @@ template <bool avx512>
 #endif
 }
 
-/// The same through memory, for any number of balls.
+/// Adds them in memory, for any number of balls.
 [[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
                                            const ContactForce& f) {
   const auto give = [&](std::vector<AlignedLanes>& column, const Lanes& i, const Lanes& j) {
@@ -110,7 +109,7 @@ template <bool avx512>
   give(w.torque.z, f.torque_i.z, f.torque_j.z);
 }
 
-/// One packet in a step. Returns false where nothing touches.
+/// Computes the forces of a packet in a step. Returns false if no lane touches.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline bool apply_packet(StepBlock& s, PairPacket& p, ContactForce& out) {
   const ParticleData& w = s.particles;
@@ -136,7 +135,7 @@ template <class Law, bool avx512>
   return true;
 }
 
-/// The main loop of the soft engine.
+/// The main loop over the steps of a block.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline bool step_block(StepBlock& s) {
   ParticleData& w = s.particles;

@@ -8,11 +8,11 @@
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/soft/kernel/isa.hpp"
 
-// Balls in rows: what the contacts ask of a ball lies in one line of the cache, so that eight balls
-// anywhere are eight loads, turned into columns in registers.
+// Ball data as an array of structures: the data that contacts read of a ball lie in one cache line.
+// Eight arbitrary balls are eight loads and a transposition to columns in registers.
 namespace mahlwerk::soft {
 
-/// A ball as contacts see it, in the jar frame.
+/// Data of a ball that contacts read, in the jar frame.
 struct alignas(64) BallRecord {
   double x = 0, y = 0, z = 0;  ///< [m]
   double radius = 0;           ///< [m]
@@ -25,13 +25,13 @@ struct alignas(32) SpinRecord {
   double x = 0, y = 0, z = 0;  ///< [rad/s] predicted
   double none = 0;
 };
-/// Two vectors side by side: velocity and spin, or force and torque.
+/// Two 3-vectors: velocity and spin, or force and torque.
 struct alignas(64) VectorPair {
   double x = 0, y = 0, z = 0, none = 0;
   double a = 0, b = 0, c = 0, empty = 0;
 };
 
-/// Where a ball was, to a few nanometres.
+/// Single-precision position [m], accurate to a few nanometres.
 struct alignas(16) FloatPosition {
   float x = 0, y = 0, z = 0, none = 0;
 };
@@ -53,7 +53,7 @@ template <class R>
 [[gnu::always_inline]] inline Four load_four(const R& row) {
   return *reinterpret_cast<const AliasedFour*>(&row);
 }
-/// Side by side. Said outright: GCC 12 would load both and then shuffle.
+/// Joins two halves. Inline assembly, because GCC 12 loads both and then shuffles.
 [[gnu::always_inline]] inline Lanes join(const AliasedFour& a, const AliasedFour& b) {
   Lanes both;
 #ifdef MAHLWERK_AVX512
@@ -63,7 +63,7 @@ template <class R>
 #endif
   return both;
 }
-/// The first four numbers of two rows, or the last.
+/// The first (or last) four numbers of two rows.
 template <class R>
 [[gnu::always_inline]] inline Lanes load_fours(const R& a, const R& b) {
   return join(*reinterpret_cast<const AliasedFour*>(&a), *reinterpret_cast<const AliasedFour*>(&b));
@@ -77,7 +77,7 @@ template <class R>
 [[gnu::always_inline]] inline void store_four(R& row, const Four& a) {
   *reinterpret_cast<AliasedFour*>(&row) = a;
 }
-/// Streaming store: past the cache.
+/// Streaming (non-temporal) store, which bypasses the cache.
 template <class R, class A>
 [[gnu::always_inline]] inline void stream_store(R& row, const A& a) {
 #ifdef MAHLWERK_AVX512
@@ -96,7 +96,8 @@ template <class R, class A>
   return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&position), Four);
 }
 
-/// Rows k and k + 4 side by side, of four numbers each, to four columns of eight, in place.
+/// Transposes in place: r[k] holds rows k and k + 4 of four numbers each; the result is four
+/// columns of eight.
 [[gnu::always_inline]] inline void transpose(Lanes (&r)[4]) {
   const auto unpack = [](const Lanes& a, const Lanes& b, Lanes& even, Lanes& odd) {
     even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -110,7 +111,7 @@ template <class R, class A>
   r[2] = __builtin_shufflevector(even[0], even[1], 2, 3, 10, 11, 6, 7, 14, 15);
   r[3] = __builtin_shufflevector(odd[0], odd[1], 2, 3, 10, 11, 6, 7, 14, 15);
 }
-/// Eight rows to eight columns, in place; or back.
+/// Transposes eight rows to eight columns in place, or back.
 [[gnu::always_inline]] inline void transpose(Lanes (&r)[8]) {
   Lanes t[8], s[8];
   for (int k = 0; k < 8; k += 2) {

@@ -10,37 +10,37 @@
 
 namespace mahlwerk::soft {
 
-/// What a contact has done since it began; sums over steps of power times the step.
+/// Impulse and work of a contact since its onset: sums over steps of force or power times the step.
 struct alignas(64) ContactWork {
   Lanes impulse{};     ///< [N s] normal
-  Lanes normal{};      ///< [J] work done along the normal
-  Lanes tangential{};  ///< [J] across it
+  Lanes normal{};      ///< [J] normal work
+  Lanes tangential{};  ///< [J] tangential work
   Lanes rolling{};     ///< [J] by rolling resistance
-  Lanes sliding{};     ///< [J] of `tangential`, by slip at the Coulomb limit
-  Lanes wall{};        ///< [J] work the wall did, in laboratory axes
-  Lanes deepest{};     ///< [m] overlap
+  Lanes sliding{};     ///< [J] part of `tangential`: sliding at the Coulomb limit
+  Lanes wall{};        ///< [J] work done by the wall, in the laboratory frame
+  Lanes deepest{};     ///< [m] largest overlap; [1] over the radius in sums of chunks
 };
 
-/// How a contact began.
+/// Onset of a contact: step and speeds of first touch.
 struct ContactOnset {
   std::int64_t step = 0;
   double approach = 0, slip = 0, glide = 0;  ///< [m/s]
 };
 
-/// What eight pairs of bodies are made of. A body is a ball, or a wall point, a ball of no
-/// size.
+/// Parameters of eight pairs of bodies i and j. Body j is a ball or a wall contact point, which is
+/// treated as a ball of radius 0.
 struct alignas(64) PairParameters {
   LaneMask wall{};               ///< where j is a wall point
-  Lanes radius_i{}, radius_j{};  ///< [m] 0 of a wall point
-  Lanes per_radius{};            ///< [1/m] of radius_i
-  Lanes share{};                 ///< of the overlap that lies in i: half, or all against a wall
-  Lanes pull_off_distance{};     ///< [m] a contact holds beyond touch
+  Lanes radius_i{}, radius_j{};  ///< [m] 0 for a wall point
+  Lanes per_radius{};            ///< [1/m] 1 / radius_i
+  Lanes share{};                 ///< fraction of the overlap in i: 0.5, or 1 at a wall
+  Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
   Lanes friction{};     ///< mu
   Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
-  Lanes roll_spring{};  ///< [m2] epsd: its stiffness over the contact's stiffness across
-  Lanes inertia{};      ///< [kg m2] reduced, of two bodies that roll on each other
-  Lanes lag{};          ///< [m/N] of the tangential spring (dem.37)
+  Lanes roll_spring{};  ///< [m2] epsd: rolling over tangential stiffness
+  Lanes inertia{};      ///< [kg m2] reduced moment of inertia
+  Lanes lag{};          ///< [m/N] SpeciesPair::lag (dem.37)
 };
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {
@@ -56,7 +56,7 @@ inline contact::LawCoefficients coefficients_of(const PairParameters& p, int lan
 }
 inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
   constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
-  using Number = double __attribute__((may_alias));  // masks among them are whole numbers
+  using Number = double __attribute__((may_alias));  // masks are copied as bits
   const auto* from = reinterpret_cast<const Number*>(&a);
   auto* to = reinterpret_cast<Number*>(&b);
   for (std::size_t c = 0; c < columns; ++c)
@@ -64,13 +64,13 @@ inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int 
         from[c * lanes + static_cast<std::size_t>(lane)];
 }
 
-/// What eight contacts remember from step to step.
+/// History of eight contacts.
 struct alignas(64) History {
   Lanes law_history[contact::law_history_size]{};
-  Vec<Lanes> spring{};  ///< [m] xi, the tangential spring, half a step ahead
-  Vec<Lanes> roll{};    ///< [N m] epsd: its spring's moment
-  Lanes stiffness{};    ///< [N/m] across, at the last step
-  LaneMask pulls{};     ///< where the bodies pulled each other then
+  Vec<Lanes> spring{};  ///< [m] tangential spring xi, half a step ahead
+  Vec<Lanes> roll{};    ///< [N m] epsd: torque of the rolling spring
+  Lanes stiffness{};    ///< [N/m] tangential, at the last step
+  LaneMask pulls{};     ///< lanes with a load < 0 at the last step
 };
 
 }  // namespace mahlwerk::soft

@@ -6,44 +6,45 @@
 #include "mahlwerk/soft/kernel/contact_transitions.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
 
-// What two bodies that touch do to each other, eight pairs at a time (docs/theory/soft.md).
+// Contact forces and torques of eight pairs at a time (docs/theory/soft.md).
 namespace mahlwerk::soft {
 
-/// What is the same for all packets of a step.
+/// Constants of a step, for all packets.
 struct alignas(64) StepConstants {
   double step = 0, per_step = 0;  ///< [s], [1/s]
   Vec<Lanes> jar_velocity{};
   contact::Rolling rolling = contact::Rolling::none;
   double rolling_damping = 0;
-  bool rescaled = false;  ///< the tangential spring gives way as the contact unloads
+  bool rescaled = false;  ///< ContactModel::rescaled_unloading (dem.21)
   bool periodic = false;
   Vec<Lanes> periods{};
 };
 
-/// The bodies of a packet's lanes.
+/// Relative position and motion of the pairs of a packet.
 struct alignas(64) PairMotion {
   Vec<Lanes> separation;  ///< [m] from i to j
-  Vec<Lanes> relative;    ///< [m/s] velocity of i less that of j
-  Vec<Lanes> vj;          ///< [m/s] needed of walls only
-  Vec<Lanes> wi, wj;      ///< [rad/s]
+  Vec<Lanes> relative;    ///< [m/s] velocity of i minus that of j
+  Vec<Lanes> vj;          ///< [m/s] velocity of j, for walls only
+  Vec<Lanes> wi, wj;      ///< [rad/s] spins
 };
 
-/// Force [N] on i, its opposite on j; torques [N m] on both.
+/// Force [N] on i, its negative on j; torques [N m] on both.
 struct alignas(64) ContactForce {
   Vec<Lanes> force, torque_i, torque_j;
 };
 
-/// Two bodies as they meet, before any force is known.
+/// Geometry and relative motion of contacts, independent of the forces.
 struct alignas(64) ContactGeometry {
   Vec<Lanes> n;            ///< from i to j
   Lanes overlap;           ///< [m]
-  Lanes lever_i, lever_j;  ///< [m] from the centres to the contact
-  Vec<Lanes> u;            ///< [m/s] relative velocity there (dem.1)
-  Lanes rate;              ///< [m/s] u.n, of the overlap
-  Vec<Lanes> slip;         ///< [m/s] u across n
+  Lanes lever_i, lever_j;  ///< [m] distances from the centres to the contact
+  Vec<Lanes> u;            ///< [m/s] relative velocity at the contact (dem.1)
+  Lanes rate;              ///< [m/s] u.n, rate of the overlap
+  Vec<Lanes> slip;         ///< [m/s] tangential part of u
 };
 
-/// Shorter or equal to which the distance of two centres is a touch.
+/// Distance of the centres [m] below which a pair touches; pairs in contact hold up to the pull-off
+/// distance.
 [[gnu::always_inline]] inline Lanes touch_distance(const PairParameters& p, LaneMask touching) {
   return p.radius_i + p.radius_j + select(touching, p.pull_off_distance, Lanes{});
 }
@@ -62,8 +63,8 @@ struct alignas(64) ContactGeometry {
   return m;
 }
 
-/// A vector across the last normal laid across this one, its length kept (dem.18): by the series of
-/// 1/sqrt(1 - q), q the square of the sine of what it turns by.
+/// Rotates a vector into the tangent plane of the normal n, with its length kept (dem.18). Uses the
+/// series of 1/sqrt(1 - q), q the squared sine of the angle of rotation.
 [[gnu::always_inline]] inline Vec<Lanes> rotate_to_tangent_plane(const Vec<Lanes>& a,
                                                                  const Vec<Lanes>& n) {
   const Lanes along = dot(a, n);
@@ -72,9 +73,10 @@ struct alignas(64) ContactGeometry {
   return longer * (a - along * n);
 }
 
-/// Friction: a spring and a dashpot across the normal, cut off at Coulomb's limit (dem.18 to
-/// dem.21, dem.37). The spring is kept half a step ahead, so that it grows by the mean of the slip
-/// of two steps; where the load changes its sign it was at the limit of 0. Returns the force on i.
+/// Friction force on i [N]: tangential spring and dashpot, cut off at the Coulomb limit (dem.18 to
+/// dem.21, dem.37). The spring is stored half a step ahead, so that it grows by the mean slip of
+/// two steps. `turned`: lanes where the load changed sign since the last step, so the Coulomb limit
+/// passed through 0.
 [[gnu::always_inline]] inline Vec<Lanes> tangential_force(const PairParameters& parameters,
                                                           History& p, ContactWork& work,
                                                           const StepConstants& constants,
@@ -99,7 +101,8 @@ struct alignas(64) ContactGeometry {
   const Lanes most = parameters.friction * law_force.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    // The spring keeps what it can hold by itself, and what a dashpot against it holds besides.
+    // The spring keeps the length whose force is at the limit, plus the part that an opposing
+    // dashpot balances (dem.20).
     const Lanes size = sqrt(squared), square = dot(spring, spring);
     const Lanes pull = max(stiffness * square, none + 1e-150);
     const Lanes held = most * sqrt(square) + against(), both = 1.0 / (size * pull);
@@ -113,16 +116,17 @@ struct alignas(64) ContactGeometry {
   return select<Lanes>(touching, force, Vec<Lanes>{});
 }
 
-/// Rolling resistance: the torque on i, its opposite on j (dem.22 to dem.25).
+/// Rolling resistance: the torque on i [N m], its negative on j (dem.22 to dem.25).
 [[gnu::always_inline]] inline Vec<Lanes> rolling_torque(
     const PairParameters& p, History& past, ContactWork& work, const StepConstants& constants,
     const ContactGeometry& m, const PairMotion& b, const contact::LawForce<Lanes>& law_force,
     LaneMask touching) {
   Vec<Lanes> turning = b.wi - b.wj;
-  turning = turning - dot(turning, m.n) * m.n;  // twist is not resisted
+  turning = turning - dot(turning, m.n) * m.n;  // no resistance to twist
   const Lanes none{}, most = p.rolling * law_force.load;
-  // What stops it within sixteen steps: speeds are predicted from the last step's torque, a ball
-  // has a dozen neighbours that all resist, and together they must not turn it back.
+  // Limits the torque to one that stops the rolling in sixteen steps. Spins are predicted from the
+  // torque of the last step, and a ball may have a dozen contacts that all resist: without the
+  // limit, they would reverse its rotation and make it oscillate.
   const auto limited = [&](const Lanes& size) {
     return min(size, (0.0625 * constants.per_step) * p.inertia);
   };
@@ -145,7 +149,8 @@ struct alignas(64) ContactGeometry {
       const Lanes factor = most / sqrt(max(squared, none + 1e-300));
       spring = select<Lanes>(slips, factor * spring, spring);
     }
-    // Each ball rolls about the contact, with (7/5) m R^2 = 7/2 of its own inertia.
+    // Each ball rolls about the contact, with the inertia (7/5) m R^2 = 7/2 of that about its
+    // centre.
     const Lanes damping =
         limited(2.0 * constants.rolling_damping * sqrt(3.5 * p.inertia * stiffness));
     torque = spring - select(slips, none, damping) * turning;
@@ -155,8 +160,8 @@ struct alignas(64) ContactGeometry {
   return select<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
-/// All that the pairs of a packet do to each other in a step; `transitions` where contacts begin or
-/// end; `walls`: some may be at a wall.
+/// Forces and torques of a packet in a step. Updates its history `past` and its work `d`.
+/// `transitions` is null if no contact begins or ends; `walls` is true if there may be walls.
 template <class Law>
 [[gnu::always_inline]] inline ContactForce contact_force(
     const PairParameters& p, History& past, ContactWork& d, const StepConstants& constants,
@@ -197,9 +202,8 @@ template <class Law>
   }
   Lanes rate = m.rate;
   Vec<Lanes> slip = m.slip;
-  if (transitions !=
-      nullptr) {  // speeds were predicted from the force a step ago, which this is not
-    const Lanes half = (3.0 / 7.0 * constants.per_step) * p.lag;  // of a step over the mass
+  if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
+    const Lanes half = (3.0 / 7.0 * constants.per_step) * p.lag;  // half a step over the mass
     rate -= select(correction.counts, half * (f.force - correction.before), none);
     slip = slip + select(correction.counts & transitions->begun, 3.5 * half, none) * friction;
   }

@@ -5,38 +5,39 @@
 #include "mahlwerk/contact/law.hpp"
 #include "mahlwerk/soft/kernel/contact_data.hpp"
 
-// Contacts begin and end between two steps. What the force of a whole step would give them too
-// much or too little there is made up for (dem.35, dem.36).
+// Contacts begin and end between two steps. The first and last force of a contact are corrected,
+// because they do not act for a whole step (dem.35, dem.36).
 namespace mahlwerk::soft {
 
-/// Lanes whose contact begins in this step, or was there a step ago and is not now.
+/// Lanes whose contact begins in this step, or ended since the last step.
 struct alignas(64) ContactTransitions {
   LaneMask begun{}, ended{};
 };
 
-/// By how much a force that goes as the fourth root of the time since touch counts for more than a
-/// step at the first of them, `since` of a step after touch, times that root: -zeta(-1/4, 1 +
-/// since), the end of the Euler-Maclaurin sum, to 1.1e-4.
+/// -zeta(-1/4, 1 + since), Hurwitz's zeta, to 1.1e-4: the end correction of the Euler-Maclaurin sum
+/// for a force that grows as the fourth root of the time since touch. `since` is the time from
+/// touch to the first step, in steps. Divided by since^(1/4), it is the weight of the first force.
 [[gnu::always_inline]] inline Lanes rooted_share(const Lanes& since) {
   return 0.31709151755564424 +
          since *
              (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
 }
 
-/// A mix of what jumps and what grows as a root.
+/// Weighted sum of the part that jumps at touch (`jump`, weight `jumped`) and the part that grows
+/// as a fourth root (`whole` - `jump`, weight `rooted`).
 [[gnu::always_inline]] inline Lanes mixed(const Lanes& whole, const Lanes& jump,
                                           const Lanes& rooted, const Lanes& jumped) {
   return rooted * whole + (jumped - rooted) * jump;
 }
 
-/// Of contacts that begin or end.
+/// Result of correct_transitions.
 struct alignas(64) TransitionCorrection {
-  LaneMask counts{};  ///< those that push
-  Lanes lead{};       ///< [s] of slip, the spring of those that begin
-  Lanes before{};     ///< [N] the normal force a step ago
+  LaneMask counts{};  ///< lanes whose force is corrected
+  Lanes lead{};       ///< [s] initial tangential spring over slip, where begun
+  Lanes before{};     ///< [N] normal force of the last step, where ended
 };
 
-/// The push of contacts that begin or end becomes what it counts for instead of a step.
+/// Replaces the forces `f` of contacts that begin or end by the force times its weight in steps.
 template <class Law>
 [[gnu::always_inline]] inline TransitionCorrection correct_transitions(
     const PairParameters& p, const History& past, const ContactTransitions& transitions,
@@ -44,8 +45,8 @@ template <class Law>
   const Lanes none{}, one = none + 1.0, way = step * select(transitions.ended, -rate, rate);
   const LaneMask moves = less(none, way);
   const Lanes per_way = 1.0 / select(moves, way, one);
-  Lanes onset_overlap =
-      Law::template onset_overlap<Lanes>(past.law_history);  // 0 or passed over within a step
+  // The onset overlap counts only where this step passes over it.
+  Lanes onset_overlap = Law::template onset_overlap<Lanes>(past.law_history);
   onset_overlap = select(transitions.begun & less(onset_overlap, way), onset_overlap, none);
   const Lanes edge = select(transitions.ended, -p.pull_off_distance, onset_overlap);
   const Lanes raw =
@@ -53,7 +54,7 @@ template <class Law>
   const LaneMask odd =
       (transitions.begun & less(raw, none + 1.5)) | (transitions.ended & less(none - 0.5, raw));
   const LaneMask counts = odd & moves;
-  const Lanes since = min(max(raw, none + 1e-9), one);  // of a step, to or from the edge
+  const Lanes since = min(max(raw, none + 1e-9), one);  // in steps, from touch or to the end
   const Lanes at =
       select(transitions.ended, since * way - p.pull_off_distance, max(overlap, onset_overlap));
   const auto evaluate_at = [&](const Lanes& where) {
@@ -63,7 +64,7 @@ template <class Law>
                                          select(counts, rate, none));
   };
   const contact::LawForce<Lanes> whole = evaluate_at(at), jump = evaluate_at(edge);
-  const Lanes taken = select(transitions.ended, one, none);  // ended: a whole step has been counted
+  const Lanes taken = select(transitions.ended, one, none);  // whole step already counted
   const Lanes rooted = rooted_share(since) / sqrt(sqrt(since)) - taken;
   const Lanes jumped = 0.5 + since - 0.5 * onset_overlap * per_way - taken;
   const auto mix = [&](const Lanes& a, const Lanes& b, Lanes& out) {

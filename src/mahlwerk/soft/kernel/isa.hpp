@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-// Instruction sets that the innermost loops are compiled for.
+// Instruction sets for which the innermost loops are compiled.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define MAHLWERK_AVX512 1
-#ifndef __SANITIZE_ADDRESS__  // adds nothing to the other two, and minutes to compile
+#ifndef __SANITIZE_ADDRESS__  // tests nothing more than the other two, and takes minutes to compile
 #define MAHLWERK_AVX2 1
 #endif
 #endif
@@ -17,8 +17,8 @@ namespace mahlwerk::soft {
 
 enum class Isa { sse2, avx2, avx512 };
 
-/// The widest instruction set of this machine, SSE2 if no other; a narrower one where the
-/// environment says MAHLWERK_SIMD=avx2 or plain. Results have the same bits on all.
+/// The widest instruction set of this machine, at least SSE2. The environment variable
+/// MAHLWERK_SIMD (avx2 or plain) selects a narrower one. Results have the same bits on all.
 inline Isa isa() {
 #ifdef MAHLWERK_AVX512
   const char* wish = std::getenv("MAHLWERK_SIMD");
@@ -32,7 +32,7 @@ inline Isa isa() {
   return Isa::sse2;
 }
 
-/// `Body::run<avx512>`, which must be inlined, compiled for each instruction set as a function of
+/// Compiles `Body::run<avx512>`, which must be inlined, for each instruction set, as functions of
 /// type F.
 template <class Body, class F>
 struct Compiled;
@@ -52,7 +52,7 @@ struct Compiled<Body, Result (*)(In...)> {
     return Body::template run<false>(in...);
   }
 
-  /// That for this machine.
+  /// The function for this machine.
   static auto best() -> Result (*)(In...) {
 #ifdef MAHLWERK_AVX512
     if (isa() == Isa::avx512) return avx512;

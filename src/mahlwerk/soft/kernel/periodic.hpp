@@ -7,14 +7,14 @@
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
-// Separations in a periodic box; `periods` [m] are infinite where it does not repeat.
+// Minimum-image separations in a periodic box; `periods` [m] are infinite where it is not periodic.
 namespace mahlwerk::soft {
 
 inline bool is_periodic(const Vec3& periods) {
   return std::isfinite(periods.x) || std::isfinite(periods.y) || std::isfinite(periods.z);
 }
 
-/// To the nearest image, however far apart.
+/// Separation to the nearest image, for any distance.
 inline Vec3 nearest_image(const Vec3& separation, const Vec3& periods) {
   return {std::remainder(separation.x, periods.x), std::remainder(separation.y, periods.y),
           std::remainder(separation.z, periods.z)};
@@ -29,7 +29,7 @@ inline Vec<Lanes> nearest_image(const Vec<Lanes>& separation, const Vec3& period
   return nearest;
 }
 
-/// To the nearest image, of positions that are at most a period and a half apart.
+/// Separation to the nearest image, for positions at most 1.5 periods apart.
 [[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
   Lanes x = a;
   x -= select(x > 0.5 * period, period, Lanes{});

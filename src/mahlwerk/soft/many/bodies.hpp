@@ -6,14 +6,15 @@
 
 #include "mahlwerk/soft/many/chunk_step.hpp"
 
-// From ball records to the bodies of eight contacts, and back: what they do to each ball.
+// Gathers the bodies of eight contacts from the ball records, and scatters forces back to the
+// balls.
 namespace mahlwerk::soft {
 
 enum class ContactKind { own, halo, wall };
 
 using LaneBodies = std::array<std::int32_t, lanes>;  // a body for each lane
 
-/// Places and velocities. Without AVX-512, number by number.
+/// Gathers positions and velocities. Without AVX-512, element by element.
 template <bool avx512>
 [[gnu::always_inline]] inline void gather_motion(const BallRecord* rows, const LaneBodies& at,
                                                  Vec<Lanes>& position, Vec<Lanes>& velocity) {
@@ -32,7 +33,7 @@ template <bool avx512>
   if constexpr (avx512) transpose(x), transpose(v);
   position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
-/// The same, of j less i.
+/// Gathers the differences of positions and velocities, j minus i.
 template <bool avx512>
 [[gnu::always_inline]] inline void gather_differences(const BallRecord* rows,
                                                       const ContactPacket& g, Vec<Lanes>& position,
@@ -69,7 +70,7 @@ template <bool avx512>
   return {w[0], w[1], w[2]};
 }
 
-/// Adds forces and torques to the rows of the balls, in the order of the lanes.
+/// Scatters: adds forces and torques to the rows of the balls, in the order of the lanes.
 template <bool avx512>
 [[gnu::always_inline]] inline void add_forces(VectorPair* ball_forces, std::int32_t first,
                                               const LaneBodies& at, const Vec<Lanes>& force,
@@ -90,7 +91,7 @@ template <bool avx512>
   }
 }
 
-/// The bodies of a packet.
+/// Relative motion of the pairs of a packet.
 template <bool avx512>
 [[gnu::always_inline]] inline PairMotion gather_pair_motion(const ChunkStep& s,
                                                             const ContactPacket& g,

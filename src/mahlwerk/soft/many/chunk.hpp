@@ -14,66 +14,67 @@
 
 namespace mahlwerk::soft {
 
-/// Eight contacts side by side: those that touch, and nothing else. Free lanes touch nothing, but
-/// name bodies that there are.
+/// Eight contacts. Only touching pairs have a lane. Free lanes touch nothing, but hold indices of
+/// existing bodies.
 struct alignas(64) ContactPacket {
-  std::array<std::int32_t, lanes> i{}, j{};  ///< balls; j of a wall: its face
+  std::array<std::int32_t, lanes> i{}, j{};  ///< balls; at a wall, j is the face
   std::array<std::int32_t, lanes> species_pair{};
-  std::uint32_t touching = 0, begun = 0;  ///< bits of lanes; of those that first do in this step
-  std::uint32_t pulling = 0;              ///< where the bodies pulled each other at the last step
-  bool one_species_pair = true;           ///< all lanes are of one species pair
+  std::uint32_t touching = 0, begun = 0;  ///< bits of lanes: in contact; new in this step
+  std::uint32_t pulling = 0;              ///< bits of lanes with a load < 0 at the last step
+  bool one_species_pair = true;           ///< all lanes have the same species pair
   Vec<Lanes> spring{};
-  Lanes impulse{}, lost_normal{}, lost_tangential{};  ///< since they began
+  Lanes impulse{}, lost_normal{}, lost_tangential{};  ///< since the onset
 
   bool touches(int lane) const { return (touching & bit(lane)) != 0; }
 };
-/// What only some laws remember.
+/// History variables that only some laws and rolling models need.
 struct alignas(64) OptionalHistory {
   Lanes law_history[contact::law_history_size]{};
   Vec<Lanes> roll{};
-  Lanes stiffness{};  ///< where the spring across gives way as contacts unload
+  Lanes stiffness{};  ///< for ContactModel::rescaled_unloading
 };
 
-/// The normals of walls at the last step: a contact that ends may have left its face.
+/// The normals of wall contacts at the last step, for records: when a contact ends, the ball may
+/// already have left the face.
 struct alignas(64) WallNormals {
   Vec<Lanes> normal{};
 };
 
-/// Contacts of one kind, with the lanes that are free.
+/// Contacts of one kind, and the free lanes.
 struct ContactPackets {
   std::vector<ContactPacket> packets;
-  std::vector<std::array<ContactOnset, lanes>> onset;
+  std::vector<std::array<ContactOnset, lanes>> onsets;
   std::vector<OptionalHistory>
-      optional_histories;  ///< of each packet, where the law or the rolling needs them
-  std::vector<PairParameters> parameters;  ///< of each packet, where curved walls change them
-  std::vector<WallNormals> wall_normals;   ///< of each packet with walls
+      optional_histories;  ///< of each packet, if the law or the rolling model needs them
+  std::vector<PairParameters> parameters;  ///< of each packet, if curved walls change them
+  std::vector<WallNormals> wall_normals;   ///< of each packet, for walls
   std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
-  std::int32_t leaving = 0;                ///< contacts that move to a new order of the balls
+  std::int32_t leaving = 0;                ///< contacts still to be moved to the new order
 
-  /// Where contacts remember, or are bent, for that, too.
+  /// Reserves memory for `count` packets, including optional histories and curved-wall parameters.
   void reserve(std::size_t count, bool with_history, bool curved) {
     packets.reserve(count);
-    onset.reserve(count);
+    onsets.reserve(count);
     if (with_history) optional_histories.reserve(count);
     if (curved) parameters.reserve(count);
   }
 };
 
-/// Pairs that are near and do not touch, by their gap when they were last sorted: those of bin k
-/// had at least k times the width. Only bins that the motion since can close are tested.
+/// Verlet list of non-touching pairs, binned by gap: at the last sort, pairs of bin k had a gap of
+/// at least k times the width. Only bins that the accumulated displacement can close are tested.
 struct VerletList {
   static constexpr int bins = 16;
-  static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all wider gaps
+  static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all larger gaps
   std::vector<NeighbourPair> pairs;
   std::array<std::int32_t, bins + 1> end{};  ///< of each bin
-  std::vector<NeighbourPair> separated;      ///< have touched since, tested at every step
+  std::vector<NeighbourPair> separated;      ///< contacts that ended since, tested at every step
 
-  /// Pairs that may touch where bodies have come nearer by `bound`, bins being `width` wide.
+  /// Number of pairs that may touch if gaps have decreased by up to `bound` [m]; `bin_width` in m.
   std::size_t due(double bound, double bin_width) const {
     const double bin = std::clamp(bound / bin_width, 0.0, bins - 1.0);
     return static_cast<std::size_t>(end[static_cast<std::size_t>(bin) + 1]);
   }
-  /// The last of each bin takes the place of what it gives to the bin before.
+  /// Removes pair `at`: the last pair of each bin fills the gap left in the bin before.
   void remove(std::size_t at) {
     for (std::size_t b = 1; b <= bins; ++b) {
       if (static_cast<std::size_t>(end[b]) <= at) continue;
@@ -85,8 +86,8 @@ struct VerletList {
   }
 };
 
-/// How far the balls of a chunk have moved since the neighbour list was built: all by
-/// `predicted_mean`, give or take `spread`.
+/// Displacement of the balls of a chunk since the neighbour list was built: that of each ball
+/// differs from `predicted_mean` by at most `spread` (dem.34).
 struct ChunkDisplacement {
   Vec3 predicted_mean, mean;  ///< [m]
   double spread = 0;          ///< [m]
@@ -94,29 +95,30 @@ struct ChunkDisplacement {
 
 /// Sums over the steps of a chunk.
 struct ChunkSums {
-  ContactWork work;  ///< half of those of a pair with another chunk, for both compute them
+  ContactWork work;  ///< halo contacts count half: both chunks compute them
   std::int64_t ball_steps = 0, collisions = 0, lasting = 0;
   std::int64_t tests = 0;
 };
 
-/// A collision that ended, and when.
+/// A collision, and the step in which it ended.
 struct FinishedCollision {
   std::int64_t step = 0;
   scene::Collision collision;
 };
 
-/// Balls first to last of the rows, which lie near each other, and their contacts: of two of them;
-/// of one and a ball of another chunk, which has the contact, too; with the wall.
+/// A chunk of neighbouring balls: rows first to last - 1, and their contacts. `own`: between two
+/// balls of the chunk. `halo`: with a ball of another chunk, which also computes the contact.
+/// `wall`: with the wall.
 struct Chunk {
   std::int32_t first = 0, last = 0;
   ContactPackets own, halo, wall;
   VerletList ball_pairs, wall_pairs;
-  double bound = 0, wall_bound = 0;            ///< [m] pairs may have come so much nearer
-  std::vector<std::int32_t> neighbour_chunks;  ///< chunks that have balls near to its own
-  std::int32_t balls_in_contact = 0;           ///< balls that touch something
+  double bound = 0, wall_bound = 0;  ///< [m] bound of the decrease of gaps since the last sort
+  std::vector<std::int32_t> neighbour_chunks;  ///< chunks with balls near those of this chunk
+  std::int32_t balls_in_contact = 0;           ///< balls with contacts
   ChunkSums sums;
   std::vector<FinishedCollision> finished;
-  std::vector<std::int32_t> new_touches;  ///< pairs found to touch, while looking
+  std::vector<std::int32_t> new_touches;  ///< scratch: pairs found to touch
 };
 
 }  // namespace mahlwerk::soft

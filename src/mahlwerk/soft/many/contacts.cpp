@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Contacts that begin and end, and their records.
+// Contacts that begin and end, and their collision records.
 namespace mahlwerk::soft {
 namespace {
 
@@ -55,13 +55,13 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   g.begun |= bit(static_cast<int>(l));
 }
 
-/// A lane for a contact of `ball` and of that species pair, its history cleared.
+/// Returns a free lane for a contact of `ball` and `species_pair`, with its history cleared.
 std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t species_pair,
                                        std::int32_t ball) {
   if (list.free.empty()) {
     const auto g = static_cast<std::int32_t>(list.packets.size());
     const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
-    // An eighth more, not twice as many: it is most of the memory.
+    // Grows by an eighth instead of doubling: packets take most of the memory.
     if (const std::size_t n = list.packets.size(); n == list.packets.capacity())
       list.reserve(n + n / 8 + 4, has_history_, rules_.model.curved_walls && wall);
     list.packets.emplace_back();
@@ -69,7 +69,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     fresh.species_pair.fill(species_pair);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
-    list.onset.emplace_back();
+    list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
     if (rules_.model.curved_walls && wall)
@@ -123,7 +123,7 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
                            now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
                            pairs_[g.species_pair[k]], *rules_.model.law);
     }
-    ContactOnset& onset = list.onset[n][k];
+    ContactOnset& onset = list.onsets[n][k];
     onset = contact_onset(step_, m, b, l);
     if (has_history_)
       begin_law_history(list.optional_histories[n].law_history, own != nullptr ? *own : usual, l,
@@ -155,7 +155,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const bool wall = &list == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
-  const ContactOnset& onset = list.onset[n][k];
+  const ContactOnset& onset = list.onsets[n][k];
   const SpeciesPair& pair = pairs_[g.species_pair[k]];
   const double t = clock(step_), duration = time_of(step_ - onset.step);
   const int face = wall ? g.j[k] : -1;

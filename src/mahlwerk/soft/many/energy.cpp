@@ -10,7 +10,8 @@
 
 namespace mahlwerk::soft {
 
-/// Of contacts, each counted once, or two times half.
+/// Elastic energy of the open contacts of a chunk. Halo contacts count half, because both chunks
+/// have them.
 ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk) const {
   ElasticEnergy energy;
   const double t = clock(step_);
@@ -36,7 +37,7 @@ ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk)
                 ? jar_->gap(g.j[k], x, t, now_[i].radius + pull_off_distance_).distance
                 : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].position() - x));
         const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
-        if (overlap < -now_[i].radius) continue;  // it has left this face over an edge
+        if (overlap < -now_[i].radius) continue;  // the ball has left this face across an edge
         std::visit(
             [&]<class L>(const L& law) {
               energy.normal += weight * law.elastic_energy(coefficients, law_history, overlap);
@@ -88,7 +89,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
     a.elastic += sum.elastic_energy.normal + sum.elastic_energy.tangential;
     a.lost_open +=
         sum.elastic_energy.work_done - sum.elastic_energy.normal - sum.elastic_energy.tangential;
-    a.lost_normal -= sum.elastic_energy.normal;  // of what contacts took so far, this can come back
+    a.lost_normal -= sum.elastic_energy.normal;  // stored, not dissipated
     a.lost_tangential -= sum.elastic_energy.tangential;
   }
   return a;
@@ -107,7 +108,8 @@ void ManyBodySolver::check_energy() {
   stop(fastest, energy_jump_message);
 }
 
-/// Sums of the chunks so far. At fixed steps, for every sum is rounded.
+/// Moves the sums of the chunks to the energy balance. Only at fixed steps, because each addition
+/// rounds.
 void ManyBodySolver::flush_sums() {
   for (Chunk& chunk : chunks_) {
     add_sums(energy_balance_, chunk);

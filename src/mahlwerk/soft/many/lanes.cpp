@@ -7,7 +7,7 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Contacts move with their balls to a new order, and to other chunks.
+// Lane allocation after a sort: contacts move with their balls to new rows and chunks.
 namespace mahlwerk::soft {
 namespace {
 
@@ -22,7 +22,7 @@ ContactPackets& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
 
 }  // namespace
 
-/// Every contact once, by the rows its balls will have: `to` of each old row is the new one.
+/// Lists every contact once, sorted by the new rows of its balls; `to` maps old rows to new rows.
 ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
     const std::vector<std::int32_t>& to) {
   ContactsByBall all;
@@ -34,7 +34,7 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(at % lanes)) continue;
         if (number % list_kinds == halo_list && g.i[l] > g.j[l])
-          continue;  // the other chunk's is taken
+          continue;  // the other chunk's copy is listed
         const std::int32_t j =
             number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
         f(ContactAddress{to[static_cast<std::size_t>(g.i[l])], j, number, at});
@@ -47,7 +47,7 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
   std::partial_sum(all.first.begin(), all.first.end(), all.first.begin());
   all.contacts.resize(static_cast<std::size_t>(all.first.back()));
   each([&](const ContactAddress& k) {
-    auto& next = all.first[static_cast<std::size_t>(k.i) + 1];  // in the end where i ends
+    auto& next = all.first[static_cast<std::size_t>(k.i) + 1];  // ends as the end of i
     all.contacts[static_cast<std::size_t>(next++)] = k;
   });
   const auto order = [](const ContactAddress& k) {
@@ -60,9 +60,9 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
   return all;
 }
 
-/// Into the chunks there are now, from those there were, each by its own thread.
+/// Copies the contacts from the old chunks to the new ones, in parallel by new chunk.
 void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old) {
-  // Contacts that a chunk has besides those of its balls: of others' with its balls.
+  // Halo contacts that are listed under a ball of another chunk.
   std::vector<std::vector<std::int32_t>> incoming(chunks_.size());
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
     const ContactAddress& k = all.contacts[n];
@@ -85,7 +85,7 @@ void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<
       const ContactAddress& k = all.contacts[static_cast<std::size_t>(n)];
       ContactPackets& from = list_of(old, k.list);
       place_contact(chunk, k, from);
-      if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // room for the others
+      if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // frees its memory
     };
     auto at = arrivals.begin();
     for (; at != arrivals.end() && *at < begin; ++at) give(*at);
@@ -94,7 +94,8 @@ void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<
   });
 }
 
-/// For contacts that its balls have, `incoming_count` besides, and some that will begin.
+/// Reserves memory for the contacts of the chunk's balls, `incoming_count` halo contacts, and some
+/// new ones.
 void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
                                       std::size_t incoming_count) const {
   std::array<std::size_t, list_kinds> count{0, incoming_count, 0};
@@ -108,8 +109,8 @@ void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddre
   chunk.wall.reserve(room(wall_list), has_history_, rules_.model.curved_walls);
 }
 
-/// A contact as the chunk has it: as its first ball sees it, or, where that is another's, the
-/// second.
+/// Copies a contact to the chunk. Ball i of the copy is the first ball of the contact, or the
+/// second one if the first belongs to another chunk.
 void ManyBodySolver::place_contact(Chunk& chunk, const ContactAddress& k,
                                    const ContactPackets& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
@@ -123,7 +124,8 @@ void ManyBodySolver::place_contact(Chunk& chunk, const ContactAddress& k,
   copy_contact(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
 }
 
-/// A lane for the contact as ball `i` sees it, with all that it remembers.
+/// Copies the contact with its history to a free lane, with ball `i` as the first; `sign` is -1
+/// where the balls change places.
 void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
                                   const ContactPackets& from, std::int32_t i, std::int32_t j,
                                   std::int32_t species_pair, double sign) {
@@ -136,7 +138,7 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
   g.touching |= bit(l);
   if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
-  list.onset[n][static_cast<std::size_t>(l)] = from.onset[old][static_cast<std::size_t>(m)];
+  list.onsets[n][static_cast<std::size_t>(l)] = from.onsets[old][static_cast<std::size_t>(m)];
   set_lane(g.spring, l, sign * get_lane(was.spring, m));
   g.impulse[l] = was.impulse[m];
   g.lost_normal[l] = was.lost_normal[m], g.lost_tangential[l] = was.lost_tangential[m];

@@ -9,8 +9,9 @@
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Neighbour lists: balls are sorted along a space-filling curve and cut into chunks, contacts move
-// with them, and each chunk finds the pairs that may touch before any ball has moved far.
+// Neighbour lists: balls are sorted along a space-filling curve and divided into chunks, and
+// contacts move with them. Each chunk builds its Verlet list: the pairs whose gap is within the
+// skin.
 namespace mahlwerk::soft {
 namespace {
 
@@ -52,7 +53,7 @@ void ManyBodySolver::rebuild() {
     if (w.why != nullptr) stop(w.row, w.why);
 }
 
-/// Motion is measured from here on.
+/// Stores the positions from which displacements are measured.
 void ManyBodySolver::mark_positions() {
   largest_coordinate_ = 0;
   for (std::size_t k = 0; k < now_.size(); ++k) {
@@ -75,8 +76,8 @@ std::int64_t ManyBodySolver::test_count() const {
   return all;
 }
 
-/// The distance tests since the last sort have cost what a sort does, after which fewer are due. (7
-/// was found by trial; 4 to 12 make no difference.)
+/// Whether the distance tests since the last sort have cost more than a sort, after which fewer
+/// pairs are due. (The factor 7 was found by trial; 4 to 12 make no difference.)
 bool ManyBodySolver::sort_is_due() const {
   std::int64_t pairs = 0;
   for (const Chunk& c : chunks_)
@@ -85,7 +86,7 @@ bool ManyBodySolver::sort_is_due() const {
   return test_count() - tests_at_sort_ > 7 * pairs;
 }
 
-/// Sorts the Verlet lists by gap anew.
+/// Sorts the Verlet lists by gap again.
 void ManyBodySolver::sort_pairs() {
   double most = 0;
   for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
@@ -115,13 +116,13 @@ double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
   return jar_->distance(~pair.other, a.position(), clock(step_), a.radius + 2 * skin_) - a.radius;
 }
 
-/// The skin for which looking for near pairs and looking at them cost least together, in counts, so
-/// that every machine takes the same.
+/// Tunes the skin to the least cost of rebuilds and distance tests. The cost is estimated from
+/// counts, not measured, so that every machine chooses the same skin.
 void ManyBodySolver::tune_skin() {
   const auto steps = static_cast<double>(step_ - tuning_.step);
   tuning_.step = step_;
   if (steps < 2) return;
-  // In ns: of a pair at a step, of sorting it, of looking for those of a ball.
+  // [ns] distance test of a pair; sort of a pair; search of the neighbours of a ball.
   constexpr double test_cost = 2, sort_cost = 6, find_cost = 700;
   const auto all = static_cast<double>(energy_balance_.search_steps);
   const double cost =
@@ -137,8 +138,9 @@ void ManyBodySolver::tune_skin() {
   skin_ = std::clamp(skin_ * tuning_.growth, 0.1 * smallest, 2 * smallest);
 }
 
-/// Balls that may be near to those from `from` on that share a cell, less those of the chunk before
-/// them, whose pairs are found; returns where these end.
+/// Collects candidates for neighbours of the balls from row `from` on that share a cell, except
+/// earlier balls of the chunk, whose pairs are already found. Returns the end of the balls that
+/// share the cell.
 std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t from,
                                                Candidates& candidates) const {
   const BallRecord& first = now_[static_cast<std::size_t>(from)];
@@ -163,7 +165,8 @@ std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t 
   return to;
 }
 
-/// Neighbour pairs that have no contact yet. A pair with a ball of another chunk is found by both.
+/// Finds the neighbour pairs of a chunk that are not in contact. Both chunks find a pair of balls
+/// of two chunks.
 void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})
@@ -205,7 +208,8 @@ void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   bin_by_gap(chunk.ball_pairs, found, gaps, skin_ * VerletList::width);
 }
 
-/// Finds a ball that has gone wrong, too.
+/// Finds the wall pairs of a chunk that are not in contact. Returns the first ball outside the jar,
+/// if any.
 ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPacket& g : chunk.wall.packets)
@@ -231,7 +235,7 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   return {};
 }
 
-/// Bodies that overlap much at the start would fly apart.
+/// A large overlap at the start would eject the balls at high speed.
 void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
     for (const VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs})

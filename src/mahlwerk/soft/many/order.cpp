@@ -7,18 +7,19 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Balls are sorted along a space-filling curve and cut into chunks.
+// Balls are sorted along a space-filling curve (Morton order) and divided into chunks.
 namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int32_t chunk_size = 1024;
 
-/// Into how many chunks so many balls are cut.
+/// Number of chunks of `balls` balls.
 std::int32_t chunk_count(std::int32_t balls) {
   return (balls + chunk_size - 1) / chunk_size;
 }
 
-/// In place, along the cycles of the permutation: another array would be a tenth of all memory.
+/// Permutes in place, along the cycles of the permutation: a second array would take a tenth of all
+/// memory.
 template <class Rows>
 void permute(Rows& all, const std::vector<std::int32_t>& from) {
   std::vector<bool> done(from.size());
@@ -37,7 +38,7 @@ void permute(Rows& all, const std::vector<std::int32_t>& from) {
   }
 }
 
-/// By their keys, those of one key in the order in which they are.
+/// Row and its sort key; sort_by_key is a stable radix sort.
 struct KeyedRow {
   std::uint64_t key = 0;
   std::int32_t row = 0;
@@ -59,7 +60,7 @@ void sort_by_key(std::vector<KeyedRow>& all) {
 
 }  // namespace
 
-/// Balls along the curve, cut into chunks anew, and their contacts with them.
+/// Sorts the balls along the curve, divides them into new chunks, and moves their contacts.
 void ManyBodySolver::sort_into_chunks() {
   const std::vector<std::int32_t> from = sort_balls();
   std::vector<std::int32_t> to(from.size());
@@ -73,7 +74,7 @@ void ManyBodySolver::sort_into_chunks() {
   share_work();
 }
 
-/// The old row of each new one: by class of sizes, then along the curve.
+/// Returns the old row of each new row: sorted by size class, then along the curve.
 std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<std::vector<Vec3>> positions(class_radius_.size());
   for (std::size_t k = 0; k < now_.size(); ++k) {
@@ -119,7 +120,7 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   }
 }
 
-/// Chunks of about equal size; returns those there were.
+/// Makes chunks of about equal size; returns the old ones.
 std::vector<Chunk> ManyBodySolver::make_chunks() {
   std::vector<Chunk> old = std::move(chunks_);
   chunks_.clear();
@@ -147,7 +148,7 @@ std::int32_t ManyBodySolver::chunk_of(std::int32_t ball) const {
   return chunk + (ball >= chunks_[static_cast<std::size_t>(chunk)].last ? 1 : 0);  // rounding
 }
 
-/// Which chunks each thread does: about the same of balls and contacts.
+/// Divides the chunks among the threads, with about the same number of balls and contacts each.
 void ManyBodySolver::share_work() {
   const auto weight = [](const Chunk& c) {
     return c.last - c.first +

@@ -7,8 +7,8 @@
 
 namespace mahlwerk::soft {
 
-/// Memory that will be asked for soon, fetched a little at a time while there is something else to
-/// do: all at once the requests would wait for each other.
+/// Queue of memory ranges to prefetch, a few cache lines at a time between other work. Requests
+/// issued all at once would stall.
 class PrefetchQueue {
  public:
   template <class T>
@@ -19,10 +19,10 @@ class PrefetchQueue {
     ranges_[count_++] = {first, first + bytes};
     share_ += bytes / line + 1;
   }
-  /// Into so many parts.
+  /// Divides the queue into parts, one for each call of fetch().
   void divide(std::size_t parts) { share_ = share_ / (parts + 1) + 1; }
 
-  /// The next part.
+  /// Prefetches the next part.
   [[gnu::always_inline]] void fetch() {
     std::size_t left = share_;
     while (at_ < count_ && left > 0) {

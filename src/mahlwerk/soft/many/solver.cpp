@@ -16,11 +16,11 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t in_cache = 30000;     // balls that a processor's cache holds, with contacts
+constexpr std::size_t in_cache = 30000;     // balls that fit in a processor's cache, with contacts
 constexpr std::int64_t block = 64;          // steps between two checks of the energy
-constexpr std::size_t most_records = 8192;  // that wait for the observer, for they take room
+constexpr std::size_t most_records = 8192;  // buffered for the observer, to bound the memory
 
-/// How many threads find something to do at every step.
+/// Largest useful number of threads.
 int useful_threads(std::size_t balls) {
   constexpr std::size_t each = 1000;
   return static_cast<int>(std::clamp<std::size_t>(balls / each, 1, 1024));
@@ -46,7 +46,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
   parameters_.resize(pairs_.all().size());
   double smallest = geometry::never;
-  std::map<int, int> classes;  // octaves of radius that there are
+  std::map<int, int> classes;  // size classes: octaves of the radius
   for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
   const auto octave = [&](double r) {
     return static_cast<int>(std::floor(std::log2(r / smallest)));
@@ -83,7 +83,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   watch_.begin(now);
 }
 
-/// Rows of step 0, and of step 1 before any contact is known (dem.26).
+/// Initialises the rows of step 0, and of step 1 without contact forces (dem.26).
 void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), list_positions_.resize(n), spins_.resize(n),
@@ -112,7 +112,7 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
     next_spins_[k] = {w.x, w.y, w.z, 0};
   }
   for (ChunkDisplacement& d : displacements_)
-    d.spread = geometry::never;  // this motion nobody watched
+    d.spread = geometry::never;  // forces a rebuild at the first step
 }
 
 double ManyBodySolver::time_of(std::int64_t step) const {
@@ -157,7 +157,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   }
 }
 
-/// The main loop: neighbour lists where a rebuild or a sort is due, then every chunk.
+/// One step: rebuilds or sorts the neighbour lists if due, then computes every chunk.
 void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
   ++step_;
   now_.swap(next_);
@@ -196,7 +196,8 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
     ChunkDisplacement& d = displacements_[k];
     const Vec3 last = d.mean;
     step_chunk_(s, chunks_[k], following, ball_forces_[static_cast<std::size_t>(thread)], d);
-    // The guess of the next step; the one just used belongs to the spread.
+    // Linear extrapolation for the next step. A separate array, because the spread refers to the
+    // mean that was just used.
     predicted_means_[k] = 2.0 * d.mean - last;
   });
 }
@@ -205,17 +206,17 @@ void ManyBodySolver::rebuild_neighbour_lists() {
   try {
     rebuild();
   } catch (const RunError&) {
-    next_ = now_;  // the last that is known of the balls
+    next_ = now_;  // last valid state of the balls
     next_spins_ = spins_;
     throw;
   }
 }
 
-/// How much nearer pairs may have come since the neighbour list was built (dem.34); false if too
-/// near to go on.
+/// Updates the bounds of the decrease of gaps since the last sort (dem.34). Returns false if a
+/// bound exceeds the skin.
 bool ManyBodySolver::update_bounds() {
   const double swept = jar_->sweep() * time_of(step_ - list_step_);
-  const double rounding = 3e-7 * largest_coordinate_;  // of positions as floats, twice
+  const double rounding = 3e-7 * largest_coordinate_;  // of two positions stored as floats
   bool good = true;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     Chunk& chunk = chunks_[c];
@@ -241,7 +242,7 @@ std::size_t ManyBodySolver::record_count() const {
   return all;
 }
 
-/// Records of the chunks so far, in the order of their steps.
+/// Collects the records of the chunks, in the order of their steps.
 void ManyBodySolver::collect_records() {
   for (Chunk& chunk : chunks_) {
     finished_.insert(finished_.end(), chunk.finished.begin(), chunk.finished.end());

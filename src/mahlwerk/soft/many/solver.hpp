@@ -19,9 +19,10 @@
 
 namespace mahlwerk::soft {
 
-/// The soft engine for many balls (docs/theory/soft.md): balls in chunks that lie together, each
-/// chunk with its contacts. A step of a chunk reads the balls as they are and writes its own as
-/// they will be, so chunks are done in any order, by any number of threads, with the same bits.
+/// The soft engine for many balls (docs/theory/soft.md). Neighbouring balls form a chunk, which
+/// stores their contacts. The step of a chunk reads the present rows of all balls and writes the
+/// next rows of its own balls (double buffering). So results have the same bits for any order of
+/// the chunks and any number of threads.
 class ManyBodySolver final : public scene::Engine, private ContactEvents {
  public:
   ManyBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
@@ -49,7 +50,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   // Energy (energy.cpp).
   struct ElasticEnergy {
     double normal = 0, tangential = 0;  // [J]
-    double work_done = 0;               // [J] by contacts that go on, since they began
+    double work_done = 0;               // [J] by open contacts, since their onset
   };
   ElasticEnergy elastic_energy(const Chunk& chunk) const;
   void check_energy();
@@ -57,7 +58,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   void add_sums(scene::EnergyBalance& a, const Chunk& chunk) const;
 
   // State (state.cpp).
-  Vec3 body_kick_change() const;  // [m/s] half a step of what the body field changes by
+  Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
   Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
   Vec3 spin(std::size_t row) const;
 
@@ -72,15 +73,15 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
     return static_cast<std::size_t>(class_of_[static_cast<std::size_t>(species_[row])]);
   }
 
-  // Contacts that move with their balls (lanes.cpp).
+  // Contacts move with their balls to new rows (lanes.cpp).
   struct ContactAddress {
-    std::int32_t i = 0, j = 0;  // rows it will have; of a wall j is the face
-    std::int32_t list = 0;      // where it is: of which chunk, and which of its lists
+    std::int32_t i = 0, j = 0;  // new rows of the balls; at a wall, j is the face
+    std::int32_t list = 0;      // old place: index of chunk and list (list_of)
     std::int32_t lane = 0;      // lane l of packet g: 8 g + l
   };
   struct ContactsByBall {
     std::vector<ContactAddress> contacts;
-    std::vector<std::int32_t> first;  // of each ball
+    std::vector<std::int32_t> first;  // index of the first contact of each ball
   };
   ContactsByBall collect_contacts(const std::vector<std::int32_t>& to);
   void distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old);
@@ -129,29 +130,29 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   bool periodic_, large_, has_history_;
   std::vector<PairParameters> parameters_;  // of each species pair
   std::vector<AlignedLanes> kicks_;         // of each species
-  std::vector<int> class_of_;               // each species' class of sizes
+  std::vector<int> class_of_;               // size class of each species
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;
-  HugePageVector<BallRecord> now_, next_;         // at the step; one later
-  HugePageVector<FloatPosition> list_positions_;  // at which the neighbour lists were built
+  HugePageVector<BallRecord> now_, next_;         // at this step; at the next
+  HugePageVector<FloatPosition> list_positions_;  // when the neighbour lists were built
   HugePageVector<SpinRecord> spins_, next_spins_;
   HugePageVector<VectorPair> half_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;
   std::vector<ChunkDisplacement> displacements_;
-  std::vector<Vec3> predicted_means_;      // [m] of how far each chunk will have moved a step on
-  std::vector<std::int32_t> class_first_;  // row with which each class begins, and the end
+  std::vector<Vec3> predicted_means_;      // [m] of each chunk, for the next step
+  std::vector<std::int32_t> class_first_;  // first row of each size class, and the end
   std::vector<BallForces> ball_forces_;    // of each thread
   std::vector<std::int32_t> share_;        // first chunk of each thread, and the end
-  std::vector<Grid> grids_;                // of each class, while the lists are built
+  std::vector<Grid> grids_;                // of each size class, while the lists are built
 
   double skin_ = 0;                // [m]
-  double largest_coordinate_ = 0;  // [m] the largest coordinate when positions were marked
-  double used_skin_ = 0;           // [m] of the skin, when pairs were last sorted
+  double largest_coordinate_ = 0;  // [m] largest absolute coordinate in list_positions_
+  double used_skin_ = 0;           // [m] part of the skin used up at the last sort
   std::int64_t list_step_ = 0, tests_at_sort_ = 0, pairs_sorted_ = 0;
   struct Tuning {
     std::int64_t step = 0;

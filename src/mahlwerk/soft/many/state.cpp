@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Balls, forces, checkpoints.
+// State of the balls, forces and checkpoints.
 namespace mahlwerk::soft {
 
 Vec3 ManyBodySolver::body_kick_change() const {
@@ -10,7 +10,7 @@ Vec3 ManyBodySolver::body_kick_change() const {
   return 0.5 * rules_.time_step * (b[1].body_acceleration - b[0].body_acceleration);
 }
 
-/// At the step reached; the rows know half a step more (dem.26).
+/// Velocity at the present step, from the stored half-step and predicted velocities (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
   const VectorPair& half = half_[row];
   const BallRecord& predicted = next_[row];
@@ -34,8 +34,9 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   return all;
 }
 
-/// From what the rows know: the velocity seen a step later is that half a step later, half a kick
-/// of the contacts, and half a step of the body field then (dem.26).
+/// Contact forces, recovered from the rows: the predicted velocity of the next step is the
+/// half-step velocity, plus half a kick of the contacts, plus half a step of the next body
+/// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
   const double half_step = 0.5 * rules_.time_step;
@@ -66,7 +67,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.balls_in_contact)(c.sums)(c.neighbour_chunks);
     for (ContactPackets* list : {&c.own, &c.halo, &c.wall})
-      archive(list->packets)(list->onset)(list->optional_histories)(list->parameters)(
+      archive(list->packets)(list->onsets)(list->optional_histories)(list->parameters)(
           list->wall_normals)(list->free);
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
   }

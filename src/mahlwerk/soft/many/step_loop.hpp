@@ -11,17 +11,18 @@
 #include "mahlwerk/soft/many/prefetch_queue.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
-// A step of a chunk: contacts, then the balls. One text for each law and instruction set.
+// A step of a chunk: contacts, then the balls. A template, compiled for each law and instruction
+// set.
 namespace mahlwerk::soft {
 
-/// Lane by lane the parameters of their species pairs.
+/// Gathers the parameters of a packet's species pairs, lane by lane.
 [[gnu::always_inline]] inline void gather_parameters(const PairParameters* parameters,
                                                      const ContactPacket& g, PairParameters& out) {
   for (int l = 0; l < lanes; ++l)
     copy_lane(parameters[g.species_pair[static_cast<std::size_t>(l)]], l, out, l);
 }
 
-/// Contacts of one kind: what they do to the balls of the chunk.
+/// Computes the contacts of one kind and adds their forces to the balls of the chunk.
 template <class Law, bool avx512>
 [[gnu::always_inline]] inline void apply_packets(ChunkStep& s, Chunk& chunk, ContactKind kind,
                                                  VectorPair* ball_forces, PrefetchQueue& prefetches,
@@ -86,7 +87,7 @@ template <class Law, bool avx512>
   }
 }
 
-/// Which of the pairs from `at` on, up to eight, touch: a bit for each.
+/// Tests `count` pairs, at most eight: a bit for each that touches.
 template <bool avx512>
 [[gnu::always_inline]] inline std::uint32_t touching_bits(const ChunkStep& s,
                                                           const NeighbourPair* pairs,
@@ -98,15 +99,14 @@ template <bool avx512>
   return bits(mask, count);
 }
 
-/// Pairs that are near: those that touch now become contacts.
+/// Tests the due pairs of the Verlet list; those that touch become contacts.
 template <bool avx512>
 [[gnu::always_inline]] inline void find_contacts(const ChunkStep& s, Chunk& chunk) {
   VerletList& w = chunk.ball_pairs;
   const auto scan = [&](const std::vector<NeighbourPair>& pairs, std::size_t end) {
     chunk.new_touches.clear();
     for (std::size_t k = 0; k < end; k += lanes) {
-      constexpr std::size_t lookahead =
-          4 * lanes;  // so that rows are there when they are asked for
+      constexpr std::size_t lookahead = 4 * lanes;  // prefetch distance in pairs
       for (std::size_t n = k + lookahead; n < std::min(end, k + lookahead + lanes); ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
       std::uint32_t bits =
@@ -131,7 +131,7 @@ template <bool avx512>
   }
 }
 
-/// The balls of a chunk, a step on (dem.26).
+/// Integrates the balls of a chunk over a step (velocity Verlet, dem.26).
 template <bool avx512, bool streaming>
 [[gnu::always_inline]] inline void integrate_balls(const ChunkStep& s, const Chunk& chunk,
                                                    const VectorPair* ball_forces,
@@ -172,7 +172,7 @@ template <bool avx512, bool streaming>
   displacement.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
-/// What the chunk after this one will ask for.
+/// Queues the memory of the next chunk for prefetching.
 [[gnu::always_inline]] inline PrefetchQueue prefetch_next_chunk(const ChunkStep& s,
                                                                 const Chunk& chunk,
                                                                 const Chunk* following) {
@@ -202,7 +202,7 @@ template <class Law, bool avx512>
   std::fill_n(ball_forces.begin(), chunk.last - chunk.first, VectorPair{});
 #pragma GCC unroll 1
   for (const ContactKind kind :
-       {ContactKind::own, ContactKind::halo, ContactKind::wall}) {  // the text once, not thrice
+       {ContactKind::own, ContactKind::halo, ContactKind::wall}) {  // one copy of the code
     ContactWork d;
     apply_packets<Law, avx512>(s, chunk, kind, ball_forces.data(), prefetches, d);
     const double part = kind == ContactKind::halo ? 0.5 : 1;

@@ -7,9 +7,9 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr int spins = 1000;  // polls before a thread sleeps: some ten microseconds
+constexpr int spins = 1000;  // polls before a thread sleeps: about ten microseconds
 
-/// Waits until `value` is another than `old`.
+/// Waits until `value` differs from `old`: spins, then sleeps.
 template <class T>
 void wait_while(const std::atomic<T>& value, T old) {
   for (int i = 0; i < spins; ++i) {

@@ -28,9 +28,10 @@ class ThreadTeam {
     if (threads_.empty()) return work(0);
     dispatch([](const void* w, int k) { (*static_cast<const Work*>(w))(k); }, &work);
   }
-  /// Calls `work(thread, item, next)` once for every item from share[0] to the last share. Thread k
-  /// begins with those from share[k] to share[k + 1], in order; when it has done them it takes from
-  /// the end of what others have not come to. It has taken `next`, too; none is -1.
+  /// Calls `work(thread, item, next)` once for every item from share[0] to share.back() - 1. Thread
+  /// k starts with its own items, share[k] to share[k + 1] - 1, in order, and then steals from the
+  /// end of the remaining items of other threads. `next` is the item that the thread takes after
+  /// `item`; -1 if none.
   template <class Work>
   void run_items(std::span<const std::int32_t> share, const Work& work) {
     for (std::size_t k = 0; k + 1 < share.size(); ++k) ranges_[k].set(share[k], share[k + 1]);
@@ -44,13 +45,13 @@ class ThreadTeam {
 
  private:
   using Call = void (*)(const void* work, int k);
-  /// Items that no thread has taken yet: from a first on, before an end.
+  /// Range of items that no thread has taken yet, in one atomic word.
   class alignas(64) WorkRange {
    public:
     void set(std::int32_t first, std::int32_t end) {
       range_.store(range(first, end), std::memory_order_relaxed);
     }
-    std::int32_t take(bool from_the_end);  ///< -1 where there is none
+    std::int32_t take(bool from_the_end);  ///< -1 if empty
 
    private:
     static std::uint64_t range(std::int32_t first, std::int32_t end) {

@@ -13,26 +13,27 @@
 
 namespace mahlwerk::soft {
 
-/// Balls that may be neighbours of a few that lie together, in columns, tested eight at a time.
+/// Candidates for neighbours of a few balls that lie close together. Structure of arrays; eight
+/// distance tests at a time.
 class Candidates {
  public:
-  /// `periods` [m] are infinite where the box does not repeat.
+  /// `periods` [m] are infinite where the box is not periodic.
   explicit Candidates(const Vec3& periods);
 
   void clear() { count_ = 0; }
-  /// Balls first to last of the rows.
+  /// Adds the balls of rows first to last - 1.
   void add(const BallRecord* rows, std::int32_t first, std::int32_t last);
 
   struct Neighbour {
     std::int32_t row = 0;
-    double gap = 0;  ///< [m] to the surface
+    double gap = 0;  ///< [m] from the query position to the surface
   };
   struct Query {
     Vec3 position;
-    double beyond = 0;                   ///< [m] from the surfaces of those that are found, or less
-    std::int32_t after = 0, before = 0;  ///< rows after the one, or before the other
+    double beyond = 0;                   ///< [m] largest gap
+    std::int32_t after = 0, before = 0;  ///< only rows > after, or < before
   };
-  /// Those that are near, until the next are sought. Their gaps are to the point `position`.
+  /// The candidates with a gap below `beyond`. The result is valid until the next call.
   std::span<const Neighbour> find_near(const Query& query);
 
  private:
@@ -45,7 +46,7 @@ class Candidates {
 
   Vec3 periods_;
   bool periodic_;
-  void (*find_)(Candidates&, const Query&);  // for this machine
+  void (*find_)(Candidates&, const Query&);  // compiled for the instruction set of this machine
   std::vector<Block> blocks_;
   std::vector<Neighbour> found_;
   std::size_t count_ = 0;

@@ -8,7 +8,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Every third bit of 63 takes one of 21.
+/// Spreads the low 21 bits to every third bit of 63 (Morton code).
 std::uint64_t spread(std::uint64_t a) {
   a &= 0x1fffff;
   a = (a | a << 32) & 0x1f00000000ffff;
@@ -37,7 +37,7 @@ Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const 
     origin_[a] = least;
     extent[a] = most - least;
   }
-  // Where few balls lie in a wide room, cells are wider.
+  // Enlarges the cells if a few balls in a large volume would need too many.
   const double enough = 4096 + 8.0 * static_cast<double>(positions.size());
   double wide = cell;
   const auto cells_of = [&](double size) {

@@ -11,23 +11,24 @@
 
 namespace mahlwerk::soft {
 
-/// Cells of a size that suits some balls of about one size, in the order of a curve that fills
-/// space, so that balls near each other stand near each other in memory.
+/// Cell grid (linked-cell method) for balls of similar size. Balls are sorted along a space-filling
+/// curve (Z-order, Morton code), so that neighbours in space are close in memory.
 class Grid {
  public:
-  /// Of balls with radii up to `radius` [m] at `positions`; pairs are sought up to `margin` [m]
-  /// beyond touch. `periods` [m] are infinite where the box does not repeat.
+  /// For balls with radii up to `radius` [m] at `positions` [m], and pairs with gaps up to `margin`
+  /// [m]. `periods` [m] are infinite where the box is not periodic.
   Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods);
 
   double radius() const { return radius_; }  ///< [m] of the largest ball
-  /// Where along the curve a position lies.
+  /// Morton code of the cell of a position.
   std::uint64_t key(const Vec3& position) const;
-  /// Balls `first` on stand in the order of their keys.
+  /// Fills the cells with balls `first`, `first` + 1, ... at the positions `sorted`, in the order
+  /// of their keys.
   void fill(std::span<const Vec3> sorted, std::int32_t first);
 
   std::size_t cell(const Vec3& position) const;
-  /// Calls `f(first, last)` with ranges of balls, among which are all whose centres are within
-  /// `reach` [m] of `position` along each axis.
+  /// Calls `f(first, last)` for ranges of balls. The ranges contain all balls whose centres are
+  /// within `reach` [m] of `position` along each axis, and others.
   template <class F>
   void for_each_near(const Vec3& position, const Vec3& reach, const F& f) const {
     std::array<std::array<std::int32_t, 2>, 3> range{};
@@ -62,7 +63,7 @@ class Grid {
   std::array<double, 3> origin_{}, size_{}, period_{};
   std::array<bool, 3> periodic_{};
   std::array<std::int32_t, 3> count_{};
-  std::vector<std::int32_t> from_, to_;  // balls of each cell
+  std::vector<std::int32_t> from_, to_;  // range of balls of each cell
 };
 
 }  // namespace mahlwerk::soft

@@ -14,30 +14,30 @@ namespace mahlwerk::soft {
 constexpr std::uint32_t bit(int lane) {
   return 1U << lane;
 }
-/// The lanes whose bits are set.
+/// The mask of the lanes whose bits are set.
 [[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
   constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
   return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
 }
-/// The bits of the lanes that are set, of the first `count`.
+/// The bits of the lanes that are set among the first `count`.
 [[gnu::always_inline]] inline std::uint32_t bits(const LaneMask& mask, std::size_t count) {
   std::uint32_t all = 0;
   for (int l = 0; l < static_cast<int>(count); ++l) all |= mask[l] != 0 ? bit(l) : 0;
   return all;
 }
 
-/// A pair that is near; other < 0: the face ~other.
+/// Neighbour pair: two balls, or a ball and the face ~other if other < 0.
 struct NeighbourPair {
   std::int32_t ball = 0, other = 0;
 };
 
-/// Eight pairs of balls.
+/// Separations of eight pairs of balls.
 struct PairSeparation {
-  Vec<Lanes> centres;  ///< [m] from one to the other
+  Vec<Lanes> centres;  ///< [m] from ball to other
   Lanes touch;         ///< [m] sum of the radii
 };
 
-/// Up to eight pairs; lanes from `count` on are those of the first.
+/// Separations of `count` pairs, at most eight; lanes from `count` on repeat the first pair.
 template <bool avx512>
 [[gnu::always_inline]] inline PairSeparation pair_separations(const BallRecord* rows,
                                                               const NeighbourPair* pairs,
@@ -57,7 +57,7 @@ template <bool avx512>
   return {{c[0], c[1], c[2]}, c[3]};
 }
 
-/// How far the surfaces of pairs of balls are from each other [m].
+/// Computes the gaps between the surfaces of pairs of balls [m].
 void find_gaps(const BallRecord* rows, std::span<const NeighbourPair> pairs, const Vec3& periods,
                std::span<double> gaps);
 

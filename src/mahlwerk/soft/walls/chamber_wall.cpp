@@ -125,7 +125,7 @@ class ChamberWall final : public MovingWall {
     }
     return least;
   }
-  /// From how the normal turns along the parallel surface through the ball's centre.
+  /// From the derivative of the normal along the parallel surface through the ball's centre.
   std::pair<double, double> curvatures(int face, const Vec3& position, double t) const override {
     const Rotation q = axes(face, t);
     const Vec3 p = q.apply_inverse(position);
@@ -148,7 +148,7 @@ class ChamberWall final : public MovingWall {
   }
 
  private:
-  /// Axes in which a face can be asked, from them to the jar frame's.
+  /// Rotation from the axes of a face's geometry (jar or rotor) to those of the jar frame.
   Rotation axes(int face, double t) const {
     if constexpr (has_rotor) {
       const Rotation jar = jar_.axes(t);

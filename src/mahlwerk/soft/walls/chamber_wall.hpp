@@ -9,7 +9,7 @@
 
 namespace mahlwerk::soft {
 
-/// The moving wall of a jar on its mill, of any shape and motion.
+/// The moving wall of a chamber of any shape and motion.
 std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber);
 
 }  // namespace mahlwerk::soft

@@ -13,39 +13,38 @@
 
 namespace mahlwerk::soft {
 
-/// The jar's motion sampled at one step, in the jar frame.
+/// The drive (motion of the jar) sampled at one step, in the jar frame.
 struct DriveSample {
-  Vec3 body_acceleration;  ///< [m/s2] gravity less the acceleration of the jar's centre
+  Vec3 body_acceleration;  ///< [m/s2] gravity minus the acceleration of the jar's centre
   Vec3 velocity;           ///< [m/s] of the jar's centre
   Vec3 spin;               ///< [rad/s] of the jar
-  Vec3 rotor_spin;         ///< [rad/s] of faces that turn by themselves
+  Vec3 rotor_spin;         ///< [rad/s] of the rotor's faces
 };
 
-/// Of a radius: how far beyond touch a wall point is still found for balls that have just left it
-/// (dem.36).
+/// Fraction of the radius: range beyond touch in which the wall point is still computed, for
+/// contacts that have just ended (dem.36).
 constexpr double past_touch = 0.01;
 
-/// A ball near a face. Its wall point need not be found anew while the ball has moved by less than
-/// `slack` since the neighbour list was built: the ball is then even farther from any point.
+/// A ball near a face. The wall point is not updated while the ball has moved by less than `slack`
+/// since the neighbour list was built: until then the ball cannot touch the face.
 struct WallNeighbour {
   std::int32_t ball = 0, face = 0;
-  double within = 0;  ///< [m] farther away it does not matter how far the face is
+  double within = 0;  ///< [m] cutoff: larger distances need not be exact
   double slack = 0;   ///< [m]
 };
 
-/// Columns of the balls' positions and of their wall points. A wall point is the point of a face
-/// nearest to a ball's centre; it moves as the wall there does.
+/// Columns of ball positions and of wall points (structure of arrays). A wall contact point is the
+/// point of a face nearest to a ball's centre. It has the velocity of the wall there.
 struct WallPointColumns {
-  const double *x, *y, *z;  // [m] of the balls
-  const double*
-      displacement_squared;  // [m2] squared, since the list was built; null: every point is due
-  double *px, *py, *pz;      // [m] of the wall points
-  double *pu, *pv, *pw;      // [m/s]
-  double *sx, *sy, *sz;      // [rad/s] spin of the wall
+  const double *x, *y, *z;             // [m] positions of the balls
+  const double* displacement_squared;  // [m2] since the list was built; null: update all points
+  double *px, *py, *pz;                // [m] wall points
+  double *pu, *pv, *pw;                // [m/s]
+  double *sx, *sy, *sz;                // [rad/s] spin of the wall
 };
 
-/// A jar on its mill with its types hidden. Times are the mill's own; positions and velocities
-/// those of the jar frame.
+/// The moving wall: a jar on its mill, with shape and motion types erased. Times are those of the
+/// mill's clock [s], positions [m] and velocities [m/s] those of the jar frame.
 class MovingWall {
  public:
   virtual ~MovingWall() = default;
@@ -54,41 +53,44 @@ class MovingWall {
                             std::span<DriveSample> out) const = 0;
   virtual kinematics::FrameMotion frame_motion(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
-  /// Where a ball at `position` meets a face; any larger distance where it is not `within` [m].
+  /// Distance and inward normal of a face at `position`. A distance above `within` [m] may be
+  /// overestimated.
   virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
-  /// How far `position` is from every face [m], any larger number where it is not `within`. At most
-  /// the distance of gap(), and changes by no more than one moves.
+  /// Distances of `position` from every face [m]; beyond `within` any number above `within`. Each
+  /// is a lower bound of the distance of gap() and Lipschitz continuous with constant 1.
   virtual void distances(const Vec3& position, double t, double within,
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
-  /// The wall points of the balls near a face.
+  /// Updates the wall points of balls near a face.
   virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
                            const WallPointColumns& positions) const = 0;
-  /// The wall points of eight balls that touch a face each; faces matter up to `beyond` [m] from a
-  /// ball's surface.
+  /// The wall points of eight balls, each of which touches a face; exact up to a gap of `beyond`
+  /// [m] from the ball's surface.
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
                            double t, double beyond, AlignedLanes (&points)[3]) const = 0;
-  /// A time in which a ball in free flight certainly touches no wall [s].
+  /// Safe time [s] of a ball in free flight: a time before which it touches no wall.
   virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
                            double radius) const = 0;
-  /// The wall's two principal curvatures where a ball's centre at `position` looks at it [1/m].
+  /// The two principal curvatures of a face at the wall point of a ball at `position` [1/m], larger
+  /// one first.
   virtual std::pair<double, double> curvatures(int face, const Vec3& position, double t) const = 0;
-  /// A vector in the axes that a face turns with; of balls (face < 0) those of the jar.
+  /// Transforms a vector to the axes that turn with a face; to the jar axes if face < 0 (two
+  /// balls).
   virtual Vec3 to_face_axes(const Vec3& a, double t, int face) const = 0;
   virtual bool meets(int face, double radius) const = 0;
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }
-  int turning_from() const { return turning_from_; }  ///< faces that turn by themselves, if any
-  double sweep() const { return sweep_; }  ///< [m/s] how fast its wall may come to a ball at rest
-  double reach() const { return reach_; }  ///< [m]
-  /// As fast as any point of the walls moves, or faster [m/s].
+  int turning_from() const { return turning_from_; }  ///< first face of the rotor, if any
+  double sweep() const { return sweep_; }  ///< [m/s] largest speed of a wall towards a ball at rest
+  double reach() const { return reach_; }  ///< [m] largest distance of the wall from the centre
+  /// Upper bound of the speed of the wall in the laboratory frame [m/s].
   double max_wall_speed(double t) const {
     const double turning = turning_from_ < faces_ ? sweep_ : 0;
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
-  const Vec3& periods() const { return periods_; }  ///< [m] infinite where it does not repeat
+  const Vec3& periods() const { return periods_; }  ///< [m] infinite where not periodic
 
  protected:
   Vec3 gravity_, periods_;
