@@ -31,8 +31,10 @@ struct Prediction {
   double collision_time = never;  ///< [s] of the earliest one predicted for it, with `partner`
   std::int32_t partner = -1;
   std::uint32_t partner_revision = 0;  ///< of the partner's trajectory, at the prediction
-  double safe_until = 0;   ///< [s] until then it certainly touches no wall and stays in its cell
-  std::int32_t face = -1;  ///< touched at that time; < 0: a safe-time query is due then
+  /// [s] if face >= 0: touch of that face; otherwise a safe-time query is due, and until then the
+  /// ball touches no wall and stays in its cell.
+  double safe_until = 0;
+  std::int32_t face = -1;
   std::int32_t cell = 0;
 
   double next() const { return collision_time < safe_until ? collision_time : safe_until; }

@@ -147,8 +147,8 @@ void CalendarQueue::open_next() {
   sort_open();
 }
 
-/// Restarts with another slice width: all remaining events are later than slices of the present
-/// width can count.
+/// Restarts at the earliest event with a new slice width: slice numbers of all remaining events
+/// would overflow.
 void CalendarQueue::start_at_earliest() {
   const double earliest = *std::ranges::min_element(times_);
   if (earliest == std::numeric_limits<double>::infinity()) return overflow_.clear();

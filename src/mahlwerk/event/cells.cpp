@@ -44,8 +44,8 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
 
 Cell Cells::cell_at(const Vec3& spot) const {
   const Vec3 p = spot - low_;
-  const auto index = [](double x, double per_side, std::int32_t n) {
-    return static_cast<std::int32_t>(std::clamp(x * per_side, 0.0, n - 1.0));
+  const auto index = [](double x, double inverse_side, std::int32_t n) {
+    return static_cast<std::int32_t>(std::clamp(x * inverse_side, 0.0, n - 1.0));
   };
   return index(p.x, per_side_.x, counts_[0]) | index(p.y, per_side_.y, counts_[1]) << bits |
          index(p.z, per_side_.z, counts_[2]) << (2 * bits);
@@ -140,8 +140,8 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
 
 void Cells::within(const Vec3& low, const Vec3& high, std::vector<std::int32_t>& out) const {
   /// First index and number of cells; a periodic grid wraps around.
-  const auto range = [&](double from, double to, double per_side, std::int32_t n) {
-    const double first = std::floor(from * per_side), last = std::floor(to * per_side);
+  const auto range = [&](double from, double to, double inverse_side, std::int32_t n) {
+    const double first = std::floor(from * inverse_side), last = std::floor(to * inverse_side);
     if (!periodic_) {
       const auto a = static_cast<std::int32_t>(std::clamp(first, 0.0, n - 1.0));
       const auto b = static_cast<std::int32_t>(std::clamp(last, 0.0, n - 1.0));

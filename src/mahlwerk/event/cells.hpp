@@ -46,8 +46,8 @@ class Cells {
   std::int64_t ball_count() const;                    ///< in all cells
   int max_neighbours() const { return 27 * capacity_ + 4; }
 
-  /// Whether the nearest image of a ball in a neighbouring cell need not be the image that
-  /// collides: a periodic box has fewer than five cells along an axis.
+  /// Whether the minimum image convention can miss the first collision: a periodic box with fewer
+  /// than five cells along an axis.
   bool needs_all_images() const {
     return periodic_ && std::min({counts_[0], counts_[1], counts_[2]}) < 5;
   }

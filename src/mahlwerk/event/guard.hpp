@@ -11,7 +11,7 @@
 namespace mahlwerk::event {
 
 /// Returns the error of the Zeno guard (inelastic collapse): at `time` [s] since the start of the
-/// run `events` events took place within `within` [s]. The remedy in the text differs from
+/// run `events` events took place within `within` [s]. The remedy in the text depends on
 /// `lasting`, the treatment of sustained contacts in force.
 RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting);
 

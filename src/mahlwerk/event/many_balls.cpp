@@ -77,8 +77,8 @@ void ManyBalls::process_event(std::int32_t ball) {
     process_collision(ball);
 }
 
-/// Safe-time query: the ball may be near a wall or about to leave its cell. The query follows the
-/// ball as long as no other ball has an event.
+/// Safe-time query for walls and cell. It searches ahead until the next event of any other ball at
+/// most, because nothing changes this ball's flight before.
 void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
@@ -153,7 +153,7 @@ void ManyBalls::serialize(Archive& archive) {
   grid_->serialize(archive);
   if (!archive.reading()) return;
   if (!is_consistent(count)) throw Archive::broken();
-  drift_ = {};
+  jar_offset_ = {};
   rebuild_queue();
 }
 

@@ -34,7 +34,7 @@ class ManyBalls final : public scene::Engine {
 
  private:
   /// Position and velocity of the jar frame's origin in the falling frame.
-  struct Drift {
+  struct JarOffset {
     double time = -never;
     Vec3 position, velocity;
   };
@@ -89,8 +89,8 @@ class ManyBalls final : public scene::Engine {
   void move_frame(double shift);
   void sort();
   void fill_cells();
-  const Drift& drift();
-  Drift drift_at(double t) const;
+  const JarOffset& jar_offset();
+  JarOffset jar_offset_at(double t) const;
   BallState ball_state(std::int32_t ball);
 
   // many_collisions.cpp: impulses, records, energy balance
@@ -103,7 +103,7 @@ class ManyBalls final : public scene::Engine {
   bool slow(const CollisionKinematics& touch) const {
     return touch.approach < tc_rule_.slowest_rebound(0, touch.field);
   }
-  void count_contact(CollisionData& ball, bool slow);
+  void add_contact_time(CollisionData& ball, bool slow);
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
                              double work, double scale);
   void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
@@ -157,7 +157,7 @@ class ManyBalls final : public scene::Engine {
   double clock_origin_ = 0;        // [s] mill time = clock_origin_ + clock
   double horizon_ = 0;             // [s] clock: end of the present advance()
   kinematics::FrameMotion epoch_;  // the jar's frame motion at clock 0, start of the falling frame
-  Drift drift_;
+  JarOffset jar_offset_;
   double reached_ = 0;  // [s] since the start
   std::int64_t events_ = 0, collisions_at_reorganisation_ = 0;
   double reorganised_ = 0;  // [s] clock

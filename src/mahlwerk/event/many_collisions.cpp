@@ -27,10 +27,10 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double before = kinetic(ball, now_);
   apply_impulse(ball, impulse, s.radius * n);
   const double work =
-      dot(impulse, epoch_.velocity + now_ * gravity_ + drift().velocity + wall.velocity);
+      dot(impulse, epoch_.velocity + now_ * gravity_ + jar_offset().velocity + wall.velocity);
   energy_balance_.wall_work += work;
   update_energy_balance(touch, b, kinetic(ball, now_) - before, work, before);
-  count_contact(data, slow(touch));
+  add_contact_time(data, slow(touch));
   record(ball, ~face, touch, wall.point, b.impulse.normal, b.loss);
   predict_and_schedule(ball);
 }
@@ -60,17 +60,17 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   apply_impulse(other, -impulse, -sb.radius * n);
   update_energy_balance(touch, bounced, kinetic(ball, now_) + kinetic(other, now_) - before, 0,
                         before);
-  count_contact(ta, slow(touch));
-  count_contact(tb, slow(touch));
+  add_contact_time(ta, slow(touch));
+  add_contact_time(tb, slow(touch));
   record(ball, tb.id, touch, ball_state(ball).position + sa.radius * n, bounced.impulse.normal,
          bounced.loss);
   predict_and_schedule(ball);
   predict_and_schedule(other);
 }
 
-/// Counts the time since the ball's last collision as time in contact if it is short and the bounce
-/// is as slow as those of a sustained contact (man.7).
-void ManyBalls::count_contact(CollisionData& ball, bool slow) {
+/// Adds the time since the ball's last collision to the time in contact if it is short and the
+/// bounce is as slow as those of a sustained contact (man.7).
+void ManyBalls::add_contact_time(CollisionData& ball, bool slow) {
   const double flight = now_ - ball.last_collision;
   if (rules_.lasting == SustainedContactMode::tc && slow && flight < 5 * rules_.contact_time)
     energy_balance_.contact_time += flight;
@@ -164,7 +164,7 @@ scene::EnergyBalance ManyBalls::energy_balance() const {
 
 std::vector<scene::Ball> ManyBalls::balls() const {
   const double t = reached_ + start_ - clock_origin_;
-  const Drift d = drift_at(t);
+  const JarOffset d = jar_offset_at(t);
   std::vector<scene::Ball> list(trajectories_.size());
   for (std::size_t i = 0; i < trajectories_.size(); ++i) {
     const Trajectory& l = trajectories_[i];

@@ -28,8 +28,9 @@ std::unique_ptr<HierarchicalGrid> make_grid(const MovingWall& jar, double max_ac
                                             const std::vector<double>& radii, std::size_t balls) {
   const bool periodic = jar.periods().x < never;
   const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
-  // With only a bound on the acceleration, safe times are too short rather than too long, so a ball
-  // near the border is tested again and again. With some slack it has crossed at one of the tests.
+  // Safe times from a bound on the acceleration end before the ball reaches the border, so a ball
+  // near it would be tested in ever shorter steps. With slack, one of the tests finds it beyond the
+  // border.
   const double slack = max_acceleration > 0 ? 0.02 : 1e-7;
   std::vector<double> diameters;
   for (const double r : radii) diameters.push_back(2 * r);
@@ -76,7 +77,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
                           .velocity = ball.velocity,
                           .revision = 0,
                           .species = place->second};
-    const Drift d = drift_at(now_);
+    const JarOffset d = jar_offset_at(now_);
     trajectory.position = nearest_image(trajectory.position + d.position, periods_);
     trajectory.velocity += d.velocity;
     collision_data_.push_back(
@@ -160,7 +161,8 @@ double ManyBalls::cell_safe_time(std::int32_t ball, const BallState& where) cons
       grid_->borders(level(ball), predictions_[static_cast<std::size_t>(ball)].cell);
   const Vec3 &v = where.velocity, &a = max_acceleration_.components;
   Vec3 x = where.position;
-  // Beyond the border of a periodic box the position is folded: use the image at the cell.
+  // A ball may be beyond a periodic border and still belong to its cell; its position is folded, so
+  // use the image nearest to the cell.
   if (periodic_) {
     const Vec3 middle = 0.5 * (b.low + b.high);
     x = middle + nearest_image(x - middle, periods_);
@@ -207,7 +209,7 @@ void ManyBalls::advance_to_now(std::int32_t ball) {
 /// Turns the clock back by `shift` [s]. The falling frame starts again from the jar frame of that
 /// time (man.3).
 void ManyBalls::move_frame(double shift) {
-  const Drift d = drift_at(shift);
+  const JarOffset d = jar_offset_at(shift);
   for (Trajectory& l : trajectories_) {
     l.since -= shift;
     l.position -= d.position + l.since * d.velocity;
@@ -221,7 +223,7 @@ void ManyBalls::move_frame(double shift) {
   clock_origin_ += shift;
   now_ -= shift;
   epoch_ = jar_->frame_motion(motion_time(0));
-  drift_ = {};
+  jar_offset_ = {};
 }
 
 /// Sorts the balls in memory by cell.
@@ -259,22 +261,23 @@ void ManyBalls::fill_cells() {
   }
 }
 
-ManyBalls::Drift ManyBalls::drift_at(double t) const {
+ManyBalls::JarOffset ManyBalls::jar_offset_at(double t) const {
   if (!walls_) return {t, {}, {}};
   const kinematics::FrameMotion frame = jar_->frame_motion(motion_time(t));
   return {t, frame.centre - epoch_.centre - t * (epoch_.velocity + 0.5 * t * gravity_),
           frame.velocity - epoch_.velocity - t * gravity_};
 }
 
-const ManyBalls::Drift& ManyBalls::drift() {
-  if (drift_.time != now_) drift_ = drift_at(now_);
-  return drift_;
+const ManyBalls::JarOffset& ManyBalls::jar_offset() {
+  if (jar_offset_.time != now_) jar_offset_ = jar_offset_at(now_);
+  return jar_offset_;
 }
 
 /// Present state of a ball in the jar frame.
 BallState ManyBalls::ball_state(std::int32_t ball) {
   const Trajectory& l = trajectory(ball);
-  return {nearest_image(l.at(now_) - drift().position, periods_), l.velocity - drift().velocity};
+  return {nearest_image(l.at(now_) - jar_offset().position, periods_),
+          l.velocity - jar_offset().velocity};
 }
 
 }  // namespace mahlwerk::event

@@ -14,8 +14,9 @@ struct WallPrediction {
   int face = -1;    ///< < 0: no touch
 };
 
-/// Type-erased jar on its mill, for the engine of many balls: one virtual call per query. Times are
-/// mill times; positions and velocities are those of the jar frame.
+/// Wall for the event engine of many balls (that of the soft engines is soft::MovingWall).
+/// Type-erased jar on its mill: one virtual call per query. Times are mill times; positions and
+/// velocities are those of the jar frame.
 class MovingWall {
  public:
   virtual ~MovingWall() = default;
@@ -32,10 +33,12 @@ class MovingWall {
   const Vec3& gravity() const { return gravity_; }
   bool static_geometry() const { return static_geometry_; }
   int faces() const { return faces_; }
-  double period() const { return period_; }         // [s] of the frame motion
-  double reach() const { return reach_; }           // [m]
-  double offset() const { return offset_; }         // [m] of the jar's centre at the start
-  const Vec3& periods() const { return periods_; }  // [m] infinite where the shape does not repeat
+  double period() const { return period_; }  ///< [s] of the frame motion; no_period: not periodic
+  /// [m] radius of a sphere round the jar's centre that holds the jar.
+  double reach() const { return reach_; }
+  /// [m] distance of the jar's centre from the origin of the frame motion at mill time 0.
+  double offset() const { return offset_; }
+  const Vec3& periods() const { return periods_; }  ///< [m] infinite where not periodic
 
  protected:
   kinematics::Bounds motion_bounds_;

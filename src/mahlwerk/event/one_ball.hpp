@@ -231,8 +231,8 @@ class OneBall final : public scene::Engine {
                          .lost_tangential = loss.tangential});
   }
 
-  /// Whether the bounces that follow would all be over before the force that presses the ball to
-  /// the wall has halved. Then they are infinitely many, and a sustained contact begins (evt.19).
+  /// Whether the coming bounces, an infinite series, end before the normal force can halve
+  /// (inelastic collapse). Then a sustained contact begins (evt.19).
   bool collapses(int face) const {
     if (rules_.lasting != SustainedContactMode::roll || rebound_ >= rules_.lasting_speed)
       return false;

@@ -16,12 +16,16 @@ enum class SustainedContactMode { roll, tc, none };
 struct Rules {
   contact::BounceRule bounce;
   std::vector<contact::BounceRule> faces;  ///< by face of the jar; empty: all as `bounce`
-  double lasting_friction = 0.3;           ///< mu of sustained contacts; they need a limit (evt.15)
-  double rolling_friction = 0;             ///< mu_r of sustained contacts
+  /// Coulomb's mu in sustained contacts, also where the collision rule has no Coulomb limit
+  /// (evt.15).
+  double lasting_friction = 0.3;
+  double rolling_friction = 0;  ///< mu_r of sustained contacts
   SustainedContactMode lasting = SustainedContactMode::roll;
-  double lasting_speed = 1e-4;  ///< [m/s] a pressed ball with a slower rebound stays (evt.19)
-  double contact_time = 1e-4;   ///< [s] t_c of the TC rule
-  double threshold = 0;         ///< [m/s] slower collisions are not counted in hits_within
+  /// [m/s] a ball that is pressed to the wall and rebounds more slowly begins a sustained contact
+  /// (evt.19).
+  double lasting_speed = 1e-4;
+  double contact_time = 1e-4;  ///< [s] t_c of the TC rule
+  double threshold = 0;        ///< [m/s] slower collisions are not counted in hits_within
 
   const contact::BounceRule& wall(int face) const {
     return faces.empty() ? bounce : faces[static_cast<std::size_t>(face)];

@@ -64,10 +64,9 @@ double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
-/// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it: the ball sinks
-/// in by at most a thousand margins, which is still negligible against its radius. Without this
-/// time, a ball that keeps no normal speed would graze the wall in steps of one margin. A ball that
-/// lies deeper already gets no extra time.
+/// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it. Computed for a
+/// radius smaller by a thousand margins, so the ball may sink in that far, still negligible; else
+/// it would advance by one margin a step. No gain for a ball that is deeper already.
 template <class S, class M>
 double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant& now,
                          const TouchTolerance& ball) {
@@ -78,8 +77,9 @@ double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant&
 /// Result of testing all faces at an instant.
 struct FaceScan {
   double safe_time = geometry::never;  ///< [s] no touch occurs within it
-  int nearest = -1;                    ///< of the approached faces, the one that limits it
-  int face = -1;                       ///< touched now; < 0: none
+  /// Last approached face whose safe time is below those of all faces tested before it; < 0: none.
+  int nearest = -1;
+  int face = -1;  ///< touched now; < 0: none
 };
 
 template <class S, class M>

@@ -161,8 +161,8 @@ class SustainedContact {
   }
 
  private:
-  // [m/s] a slower slip has no sharp direction: a ball that begins to slide would turn its slip at
-  // once, however short the step.
+  // [m/s] friction is regularised below this slip: the direction of a vanishing slip is undefined
+  // and would turn by any angle in one step.
   static constexpr double hardly_slips = 1e-5;
 
   /// Unit direction of a slip; shorter where the slip is not fast against `slow` [m/s].
@@ -207,8 +207,9 @@ class SustainedContact {
             -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
   }
 
-  /// Two or three faces support the ball, or one face near another: each face gives one normal
-  /// force and one condition. Friction at each face is regularised over a creeping speed (evt.17).
+  /// Two or three faces support the ball, or one face near another. Each face adds one unknown, its
+  /// normal force, and one equation, no acceleration relative to the face along its normal.
+  /// Friction is viscous below the creeping speed (evt.17).
   ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
                        const Vec3& centre_velocity, const Vec3& field,
                        ContactForces& forces) const {

@@ -163,10 +163,9 @@ class SustainedContactIntegrator {
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 
-  /// Longest step [s] with respect to a jump of the wall's curvature, across which the derivative
-  /// is not smooth. A step ends just before the jump; then a step of at most about `short_way` ends
-  /// just beyond it. The path to the jump is nearly straight only if it is short, so a long path
-  /// takes several steps.
+  /// Longest step [s] up to a jump of the wall's curvature, which no Runge-Kutta step should
+  /// straddle. Steps cover nine tenths of the way until less than `short_way` is left; one more
+  /// step then crosses the jump.
   double time_to_curvature_jump(double t) const {
     constexpr double short_way = 1e-8;  // [s]
     double soonest = geometry::never;
@@ -192,8 +191,9 @@ class SustainedContactIntegrator {
       if (!support_.has(face) && jar_->shape().can_touch(face, ball_.radius)) visit(face);
   }
 
-  /// Step [s] in which no other face is touched, or only so slowly that the touch is no bounce.
-  /// Otherwise a ball that has just left a face, or lies next to it, would advance in tiny steps.
+  /// Step [s] in which no other face is touched fast enough to bounce. A touch too slow to bounce
+  /// is allowed, because a ball that has just left a face or lies next to it would else advance in
+  /// tiny steps.
   double safe_time_of_others(double t) const {
     double clear = geometry::never;
     for_each_other([&](int face) {
@@ -275,8 +275,8 @@ class SustainedContactIntegrator {
     return through || s.forces.pulls(support_);
   }
 
-  /// Length [s] of the step at whose end the ball has just left. By bisection, because
-  /// `leaves_wall` is not a smooth function.
+  /// Shortest step [s] at whose end leaves_wall() holds. By bisection, because leaves_wall() is not
+  /// a smooth function.
   template <class Rate>
   double bisect_release_time(const Rate& rate, double t, double h) const {
     double stays = 0, gone = h;

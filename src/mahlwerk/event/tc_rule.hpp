@@ -9,10 +9,10 @@
 
 namespace mahlwerk::event {
 
-/// The collision rule of the TC model with a limit on the speed (man.4). Hard spheres in sustained
-/// contact make small bounces instead. The rule keeps these bounces from dying out, because they
-/// would become infinitely many (inelastic collapse). No collision gains energy beyond what the two
-/// bodies have stored of earlier losses (man.6).
+/// TC model, modified: instead of restitution 1 within t_c, the rebound speed has a lower limit
+/// (man.4). A sustained contact is a train of small bounces, which this limit keeps from collapsing
+/// (inelastic collapse). A rebound faster than the approach is paid for by sliding loss or by
+/// energy stored from earlier losses of the two bodies (man.6).
 struct TcRule {
   double contact_time = 0;  ///< [s] t_c
   double friction = 0;      ///< Coulomb's mu where the pair's rule has no limit
@@ -33,8 +33,9 @@ struct TcRule {
     bool raised = false;  ///< more elastic than the pair's restitution
   };
 
-  /// Slowest rebound as far as energy allows it [m/s] (man.4). `since` [s] is the time since the
-  /// last collision of either body, `field` [m/s2] as in Approach.
+  /// Lower limit of the rebound speed [m/s], not reached if energy is lacking (man.4). It falls
+  /// linearly from 10 a t_c right after a collision to 0.5 a t_c after t_c. `since` [s] is the time
+  /// since the last collision of either body, `field` [m/s2] is a, as in Approach.
   double slowest_rebound(double since, double field) const {
     constexpr double alone = 0.5, crowded = 10;
     const double crowding = std::max(0.0, 1 - since / contact_time);
@@ -71,8 +72,8 @@ struct TcRule {
   }
 
  private:
-  /// The restitution at which sliding at the Coulomb limit dissipates exactly what the rebound
-  /// gains (man.5); below 1 where the contact sticks.
+  /// Restitution at which the loss by sliding at the Coulomb limit equals the energy gain of the
+  /// rebound (man.5). Below 1 where the Coulomb limit is not reached: then nothing pays for a gain.
   static double neutral_restitution(double mu, double u, double slip) {
     const double inertia = 1.75 * mu * mu * u;
     return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);

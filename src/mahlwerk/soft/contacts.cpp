@@ -16,7 +16,7 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
   m.radius_i = none + a.radius;
   m.radius_j = none + (b != nullptr ? b->radius : 0.0);
-  m.per_radius = none + 1 / a.radius;
+  m.inverse_radius = none + 1 / a.radius;
   m.share = none + (b != nullptr ? 0.5 : 1.0);
   m.pull_off_distance = none + pair.pull_off_distance;
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
@@ -86,8 +86,8 @@ bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& p
 
 StepConstants step_constants(const Rules& rules, const Vec3& periods) {
   const Lanes none{};
-  return StepConstants{.step = rules.time_step,
-                       .per_step = 1 / rules.time_step,
+  return StepConstants{.dt = rules.time_step,
+                       .inverse_dt = 1 / rules.time_step,
                        .jar_velocity = {},
                        .rolling = rules.model.rolling,
                        .rolling_damping = rules.model.rolling_damping,

@@ -14,9 +14,10 @@ struct EnergyWatch {
   double last_residual = 0, most_energy = 0;  ///< [J] at the last check; largest so far
 
   void begin(const scene::EnergyBalance& a) { most_energy = a.kinetic + a.elastic; }
-  /// Whether the residual jumped since the last check. `wall_energy` [J] is the kinetic energy of
-  /// the balls at the speed of the wall, `least` [J] a negligible energy.
-  bool jumped(const scene::EnergyBalance& a, double wall_energy, double least) {
+  /// Updates the residual and the largest energy. Returns whether the residual jumped since the
+  /// last check. `wall_energy` [J] is the kinetic energy of the balls at the speed of the wall,
+  /// `least` [J] a negligible energy.
+  bool update_and_test(const scene::EnergyBalance& a, double wall_energy, double least) {
     const double jump = std::abs(a.residual() - last_residual);
     last_residual = a.residual();
     // The reference is the largest energy so far, not the present one: a charge may come to rest,

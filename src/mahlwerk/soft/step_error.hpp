@@ -14,8 +14,8 @@ struct StepError {
 };
 
 /// Error bounds from the law's table at fifty steps per collision (contact::StepErrors),
-/// interpolated in the restitution. They grow with the square of the step above that, and in
-/// proportion to it below.
+/// interpolated in the restitution. Beyond 1/50 of a collision per step the error grows with the
+/// square of the step; below, it falls in proportion to the step.
 StepError step_error(const contact::AnyLaw& law, double restitution, double steps_per_collision);
 
 }  // namespace mahlwerk::soft

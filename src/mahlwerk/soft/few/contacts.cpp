@@ -39,7 +39,7 @@ void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, con
   if (p.wall[lane] != 0 && rules_.model.curved_walls)
     apply_wall_curvature(p, lane, *jar_, p.face[k],
                          particles_.position.get(static_cast<std::size_t>(p.i[lane])),
-                         clock(particles_.step), pairs_[p.species_pair[k]], *rules_.model.law);
+                         mill_time(particles_.step), pairs_[p.species_pair[k]], *rules_.model.law);
   p.onset[k] = contact_onset(particles_.step, m, b, lane);
   set_lane(p.spring, lane, {});
   set_lane(p.roll, lane, {});
@@ -56,7 +56,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
   const ContactOnset& onset = p.onset[k];
   const SpeciesPair& pair = pairs_[p.species_pair[k]];
   const auto ball = static_cast<std::size_t>(p.i[lane]);
-  const double t = clock(particles_.step);
+  const double t = mill_time(particles_.step);
   const int face = wall ? p.face[k] : -1;
   const Vec3 x = particles_.position.get(ball);
   const Vec3 separation =

@@ -35,9 +35,9 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   a.time = time_of(now_);
   if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
     a.time = target_time_;  // rounding
-  const kinematics::FrameMotion frame = jar_->frame_motion(clock(particles_.step));
+  const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(particles_.step));
   const FreeFlight way = free_flight(now_ - particles_.step);
-  const kinematics::FrameMotion there = way.time > 0 ? jar_->frame_motion(clock(now_)) : frame;
+  const kinematics::FrameMotion there = way.time > 0 ? jar_->frame_motion(mill_time(now_)) : frame;
   a.kinetic = a.potential = 0;
   for (std::size_t b = 0; b < particles_.balls; ++b) {
     const Species& of = pairs_.of(b);
@@ -66,11 +66,11 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
 
 void FewBodySolver::check_energy() {
   const scene::EnergyBalance a = energy_balance();
-  const double t = clock(particles_.step);
+  const double t = mill_time(particles_.step);
   const double wall = jar_->max_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
-  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
+  if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t b = 1; b < particles_.balls; ++b)
     if (!(squared(particles_.velocity.get(b)) <= squared(particles_.velocity.get(fastest))))

@@ -29,7 +29,7 @@ bool FewBodySolver::start_skip() {
 std::int64_t FewBodySolver::collision_free_steps() const {
   constexpr double most = 1e6;  // steps
   double time = most * rules_.time_step;
-  const double now = clock(particles_.step);
+  const double now = mill_time(particles_.step);
   if (periodic_) return 0;
   for (std::size_t i = 0; i < particles_.balls; ++i) {
     const Vec3 x = particles_.position.get(i), v = particles_.velocity.get(i);
@@ -48,8 +48,8 @@ std::int64_t FewBodySolver::collision_free_steps() const {
 FewBodySolver::FreeFlight FewBodySolver::free_flight(std::int64_t steps) const {
   if (steps == 0) return {};
   const double time = time_of(steps);
-  const kinematics::FrameMotion from = jar_->frame_motion(clock(particles_.step));
-  const kinematics::FrameMotion to = jar_->frame_motion(clock(particles_.step + steps));
+  const kinematics::FrameMotion from = jar_->frame_motion(mill_time(particles_.step));
+  const kinematics::FrameMotion to = jar_->frame_motion(mill_time(particles_.step + steps));
   const Vec3& g = jar_->gravity();
   return {.shift = time * from.velocity + 0.5 * time * time * g - (to.centre - from.centre),
           .gain = time * g - (to.velocity - from.velocity),

@@ -9,7 +9,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Calls `f` with every column of a packet.
+/// Calls `f` with every column of a packet except inverse_radius, which FewBodySolver does not use.
 template <class F>
 void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
@@ -152,11 +152,12 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
       pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
                       wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), rules_.time_step),
       0, p, lane);
-  p.per_radius[lane] = 0;  // flush_work() divides the largest overlap by the radius
+  // Unused here: flush_work() itself divides the largest overlap by the radius.
+  p.inverse_radius[lane] = 0;
 }
 
 /// Allocates a wall point for each ball near a wall, in the order of the lanes.
-void FewBodySolver::find_wall_points() {
+void FewBodySolver::allocate_wall_points() {
   ParticleData& w = particles_;
   w.wall_neighbours.clear();
   for (PairPacket& p : w.packets)

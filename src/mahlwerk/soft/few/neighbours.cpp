@@ -37,10 +37,10 @@ void FewBodySolver::rebuild_neighbour_list() {
     fill_lanes(found_pairs_);
   }
   if (sort_touching_first() || !same) {
-    find_wall_points();
+    allocate_wall_points();
     build_gather_maps();
   }
-  if (jar_->sweep() > 0) return;  // the wall itself moves towards the balls
+  if (jar_->max_wall_speed() > 0) return;  // the wall itself moves towards the balls
   for (WallNeighbour& n : particles_.wall_neighbours)
     n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - pull_off_distance_;
 }
@@ -53,10 +53,10 @@ void FewBodySolver::find_wall_pairs(std::size_t b) {
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
   const double radius = initial_balls_[b].radius;
-  jar_->distances(x, clock(particles_.step), radius + skin_ + pull_off_distance_, gaps);
+  jar_->distances(x, mill_time(particles_.step), radius + skin_ + pull_off_distance_, gaps);
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
-    if (gap > skin_ + pull_off_distance_ || !jar_->meets(face, radius)) continue;
+    if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, radius)) continue;
     if (!(gap > -radius)) stop(b, "it is outside the jar");
     found_pairs_.push_back({static_cast<std::int32_t>(b), -1, face});
   }

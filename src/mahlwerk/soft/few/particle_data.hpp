@@ -84,9 +84,9 @@ struct ParticleData {
 };
 
 /// Callbacks for rare events, outside the innermost loop.
-class SlowPath {
+class FewContactCallbacks {
  public:
-  virtual ~SlowPath() = default;
+  virtual ~FewContactCallbacks() = default;
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void rebuild_neighbour_list() = 0;
   /// Contacts of a packet begin.
@@ -100,7 +100,7 @@ class SlowPath {
 struct alignas(64) StepBlock {
   ParticleData& particles;
   const MovingWall& jar;
-  SlowPath& slow_path;
+  FewContactCallbacks& slow_path;
   StepConstants constants;
   std::span<const DriveSample> drive;  ///< samples: one more than steps
   double start = 0;                    ///< [s] the mill's clock at step 0

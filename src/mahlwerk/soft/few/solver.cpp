@@ -66,7 +66,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
 
 /// A large overlap at the start would eject the balls at high speed.
 void FewBodySolver::refuse_overlaps() const {
-  const double t = clock(particles_.step);
+  const double t = mill_time(particles_.step);
   for (const NearPair& c : listed_pairs_) {
     const auto i = static_cast<std::size_t>(c.i);
     const double radius = initial_balls_[i].radius;
@@ -87,7 +87,7 @@ void FewBodySolver::refuse_overlaps() const {
 double FewBodySolver::time_of(std::int64_t step) const {
   return static_cast<double>(step) * rules_.time_step;
 }
-double FewBodySolver::clock(std::int64_t step) const {
+double FewBodySolver::mill_time(std::int64_t step) const {
   return start_ + time_of(step);
 }
 

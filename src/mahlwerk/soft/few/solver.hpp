@@ -15,7 +15,7 @@
 namespace mahlwerk::soft {
 
 /// The soft engine for few balls: every neighbour pair has a lane (docs/theory/soft.md).
-class FewBodySolver final : public scene::Engine, private SlowPath {
+class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
  public:
   FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                 const Rules& rules, const contact::PairTable& pairs, double start);
@@ -29,8 +29,8 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
  private:
   // The main loop (solver.cpp).
   void advance_block(std::int64_t until);
-  double clock(std::int64_t step) const;    // [s] of the mill
-  double time_of(std::int64_t step) const;  // [s] since the start of the run
+  double mill_time(std::int64_t step) const;  // [s] of the mill
+  double time_of(std::int64_t step) const;    // [s] since the start of the run
   void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
@@ -58,7 +58,7 @@ class FewBodySolver final : public scene::Engine, private SlowPath {
   bool sort_touching_first();
   void fill_lanes(const std::vector<NearPair>& wanted);
   void assign_lane(PairPacket& p, int lane, const NearPair& c);
-  void find_wall_points();
+  void allocate_wall_points();
   void build_gather_maps();
 
   // Contacts that begin and end (contacts.cpp).

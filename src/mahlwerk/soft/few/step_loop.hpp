@@ -34,13 +34,14 @@ template <bool avx512>
 [[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
-  const Lanes none{}, step = none + s.constants.step, half = 0.5 * step;
+  const Lanes none{}, step = none + s.constants.dt, half = 0.5 * step;
   const Vec<Lanes> pull0{none + before.body_acceleration.x, none + before.body_acceleration.y,
                          none + before.body_acceleration.z};
   const Vec<Lanes> pull1{none + after.body_acceleration.x, none + after.body_acceleration.y,
                          none + after.body_acceleration.z};
-  const double slack = s.max_displacement -
-                       s.jar.sweep() * static_cast<double>(w.step - s.list_step) * s.constants.step;
+  const double slack = s.max_displacement - s.jar.max_wall_speed() *
+                                                static_cast<double>(w.step - s.list_step) *
+                                                s.constants.dt;
   const double limit = slack > 0 ? slack * slack : -1;
   LaneMask far{};
   for (std::size_t b = 0; b < w.blocks; ++b) {
@@ -90,7 +91,7 @@ template <bool avx512>
 #endif
 }
 
-/// Adds them in memory, for any number of balls.
+/// Adds the forces and torques of a packet to the balls in memory, for any number of balls.
 [[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
                                            const ContactForce& f) {
   const auto give = [&](std::vector<AlignedLanes>& column, const Lanes& i, const Lanes& j) {
@@ -151,7 +152,7 @@ template <class Law, bool avx512>
     if (!w.wall_neighbours.empty()) {
       const std::size_t f = w.blocks * lanes;
       s.jar.wall_points(
-          w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.step, drive,
+          w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.dt, drive,
           {column_data(w.position.x), column_data(w.position.y), column_data(w.position.z),
            w.wall_points_due ? nullptr : column_data(w.displacement_squared),
            column_data(w.position.x) + f, column_data(w.position.y) + f,

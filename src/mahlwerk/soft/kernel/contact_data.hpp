@@ -18,7 +18,7 @@ struct alignas(64) ContactWork {
   Lanes rolling{};     ///< [J] by rolling resistance
   Lanes sliding{};     ///< [J] part of `tangential`: sliding at the Coulomb limit
   Lanes wall{};        ///< [J] work done by the wall, in the laboratory frame
-  Lanes deepest{};     ///< [m] largest overlap; [1] over the radius in sums of chunks
+  Lanes deepest{};     ///< [m] largest overlap; ChunkSums::work holds it over the radius [1]
 };
 
 /// Onset of a contact: step and speeds of first touch.
@@ -32,15 +32,17 @@ struct ContactOnset {
 struct alignas(64) PairParameters {
   LaneMask wall{};               ///< where j is a wall point
   Lanes radius_i{}, radius_j{};  ///< [m] 0 for a wall point
-  Lanes per_radius{};            ///< [1/m] 1 / radius_i
+  Lanes inverse_radius{};        ///< [1/m] 1 / radius_i
   Lanes share{};                 ///< fraction of the overlap in i: 0.5, or 1 at a wall
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
-  Lanes friction{};     ///< mu
-  Lanes rolling{};      ///< [m] mu_r R*; [s] for the viscous rule
-  Lanes roll_spring{};  ///< [m2] epsd: rolling over tangential stiffness
-  Lanes inertia{};      ///< [kg m2] reduced moment of inertia
-  Lanes lag{};          ///< [m/N] SpeciesPair::lag (dem.37)
+  Lanes friction{};  ///< mu
+  Lanes rolling{};   ///< [m] mu_r R*; [s] for the viscous rule
+  /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
+  /// model.
+  Lanes roll_spring{};
+  Lanes inertia{};  ///< [kg m2] reduced moment of inertia
+  Lanes lag{};      ///< [m/N] SpeciesPair::lag (dem.37)
 };
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {

@@ -11,7 +11,7 @@ namespace mahlwerk::soft {
 
 /// Constants of a step, for all packets.
 struct alignas(64) StepConstants {
-  double step = 0, per_step = 0;  ///< [s], [1/s]
+  double dt = 0, inverse_dt = 0;  ///< [s], [1/s]
   Vec<Lanes> jar_velocity{};
   contact::Rolling rolling = contact::Rolling::none;
   double rolling_damping = 0;
@@ -43,8 +43,8 @@ struct alignas(64) ContactGeometry {
   Vec<Lanes> slip;         ///< [m/s] tangential part of u
 };
 
-/// Distance of the centres [m] below which a pair touches; pairs in contact hold up to the pull-off
-/// distance.
+/// Centre distance [m] below which a pair is in contact: the sum of the radii, and for a pair
+/// already in contact also the pull-off distance.
 [[gnu::always_inline]] inline Lanes touch_distance(const PairParameters& p, LaneMask touching) {
   return p.radius_i + p.radius_j + select(touching, p.pull_off_distance, Lanes{});
 }
@@ -74,9 +74,9 @@ struct alignas(64) ContactGeometry {
 }
 
 /// Friction force on i [N]: tangential spring and dashpot, cut off at the Coulomb limit (dem.18 to
-/// dem.21, dem.37). The spring is stored half a step ahead, so that it grows by the mean slip of
-/// two steps. `turned`: lanes where the load changed sign since the last step, so the Coulomb limit
-/// passed through 0.
+/// dem.21, dem.37). The stored spring is half a step ahead: each step adds half its slip before the
+/// force and half after it (trapezoidal rule). `turned`: lanes whose load has changed sign since
+/// the last step, so that the Coulomb limit passed through 0.
 [[gnu::always_inline]] inline Vec<Lanes> tangential_force(const PairParameters& parameters,
                                                           History& p, ContactWork& work,
                                                           const StepConstants& constants,
@@ -89,7 +89,7 @@ struct alignas(64) ContactGeometry {
   }
   const Lanes none{}, one = none + 1.0;
   const Lanes stiffness = law_force.stiffness * (1.0 - parameters.lag * law_force.stiffness);
-  const Vec<Lanes> half = (0.5 * constants.step) * m.slip;
+  const Vec<Lanes> half = (0.5 * constants.dt) * m.slip;
   Vec<Lanes> spring = rotate_to_tangent_plane(p.spring, m.n);
   const auto against = [&] { return max(-(law_force.damping * dot(m.slip, spring)), none); };
   if (any(turned)) {  // the limit was 0 about half a step ago
@@ -101,8 +101,8 @@ struct alignas(64) ContactGeometry {
   const Lanes most = parameters.friction * law_force.load, squared = dot(force, force);
   const LaneMask slides = touching & less(most * most, squared);
   if (any(slides)) {
-    // The spring keeps the length whose force is at the limit, plus the part that an opposing
-    // dashpot balances (dem.20).
+    // Shortens the spring so that its force is the Coulomb limit plus the force of a dashpot that
+    // acts against it (dem.20).
     const Lanes size = sqrt(squared), square = dot(spring, spring);
     const Lanes pull = max(stiffness * square, none + 1e-150);
     const Lanes held = most * sqrt(square) + against(), both = 1.0 / (size * pull);
@@ -128,7 +128,7 @@ struct alignas(64) ContactGeometry {
   // torque of the last step, and a ball may have a dozen contacts that all resist: without the
   // limit, they would reverse its rotation and make it oscillate.
   const auto limited = [&](const Lanes& size) {
-    return min(size, (0.0625 * constants.per_step) * p.inertia);
+    return min(size, (0.0625 * constants.inverse_dt) * p.inertia);
   };
   Vec<Lanes> torque;
   if (constants.rolling == contact::Rolling::cdt) {
@@ -142,7 +142,7 @@ struct alignas(64) ContactGeometry {
   } else {
     const Lanes stiffness = p.roll_spring * law_force.stiffness;
     Vec<Lanes> spring =
-        rotate_to_tangent_plane(past.roll, m.n) - (constants.step * stiffness) * turning;
+        rotate_to_tangent_plane(past.roll, m.n) - (constants.dt * stiffness) * turning;
     const Lanes squared = dot(spring, spring);
     const LaneMask slips = less(most * most, squared);
     if (any(slips)) {
@@ -156,7 +156,7 @@ struct alignas(64) ContactGeometry {
     torque = spring - select(slips, none, damping) * turning;
     past.roll = select<Lanes>(touching, spring, Vec<Lanes>{});
   }
-  work.rolling -= select(touching, constants.step * dot(torque, turning), none);
+  work.rolling -= select(touching, constants.dt * dot(torque, turning), none);
   return select<Lanes>(touching, torque, Vec<Lanes>{});
 }
 
@@ -179,7 +179,7 @@ template <class Law>
   TransitionCorrection correction;
   if (transitions != nullptr) {
     correction =
-        correct_transitions<Law>(p, past, *transitions, m.overlap, m.rate, constants.step, f);
+        correct_transitions<Law>(p, past, *transitions, m.overlap, m.rate, constants.dt, f);
     live |= correction.counts;
     past.spring = select<Lanes>(transitions->begun, correction.lead * m.slip, past.spring);
   }
@@ -203,14 +203,14 @@ template <class Law>
   Lanes rate = m.rate;
   Vec<Lanes> slip = m.slip;
   if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
-    const Lanes half = (3.0 / 7.0 * constants.per_step) * p.lag;  // half a step over the mass
+    const Lanes half = (3.0 / 7.0 * constants.inverse_dt) * p.lag;  // half a step over the mass
     rate -= select(correction.counts, half * (f.force - correction.before), none);
     slip = slip + select(correction.counts & transitions->begun, 3.5 * half, none) * friction;
   }
-  d.impulse += constants.step * f.force;
-  d.normal += constants.step * (f.force * rate);
-  d.tangential -= constants.step * dot(friction, slip);
-  if (walls) d.wall += select(p.wall, constants.step * by_wall, none);
+  d.impulse += constants.dt * f.force;
+  d.normal += constants.dt * (f.force * rate);
+  d.tangential -= constants.dt * dot(friction, slip);
+  if (walls) d.wall += select(p.wall, constants.dt * by_wall, none);
   d.deepest = max(d.deepest, select(touching, m.overlap, none));
   return out;
 }

@@ -14,17 +14,19 @@ struct alignas(64) ContactTransitions {
   LaneMask begun{}, ended{};
 };
 
-/// -zeta(-1/4, 1 + since), Hurwitz's zeta, to 1.1e-4: the end correction of the Euler-Maclaurin sum
-/// for a force that grows as the fourth root of the time since touch. `since` is the time from
-/// touch to the first step, in steps. Divided by since^(1/4), it is the weight of the first force.
+/// since^(1/4) times the weight of the first force of a contact, for a force that grows as the
+/// fourth root of time, as damping proportional to overlap^(1/4) does (Tsuji's law). With this
+/// weight, the sum over the steps equals the integral (Euler-Maclaurin end correction, dem.35).
+/// Polynomial fit of -zeta(-1/4, 1 + since), Hurwitz's zeta, to 1.1e-4; `since` is the time from
+/// touch to the first step, in steps.
 [[gnu::always_inline]] inline Lanes rooted_share(const Lanes& since) {
   return 0.31709151755564424 +
          since *
              (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
 }
 
-/// Weighted sum of the part that jumps at touch (`jump`, weight `jumped`) and the part that grows
-/// as a fourth root (`whole` - `jump`, weight `rooted`).
+/// jumped * jump + rooted * (whole - jump): the part of the force that is there at touch, and the
+/// part that grows as a fourth root.
 [[gnu::always_inline]] inline Lanes mixed(const Lanes& whole, const Lanes& jump,
                                           const Lanes& rooted, const Lanes& jumped) {
   return rooted * whole + (jumped - rooted) * jump;
@@ -33,24 +35,26 @@ struct alignas(64) ContactTransitions {
 /// Result of correct_transitions.
 struct alignas(64) TransitionCorrection {
   LaneMask counts{};  ///< lanes whose force is corrected
-  Lanes lead{};       ///< [s] initial tangential spring over slip, where begun
+  Lanes lead{};       ///< [s] where begun: initial tangential spring / slip velocity
   Lanes before{};     ///< [N] normal force of the last step, where ended
 };
 
-/// Replaces the forces `f` of contacts that begin or end by the force times its weight in steps.
+/// Scales the first force of a contact by the number of steps for which it acts (dem.35). Where a
+/// contact has ended, `f` becomes the correction of its last force, which counted for a whole step
+/// (dem.36).
 template <class Law>
 [[gnu::always_inline]] inline TransitionCorrection correct_transitions(
     const PairParameters& p, const History& past, const ContactTransitions& transitions,
     const Lanes& overlap, const Lanes& rate, double step, contact::LawForce<Lanes>& f) {
   const Lanes none{}, one = none + 1.0, way = step * select(transitions.ended, -rate, rate);
   const LaneMask moves = less(none, way);
-  const Lanes per_way = 1.0 / select(moves, way, one);
+  const Lanes inverse_overlap_change = 1.0 / select(moves, way, one);
   // The onset overlap counts only where this step passes over it.
   Lanes onset_overlap = Law::template onset_overlap<Lanes>(past.law_history);
   onset_overlap = select(transitions.begun & less(onset_overlap, way), onset_overlap, none);
   const Lanes edge = select(transitions.ended, -p.pull_off_distance, onset_overlap);
-  const Lanes raw =
-      per_way * select(transitions.ended, overlap + p.pull_off_distance + way, overlap);
+  const Lanes raw = inverse_overlap_change *
+                    select(transitions.ended, overlap + p.pull_off_distance + way, overlap);
   const LaneMask odd =
       (transitions.begun & less(raw, none + 1.5)) | (transitions.ended & less(none - 0.5, raw));
   const LaneMask counts = odd & moves;
@@ -66,7 +70,7 @@ template <class Law>
   const contact::LawForce<Lanes> whole = evaluate_at(at), jump = evaluate_at(edge);
   const Lanes taken = select(transitions.ended, one, none);  // whole step already counted
   const Lanes rooted = rooted_share(since) / sqrt(sqrt(since)) - taken;
-  const Lanes jumped = 0.5 + since - 0.5 * onset_overlap * per_way - taken;
+  const Lanes jumped = 0.5 + since - 0.5 * onset_overlap * inverse_overlap_change - taken;
   const auto mix = [&](const Lanes& a, const Lanes& b, Lanes& out) {
     out = select(counts, mixed(a, b, rooted, jumped), out);
   };

@@ -108,7 +108,7 @@ template <bool avx512>
     const Vec3& spin = s.before.spin;
     b.wj = {none + spin.x, none + spin.y, none + spin.z};
     for (int l = 0; s.turning && l < lanes; ++l) {
-      if (g.j[static_cast<std::size_t>(l)] < s.jar->turning_from()) continue;
+      if (g.j[static_cast<std::size_t>(l)] < s.jar->first_rotor_face()) continue;
       const Vec3& rotor = s.before.rotor_spin;
       b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
     }

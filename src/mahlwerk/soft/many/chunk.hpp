@@ -49,7 +49,9 @@ struct ContactPackets {
   std::vector<PairParameters> parameters;  ///< of each packet, if curved walls change them
   std::vector<WallNormals> wall_normals;   ///< of each packet, for walls
   std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
-  std::int32_t leaving = 0;                ///< contacts still to be moved to the new order
+  /// Countdown in distribute_contacts(): copies still to be made from this list; at 0 its memory is
+  /// freed.
+  std::int32_t leaving = 0;
 
   /// Reserves memory for `count` packets, including optional histories and curved-wall parameters.
   void reserve(std::size_t count, bool with_history, bool curved) {
@@ -74,7 +76,8 @@ struct VerletList {
     const double bin = std::clamp(bound / bin_width, 0.0, bins - 1.0);
     return static_cast<std::size_t>(end[static_cast<std::size_t>(bin) + 1]);
   }
-  /// Removes pair `at`: the last pair of each bin fills the gap left in the bin before.
+  /// Removes pair `at` in O(bins): in each bin from its own on, the last pair moves into the hole,
+  /// so the hole ends up at the end of the list.
   void remove(std::size_t at) {
     for (std::size_t b = 1; b <= bins; ++b) {
       if (static_cast<std::size_t>(end[b]) <= at) continue;
@@ -86,8 +89,8 @@ struct VerletList {
   }
 };
 
-/// Displacement of the balls of a chunk since the neighbour list was built: that of each ball
-/// differs from `predicted_mean` by at most `spread` (dem.34).
+/// Displacements of a chunk's balls since the list was built. Each lies within `spread` of
+/// `predicted_mean`, the mean extrapolated from earlier steps; `mean` is the true one (dem.34).
 struct ChunkDisplacement {
   Vec3 predicted_mean, mean;  ///< [m]
   double spread = 0;          ///< [m]

@@ -8,9 +8,9 @@
 namespace mahlwerk::soft {
 
 /// Callbacks for contacts of a chunk that begin and end: rare events, outside the innermost loop.
-class ContactEvents {
+class ManyContactCallbacks {
  public:
-  virtual ~ContactEvents() = default;
+  virtual ~ManyContactCallbacks() = default;
   /// Contacts of `packets[g]` begin, in the lanes `begun`.
   virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
                      const PairMotion& b) = 0;
@@ -35,7 +35,7 @@ struct alignas(64) ChunkStep {
   const std::int32_t* species = nullptr;
   const PairParameters* parameters = nullptr;  ///< of each species pair, the same in all lanes
   const MovingWall* jar = nullptr;
-  ContactEvents* events = nullptr;
+  ManyContactCallbacks* events = nullptr;
   double time = 0;               ///< [s] the mill's clock
   double bin = 0;                ///< [m] width of the bins of the Verlet list
   double pull_off_distance = 0;  ///< [m] largest of all pairs

@@ -21,7 +21,7 @@ void ManyBodySolver::test_walls(Chunk& chunk) {
   VerletList& w = chunk.wall_pairs;
   const auto touches = [&](const NeighbourPair& pair) {
     const BallRecord& ball = now_[static_cast<std::size_t>(pair.ball)];
-    return jar_->gap(~pair.other, ball.position(), clock(step_), ball.radius).distance <
+    return jar_->gap(~pair.other, ball.position(), mill_time(step_), ball.radius).distance <
            ball.radius;
   };
   const std::size_t due = w.due(chunk.wall_bound, skin_ * VerletList::width);
@@ -120,7 +120,7 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
     if (own != nullptr) {
       copy_lane(usual, l, *own, l);
       apply_wall_curvature(*own, l, *jar_, g.j[k],
-                           now_[static_cast<std::size_t>(g.i[k])].position(), clock(step_),
+                           now_[static_cast<std::size_t>(g.i[k])].position(), mill_time(step_),
                            pairs_[g.species_pair[k]], *rules_.model.law);
     }
     ContactOnset& onset = list.onsets[n][k];
@@ -157,7 +157,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
   const ContactOnset& onset = list.onsets[n][k];
   const SpeciesPair& pair = pairs_[g.species_pair[k]];
-  const double t = clock(step_), duration = time_of(step_ - onset.step);
+  const double t = mill_time(step_), duration = time_of(step_ - onset.step);
   const int face = wall ? g.j[k] : -1;
   const Vec3 separation =
       wall ? get_lane(list.wall_normals[n].normal, l)

@@ -14,7 +14,7 @@ namespace mahlwerk::soft {
 /// have them.
 ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk) const {
   ElasticEnergy energy;
-  const double t = clock(step_);
+  const double t = mill_time(step_);
   const auto add = [&](const ContactPackets& list, double weight) {
     for (std::size_t n = 0; n < list.packets.size(); ++n) {
       const ContactPacket& g = list.packets[n];
@@ -63,7 +63,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
   a.time_steps = step_;
   if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
     a.time = target_time_;  // rounding
-  const kinematics::FrameMotion frame = jar_->frame_motion(clock(step_));
+  const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
   const Vec3 change = body_kick_change();
   struct Sum {
     double kinetic = 0, potential = 0;
@@ -97,11 +97,11 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
 
 void ManyBodySolver::check_energy() {
   const scene::EnergyBalance a = energy_balance();
-  const double t = clock(step_);
+  const double t = mill_time(step_);
   const double wall = jar_->max_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
-  if (!watch_.jumped(a, 0.5 * mass_ * wall * wall, least)) return;
+  if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t k = 1; k < now_.size(); ++k)
     if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;

@@ -113,7 +113,8 @@ void ManyBodySolver::sort_pairs() {
 
 double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
   const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
-  return jar_->distance(~pair.other, a.position(), clock(step_), a.radius + 2 * skin_) - a.radius;
+  return jar_->distance(~pair.other, a.position(), mill_time(step_), a.radius + 2 * skin_) -
+         a.radius;
 }
 
 /// Tunes the skin to the least cost of rebuilds and distance tests. The cost is estimated from
@@ -165,8 +166,8 @@ std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t 
   return to;
 }
 
-/// Finds the neighbour pairs of a chunk that are not in contact. Both chunks find a pair of balls
-/// of two chunks.
+/// Finds the neighbour pairs of a chunk that are not in contact. A pair of balls in two chunks is
+/// found by both chunks.
 void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})
@@ -218,13 +219,13 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::ranges::sort(touching);
   std::vector<NeighbourPair> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
-  const double t = clock(step_);
+  const double t = mill_time(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const BallRecord& ball = now_[static_cast<std::size_t>(i)];
     jar_->distances(ball.position(), t, ball.radius + skin_ + pull_off_distance_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
-      if (gap > skin_ + pull_off_distance_ || !jar_->meets(face, ball.radius)) continue;
+      if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, ball.radius)) continue;
       if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), "it is outside the jar"};
       if (std::ranges::binary_search(touching, std::pair(i, face))) continue;
       found.push_back({i, ~face});
@@ -243,7 +244,7 @@ void ManyBodySolver::refuse_overlaps() const {
         const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
-          const double gap = jar_->gap(~pair.other, a.position(), clock(0), a.radius).distance;
+          const double gap = jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
           if (overlap > rules_.most_overlap) throw overlap_error(ball, "the jar", overlap);
           continue;

@@ -178,13 +178,13 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
               .parameters = parameters_.data(),
               .jar = jar_.get(),
               .events = this,
-              .time = clock(step_),
+              .time = mill_time(step_),
               .bin = skin_ * VerletList::width,
               .pull_off_distance = pull_off_distance_,
               .before = before,
               .after = after,
               .large = large_,
-              .turning = jar_->turning_from() < jar_->faces(),
+              .turning = jar_->first_rotor_face() < jar_->faces(),
               .has_history = has_history_,
               .constants = step_constants(rules_, jar_->periods())};
   s.constants.jar_velocity = {none + before.velocity.x, none + before.velocity.y,
@@ -196,8 +196,8 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
     ChunkDisplacement& d = displacements_[k];
     const Vec3 last = d.mean;
     step_chunk_(s, chunks_[k], following, ball_forces_[static_cast<std::size_t>(thread)], d);
-    // Linear extrapolation for the next step. A separate array, because the spread refers to the
-    // mean that was just used.
+    // Linear extrapolation for the next step. Kept apart until update_bounds(): `spread` was
+    // measured from the old predicted_mean.
     predicted_means_[k] = 2.0 * d.mean - last;
   });
 }
@@ -215,7 +215,7 @@ void ManyBodySolver::rebuild_neighbour_lists() {
 /// Updates the bounds of the decrease of gaps since the last sort (dem.34). Returns false if a
 /// bound exceeds the skin.
 bool ManyBodySolver::update_bounds() {
-  const double swept = jar_->sweep() * time_of(step_ - list_step_);
+  const double swept = jar_->max_wall_speed() * time_of(step_ - list_step_);
   const double rounding = 3e-7 * largest_coordinate_;  // of two positions stored as floats
   bool good = true;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {

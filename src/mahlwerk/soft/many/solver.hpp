@@ -23,7 +23,7 @@ namespace mahlwerk::soft {
 /// stores their contacts. The step of a chunk reads the present rows of all balls and writes the
 /// next rows of its own balls (double buffering). So results have the same bits for any order of
 /// the chunks and any number of threads.
-class ManyBodySolver final : public scene::Engine, private ContactEvents {
+class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks {
  public:
   ManyBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                  const Rules& rules, const contact::PairTable& pairs, double start);
@@ -38,7 +38,7 @@ class ManyBodySolver final : public scene::Engine, private ContactEvents {
   // The main loop (solver.cpp).
   void initialize_rows(const std::vector<scene::Ball>& balls);
   void step(const DriveSample& before, const DriveSample& after);
-  double clock(std::int64_t step) const { return start_ + time_of(step); }
+  double mill_time(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
   bool update_bounds();

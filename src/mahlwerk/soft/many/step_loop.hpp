@@ -78,7 +78,7 @@ template <class Law, bool avx512>
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
     sums.sliding += d.sliding;
     if (kind == ContactKind::wall) sums.wall += d.wall;
-    sums.deepest = max(sums.deepest, d.deepest * parameters->per_radius);
+    sums.deepest = max(sums.deepest, d.deepest * parameters->inverse_radius);
     add_forces<avx512>(ball_forces, chunk.first, g.i, out.force, out.torque_i);
     if (kind == ContactKind::own)
       add_forces<avx512>(ball_forces, chunk.first, g.j, -out.force, out.torque_j);
@@ -136,7 +136,7 @@ template <bool avx512, bool streaming>
 [[gnu::always_inline]] inline void integrate_balls(const ChunkStep& s, const Chunk& chunk,
                                                    const VectorPair* ball_forces,
                                                    ChunkDisplacement& displacement) {
-  const double dt = s.constants.step;
+  const double dt = s.constants.dt;
   const Vec3 &b0 = s.before.body_acceleration, &b1 = s.after.body_acceleration;
   const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
   const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
@@ -200,9 +200,9 @@ template <class Law, bool avx512>
   find_contacts<avx512>(s, chunk);
   s.events->test_walls(chunk);
   std::fill_n(ball_forces.begin(), chunk.last - chunk.first, VectorPair{});
+  // Not unrolled: otherwise this large body would be compiled three times.
 #pragma GCC unroll 1
-  for (const ContactKind kind :
-       {ContactKind::own, ContactKind::halo, ContactKind::wall}) {  // one copy of the code
+  for (const ContactKind kind : {ContactKind::own, ContactKind::halo, ContactKind::wall}) {
     ContactWork d;
     apply_packets<Law, avx512>(s, chunk, kind, ball_forces.data(), prefetches, d);
     const double part = kind == ContactKind::halo ? 0.5 : 1;

@@ -22,11 +22,11 @@ class ChamberWall final : public MovingWall {
   explicit ChamberWall(const scene::TypedChamber<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
-    faces_ = turning_from_ = jar.shape().faces;
-    sweep_ = jar.max_wall_speed();
+    faces_ = first_rotor_face_ = jar.shape().faces;
+    max_wall_speed_ = jar.max_wall_speed();
     if constexpr (has_rotor) {
-      turning_from_ = S::first_rotor_face;
-      sweep_ += geometry::rotor_tip_speed_of(jar.shape());
+      first_rotor_face_ = S::first_rotor_face;
+      max_wall_speed_ += geometry::rotor_tip_speed_of(jar.shape());
     }
     reach_ = jar.shape().reach();
   }
@@ -68,7 +68,7 @@ class ChamberWall final : public MovingWall {
                    const WallPointColumns& p) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
-    const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
+    const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball);
       const double slack = near[k].slack;
@@ -76,7 +76,7 @@ class ChamberWall final : public MovingWall {
           p.displacement_squared[b] < slack * slack)
         continue;
       const Vec3 position{p.x[b], p.y[b], p.z[b]};
-      const bool turns = near[k].face >= turning_from_;
+      const bool turns = near[k].face >= first_rotor_face_;
       const Rotation& q = turns ? rotor : own;
       const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
       geometry::Gap gap = geometry::gap_near(
@@ -93,12 +93,12 @@ class ChamberWall final : public MovingWall {
                    double beyond, AlignedLanes (&points)[3]) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
-    const Rotation rotor = has_rotor ? axes(turning_from_, t) : own;
+    const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (int l = 0; l < lanes; ++l) {
       const auto k = static_cast<std::size_t>(l);
       const BallRecord& ball = rows[balls[k]];
       const Vec3 position = ball.position();
-      const Rotation& q = faces[k] >= turning_from_ ? rotor : own;
+      const Rotation& q = faces[k] >= first_rotor_face_ ? rotor : own;
       const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
                                              plain ? position : q.apply_inverse(position), within);
@@ -114,12 +114,12 @@ class ChamberWall final : public MovingWall {
       S::whole_wall_safe_time;
     }
     ? 1 : jar_.shape().faces;
-    for (int face = 0; face < std::min(asked, turning_from_); ++face)
+    for (int face = 0; face < std::min(asked, first_rotor_face_); ++face)
       if (jar_.shape().can_touch(face, radius))
         least = std::min(least, jar_.safe_time(face, {position, velocity}, t, radius).time);
-    for (int face = turning_from_; face < faces_; ++face) {
+    for (int face = first_rotor_face_; face < faces_; ++face) {
       const double room = gap(face, position, t, geometry::never).distance - radius;
-      const double closing = norm(velocity) + sweep_;
+      const double closing = norm(velocity) + max_wall_speed_;
       const double pull = norm(jar_.gravity()) + norm(jar_.motion_bounds().acceleration);
       least = std::min(least, geometry::plane_safe_time(room, closing, pull));
     }
@@ -141,9 +141,9 @@ class ChamberWall final : public MovingWall {
     return {at_wall(middle + half), at_wall(middle - half)};
   }
   Vec3 to_face_axes(const Vec3& a, double t, int face) const override {
-    return face >= turning_from_ ? axes(face, t).apply_inverse(a) : jar_.to_jar_axes(a, t);
+    return face >= first_rotor_face_ ? axes(face, t).apply_inverse(a) : jar_.to_jar_axes(a, t);
   }
-  bool meets(int face, double radius) const override {
+  bool can_touch(int face, double radius) const override {
     return jar_.shape().can_touch(face, radius);
   }
 
@@ -152,8 +152,9 @@ class ChamberWall final : public MovingWall {
   Rotation axes(int face, double t) const {
     if constexpr (has_rotor) {
       const Rotation jar = jar_.axes(t);
-      return face < turning_from_ ? jar
-                                  : jar * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t);
+      return face < first_rotor_face_
+                 ? jar
+                 : jar * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t);
     } else {
       return jar_.axes(t);
     }

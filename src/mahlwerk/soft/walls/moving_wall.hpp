@@ -43,8 +43,9 @@ struct WallPointColumns {
   double *sx, *sy, *sz;                // [rad/s] spin of the wall
 };
 
-/// The moving wall: a jar on its mill, with shape and motion types erased. Times are those of the
-/// mill's clock [s], positions [m] and velocities [m/s] those of the jar frame.
+/// Wall for the soft engines (that of the event engine is event::MovingWall): a jar on its mill,
+/// with shape and motion types erased. Times are mill times [s], positions [m] and velocities [m/s]
+/// those of the jar frame.
 class MovingWall {
  public:
   virtual ~MovingWall() = default;
@@ -64,8 +65,8 @@ class MovingWall {
   /// Updates the wall points of balls near a face.
   virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
                            const WallPointColumns& positions) const = 0;
-  /// The wall points of eight balls, each of which touches a face; exact up to a gap of `beyond`
-  /// [m] from the ball's surface.
+  /// Wall points of eight balls, for the lanes in `touching`; other lanes may be inexact. Exact for
+  /// gaps up to `beyond` [m].
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
                            double t, double beyond, AlignedLanes (&points)[3]) const = 0;
@@ -78,24 +79,25 @@ class MovingWall {
   /// Transforms a vector to the axes that turn with a face; to the jar axes if face < 0 (two
   /// balls).
   virtual Vec3 to_face_axes(const Vec3& a, double t, int face) const = 0;
-  virtual bool meets(int face, double radius) const = 0;
+  virtual bool can_touch(int face, double radius) const = 0;
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }
-  int turning_from() const { return turning_from_; }  ///< first face of the rotor, if any
-  double sweep() const { return sweep_; }  ///< [m/s] largest speed of a wall towards a ball at rest
+  int first_rotor_face() const { return first_rotor_face_; }  ///< first face of the rotor, if any
+  /// Largest speed at which the wall may approach a ball at rest in the jar frame [m/s].
+  double max_wall_speed() const { return max_wall_speed_; }
   double reach() const { return reach_; }  ///< [m] largest distance of the wall from the centre
   /// Upper bound of the speed of the wall in the laboratory frame [m/s].
   double max_wall_speed(double t) const {
-    const double turning = turning_from_ < faces_ ? sweep_ : 0;
+    const double turning = first_rotor_face_ < faces_ ? max_wall_speed_ : 0;
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
   const Vec3& periods() const { return periods_; }  ///< [m] infinite where not periodic
 
  protected:
   Vec3 gravity_, periods_;
-  int faces_ = 0, turning_from_ = 0;
-  double sweep_ = 0, reach_ = 0;
+  int faces_ = 0, first_rotor_face_ = 0;
+  double max_wall_speed_ = 0, reach_ = 0;
 };
 
 }  // namespace mahlwerk::soft
