@@ -24,7 +24,7 @@ struct Barrios {
   }
 
   /// Capture by a collision of `energy` [J] >= 0. The deformation of the bed depends on the
-  /// specific energy of its mass, which depends on the deformation: solved to 1e-12 (cap.5 to
+  /// specific energy of its mass, which depends on the deformation: solved to 1e-13 (cap.5 to
   /// cap.9).
   Capture capture(const Nip& nip, double energy, const Grain& grain) const;
   bool operator==(const Barrios&) const = default;
