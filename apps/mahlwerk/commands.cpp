@@ -73,8 +73,8 @@ Option checkpoint(std::string_view about) {
 
 Option kept_checkpoint() {
   return checkpoint(
-      "seconds between two checkpoints of the runs, from which run the same command again to "
-      "resume (default 1)");
+      "seconds between two checkpoints of the runs, from which the same command resumes (default "
+      "1)");
 }
 
 Options joined(std::initializer_list<Options> lists) {

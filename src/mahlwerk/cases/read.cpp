@@ -226,7 +226,7 @@ class CaseReader {
   }
 
   void read_sections() {
-    c_.jar = described<Jar>("jar", true).value_or(placeholder_jar());
+    c_.jar = described<Jar>("jar", true).value_or(invalid_jar());
     Node no_balls;
     no_balls.where = file_.generic_string();
     const Node* balls = root_.find("balls");

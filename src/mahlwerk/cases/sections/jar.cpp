@@ -119,7 +119,7 @@ void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
 
 }  // namespace
 
-Jar placeholder_jar() {
+Jar invalid_jar() {
   geometry::Sphere nothing;
   nothing.diameter = invalid_value;
   return {.model = "", .material = "", .shape = nothing};
@@ -130,7 +130,7 @@ void describe(KeyVisitor& v, Jar& jar) {
   const bool known = describe_kind(v, "jars", *jar.shape, jar.model, model);
   if (v.reader() != nullptr) v.text("material", jar.material);
   if (!known) {
-    jar.shape = placeholder_jar().shape;
+    jar.shape = invalid_jar().shape;
     return v.ignore_unknown_keys();
   }
   if (std::holds_alternative<geometry::Mesh>(*jar.shape)) describe_mesh(v, jar);

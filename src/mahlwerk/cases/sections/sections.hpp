@@ -111,7 +111,7 @@ bool describe_kind(KeyVisitor& v, std::string_view category, std::variant<Models
 
 // Readers of sections that need more than a description.
 
-Jar placeholder_jar();  ///< replaces a jar that could not be read
+Jar invalid_jar();  ///< stands for a jar with faults, so that other sections are still checked
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, Findings& findings);
 Contact read_contact(const Node* table, const Case& c, Findings& findings);
 /// The tables of the sections of grinding; null for a missing section.

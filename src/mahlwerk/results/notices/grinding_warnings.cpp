@@ -94,7 +94,7 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
     list.push_back(warning(
         "wide-classes",
         fmt::format("With binary fragments one piece is often nearly as large as the grain: with "
-                    "{} classes an octave the population balance grinds too slowly, by shares of "
+                    "{} classes per octave the population balance grinds too slowly, by shares of "
                     "up to {} %. grinding.classes_per_octave = 12, or method = \"statistical\", "
                     "is more accurate.",
                     grinding.classes_per_octave, grinding.classes_per_octave < 6 ? 13 : 3)));

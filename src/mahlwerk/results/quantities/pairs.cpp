@@ -70,8 +70,7 @@ const std::vector<PairMeasure>& pair_measures() {
 constexpr std::string_view jar = "jar";
 
 /// Kinds of pairs. All faces of the jar count as one.
-std::vector<PairKind> kinds_of_pairs(const cases::Case& what,
-                                     const observe::StatisticsByPair& pairs) {
+std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const StatisticsByPair& pairs) {
   std::vector<PairKind> list;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
@@ -105,8 +104,8 @@ std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& n
   return {table.columns[0].number_of(names[0]), table.columns[1].number_of(names[1])};
 }
 
-std::array<std::string, 2> pair_names(const cases::Case& what,
-                                      const observe::StatisticsByPair& pairs, int pair) {
+std::array<std::string, 2> pair_names(const cases::Case& what, const StatisticsByPair& pairs,
+                                      int pair) {
   const auto kinds = pairs.kinds_of(pair);
   const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
   if (!kinds.with_jar()) return {one, cases::set_name(what, static_cast<std::size_t>(kinds.other))};

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Every name that a test preset leaves out is the name of a test.
+
+    presets_test.py CMakePresets.json BUILD_FOLDER
+
+A test that is renamed would otherwise run under the sanitizers again, unnoticed.
+"""
+import json
+import re
+import subprocess
+import sys
+
+
+def alternatives(pattern):
+    """`a.(b|c)|d` -> a.b, a.c, d."""
+    made, depth, part = [], 0, ""
+    for character in pattern + "|":
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if character == "|" and depth == 0:
+            made.append(part)
+            part = ""
+        else:
+            part += character
+    return [whole for part in made for whole in expanded(part)]
+
+
+def expanded(part):
+    group = re.search(r"\(([^()]*)\)", part)
+    if not group:
+        return [part]
+    return [whole for choice in group.group(1).split("|")
+            for whole in expanded(part[:group.start()] + choice + part[group.end():])]
+
+
+def main(presets, build):
+    with open(presets) as file:
+        filters = [preset["filter"]["exclude"]["name"] for preset in json.load(file)["testPresets"]
+                   if "name" in preset.get("filter", {}).get("exclude", {})]
+    listed = subprocess.run(["ctest", "-N", "--test-dir", build], capture_output=True, text=True, check=True)
+    tests = re.findall(r"Test +#\d+: (\S+)", listed.stdout)
+    names = [name for pattern in filters for name in alternatives(pattern)]
+    unknown = [name for name in names if not any(re.search(name, test) for test in tests)]
+    print(f"expected: each of {len(names)} names is that of a test; found: {unknown or 'all are'}")
+    return 1 if unknown or not names else 0
+
+
+sys.exit(main(*sys.argv[1:]))
