@@ -219,7 +219,7 @@ TEST(CaseFaults, frames_that_nobody_can_want) {
 
 TEST(CaseFaults, parts_that_do_not_go_together) {
   EXPECT_TRUE(only(with(vial, "diameter = \"8", "diameter = \"20 mm\""), "case.toml:14",
-                   "the ball (20 mm) is larger than the jar (12 mm)", "ball-too-large"));
+                   "the ball (20 mm) is not smaller than the jar (12 mm)", "ball-too-large"));
   EXPECT_TRUE(only(with(vial, "diameter = \"8", "diameter = \"11.99999 mm\""), "case.toml:14",
                    "12 mm", "ball-too-large"));
   EXPECT_TRUE(faults_of(with(vial, "diameter = \"8", "diameter = \"11.9999 mm\"")).empty());
@@ -232,7 +232,7 @@ TEST(CaseFaults, parts_that_do_not_go_together) {
       only(with(vial, "kind = \"capsule\"", "kind = \"rounded-cylinder\"\nfillet = \"6.1 mm\""),
            "case.toml:10", "half the jar's", "fillet-too-large"));
   EXPECT_TRUE(only(with(drum, "diameter = \"20 mm", "diameter = \"60 mm\""), "case.toml:12",
-                   "the ball (60 mm) is larger than the jar (60 mm)", "ball-too-large"));
+                   "the ball (60 mm) is not smaller than the jar (60 mm)", "ball-too-large"));
 }
 
 TEST(CaseFaults, text_that_is_no_toml) {

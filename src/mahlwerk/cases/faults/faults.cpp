@@ -43,7 +43,7 @@ void balls_too_large(const Case& c, std::vector<Fault>& found) {
     const double ball = largest_ball({c.balls[i]});
     if (!(ball >= jar * (1 - room))) continue;
     found.push_back({location_of(c, c.balls[i].grains ? "powder.grain_size" : size_key(c, i)),
-                     fmt::format("the ball ({}) is larger than the jar ({}): it cannot move",
+                     fmt::format("the ball ({}) is not smaller than the jar ({}): it cannot move",
                                  show(ball, "m"), show_rounded(jar, "m")),
                      "give a smaller ball or a larger jar", "ball-too-large"});
   }
