@@ -66,7 +66,7 @@ TEST_F(Program, an_existing_result_is_refused_unless_forced) {
 }
 
 TEST_F(Program, nonsense_is_refused_with_place_and_remedy) {
-  expect_refused("run " + short_ + "--set balls.diameter=\"20 mm\"", "larger than");
+  expect_refused("run " + short_ + "--set balls.diameter=\"20 mm\"", "not smaller than");
   expect_refused("run " + short_ + "--set balls.diameter=\"0 mm\"", "balls.diameter");
   expect_refused("run " + short_ + "--set jar.diameter=\"-12 mm\"", "jar.diameter");
   expect_refused("run " + short_ + "--set contact.restitution=1.5", "contact.restitution");
