@@ -162,10 +162,10 @@ std::unique_ptr<scene::Engine> engine(const CrowdCase& c, const std::vector<scen
                            .restitution = 0.5,
                            .friction = 0.5,
                            .rolling_friction = 0.05};
-  soft::Rules rules;
+  soft::Settings rules;
   rules.time_step = c.step;
   rules.threads = threads;
-  rules.most_overlap = 0.1;  // states in motion hold hard hits
+  rules.max_overlap = 0.1;  // states in motion hold hard hits
   return soft::engine(c.mill, balls, rules, {2, geometry::Cylinder::faces, pair}, start);
 }
 

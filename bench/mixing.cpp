@@ -63,10 +63,10 @@ std::unique_ptr<scene::Engine> engine(const std::vector<scene::Ball>& balls, dou
     pairs.set_wall(small, face, pair(m1, steel, 0.4, 0.2));
     pairs.set_wall(large, face, pair(m2, steel, 0.4, 0.2));
   }
-  soft::Rules rules;
+  soft::Settings rules;
   rules.model.rolling = contact::Rolling::none;
   rules.time_step = step;
-  rules.most_overlap = 0.1;
+  rules.max_overlap = 0.1;
   rules.threads = 2;
   const scene::Chamber drum{geometry::Cylinder{2 * drum_radius, drum_length},
                             kinematics::Tumbling{speed},

@@ -24,7 +24,7 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
                            .restitution = c.restitution,
                            .friction = c.friction,
                            .rolling_friction = c.rolling_friction};
-  soft::Rules rules;
+  soft::Settings rules;
   rules.time_step = c.step;
   rules.model.rolling = contact::Rolling::epsd;  // nearest to what the peers have
   return soft::engine(mill, {start.begin(), start.end()}, rules,
@@ -35,22 +35,22 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
 
 std::optional<MahlwerkSpeed> mahlwerk_speed(const Start& start, int steps) {
   const auto run = engine(start);
-  NullObserver nobody;
+  NullObserver observer;
   const double began = cpu_seconds();
-  run->advance(steps * planetary_case.step, nobody);
+  run->advance(steps * planetary_case.step, observer);
   return MahlwerkSpeed{static_cast<double>(start.size()) * steps / (cpu_seconds() - began)};
 }
 
 std::optional<Physics> mahlwerk_physics(const Start& start) {
   const auto run = engine(start);
-  NullObserver nobody;
+  NullObserver observer;
   const PlanetaryCase& c = planetary_case;
   Analysis analysis(c.from, c.to);
   scene::EnergyBalance first, last;
   const auto samples = static_cast<int>(c.to / c.between_samples + 0.5);
   for (int n = 0; n <= samples; ++n) {
     const double time = n * c.between_samples;
-    run->advance(time, nobody);
+    run->advance(time, observer);
     last = run->energy_balance();
     if (time <= c.from) first = last;
     Sample sample;

@@ -37,7 +37,7 @@ double planetary_ns(const contact::AnyLaw& law) {
   const PlanetaryCase& c = planetary_case;
   const scene::Chamber mill{c.vial, c.mill, {}, {0, 0, -c.gravity}};
   const Start balls = start(0);
-  soft::Rules rules{.model = {.law = law, .rolling = contact::Rolling::epsd}, .time_step = 1e-6};
+  soft::Settings rules{.model = {.law = law, .rolling = contact::Rolling::epsd}, .time_step = 1e-6};
   contact::Pair pair = steel(c.restitution, c.friction, c.rolling_friction);
   pair.surface_energy = 0.1;
   pair.cohesion = 1e5;
@@ -61,7 +61,7 @@ VibrationResult run_vibration(bool free_flight_skip) {
   motion.frequency = 10;
   motion.amplitude = 0.025;
   const scene::Chamber mill{geometry::Capsule{0.012, 0.03621}, motion, {}, {0, 0, -9.81}};
-  soft::Rules rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
+  soft::Settings rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
                     .time_step = 5e-7,
                     .free_flight_skip = free_flight_skip};
   const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,

@@ -47,7 +47,7 @@ inline std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
   const scene::Chamber chamber{shape, motion, mount, down};
   for (scene::Ball& b : balls) b.position = mount * b.position;
   const int faces = geometry::faces(shape);
-  soft::Rules rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
+  soft::Settings rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
   rules.few_body_limit = few;
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }

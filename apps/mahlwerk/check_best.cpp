@@ -23,7 +23,7 @@ namespace {
 /// if a single one exceeds it.
 int affordable(const cases::Case& one, int wanted) {
   const double each = campaign::soft_work(one);
-  return static_cast<int>(std::min<double>(wanted, campaign::most_check_work / each));
+  return static_cast<int>(std::min<double>(wanted, campaign::max_check_work / each));
 }
 
 /// The reason why the setting cannot be checked; empty: run `check.replicates` replicates.
@@ -37,7 +37,7 @@ std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best
     if (check.replicates > 0) return "";
     return fmt::format(
         "that would take about {} core hours; mahlwerk run best.toml --set run.engine=soft runs it",
-        two_digits(campaign::soft_work(one) / campaign::most_soft_work));
+        two_digits(campaign::soft_work(one) / campaign::max_soft_work));
   } catch (const InputError& error) {
     return error.faults().front().what;
   }

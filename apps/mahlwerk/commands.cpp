@@ -71,7 +71,7 @@ Option checkpoint(std::string_view about) {
           .type = "SECONDS"};
 }
 
-Option kept_checkpoint() {
+Option resumable_checkpoint() {
   return checkpoint(
       "seconds between two checkpoints of the runs, from which the same command resumes (default "
       "1)");

@@ -238,7 +238,7 @@ Command match_command() {
                     .required = true}},
                   changes(),
                   running(" of mill B, with -match"),
-                  {kept_checkpoint(), json()}}),
+                  {resumable_checkpoint(), json()}}),
           match};
 }
 

@@ -253,7 +253,7 @@ Command papers_command() {
                     "a folder of papers/, or any folder with a paper.toml (default: all papers)"}},
                   changes(),
                   running("; papers in results/papers"),
-                  {kept_checkpoint(), json()}}),
+                  {resumable_checkpoint(), json()}}),
           papers};
 }
 

@@ -51,17 +51,17 @@ int sweep_status(const Request& request) {
       !warned.empty())
     to_stdout("\n" + warned);
   constexpr std::size_t most = 20;
-  std::size_t told_of = 0;
+  std::size_t printed = 0;
   const std::vector<std::string> keys = store.keys();
   store.read({}, [&](const campaign::StoredPoint& point) {
-    if (point.state != campaign::RunState::failed || ++told_of > most) return;
+    if (point.state != campaign::RunState::failed || ++printed > most) return;
     std::string values;
     for (std::size_t k = 0; k < keys.size(); ++k)
       values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
     to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
   });
-  if (told_of > most)
-    fmt::print("\nand {} more: see the column `message` of the store\n", told_of - most);
+  if (printed > most)
+    fmt::print("\nand {} more: see the column `message` of the store\n", printed - most);
   return success;
 }
 

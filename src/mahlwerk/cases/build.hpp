@@ -38,7 +38,7 @@ contact::BounceTable bounce_table(const Case& c);
 
 /// Whether the surface of the jar looks the same at all times: the jar does not rotate, or rotates
 /// about its axis of symmetry, and holds no stirrer.
-bool looks_still(const Case& c);
+bool jar_mesh_is_static(const Case& c);
 
 /// Approximate size on disk of one frame of [observe] frames [bytes].
 double frame_bytes(const Case& c);

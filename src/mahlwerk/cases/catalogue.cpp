@@ -43,7 +43,7 @@ std::vector<std::string> words_of(std::string_view word) {
 
 /// Suggestions for an unknown name, likeliest first: the nearest by spelling, and names that
 /// contain all its parts.
-std::vector<std::string> near_names(std::string_view word, const std::vector<std::string>& known) {
+std::vector<std::string> similar_names(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t shortest = 3, most = 4;
   std::vector<std::string> near;
   if (const std::string best = nearest_word(word, known); !best.empty()) near.push_back(best);
@@ -105,7 +105,7 @@ bool Catalogue::has(std::string_view category, std::string_view name) const {
 CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
                                std::string_view where) const {
   if (!has(category, name)) {
-    const std::vector<std::string> near = near_names(name, names(category));
+    const std::vector<std::string> near = similar_names(name, names(category));
     throw InputError(
         Fault{std::string(where),
               fmt::format("the catalogue has no {} called '{}'", category_noun(category), name),
@@ -118,7 +118,7 @@ CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
-  const std::vector<std::string> near = near_names(word, known);
+  const std::vector<std::string> near = similar_names(word, known);
   return near.empty() ? "" : near.front();
 }
 

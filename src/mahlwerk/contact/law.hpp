@@ -115,7 +115,7 @@ constexpr double unbounded_time = std::numeric_limits<double>::infinity();
 
 /// Lower limit of the restitution, for laws whose damper or spring grows without bound as e goes to
 /// 0 (dem.10, dem.13, dem.14).
-constexpr double least_restitution = 0.01;
+constexpr double min_restitution = 0.01;
 
 /// b = ln e / sqrt(ln^2 e + pi^2) (dem.7); 0 at e = 1, -1 at e = 0.
 inline double damping_ratio(double e) {

@@ -54,8 +54,8 @@ template <bool periodic, bool one_size>
                                                        const double* radii, const Vec3& periods,
                                                        const PredictedCollision& best) {
   const Four zero{};
-  EarliestLanes soonest{zero + (best.time - me.time), FourIndices{} + best.partner};
-  Four reach = zero + (me.radius + radii[0]);
+  EarliestLanes earliest{zero + (best.time - me.time), FourIndices{} + best.partner};
+  Four touch_distance = zero + (me.radius + radii[0]);
   for (std::size_t k = 0; k < others.size(); k += lanes) {
     Rows p, v;
     std::int64_t index[lanes];
@@ -65,10 +65,10 @@ template <bool periodic, bool one_size>
       static_assert(offsetof(Trajectory, velocity) == sizeof(Four));
       std::memcpy(&p[l], &trajectory.position, sizeof(Four));  // x, y, z, since
       std::memcpy(&v[l], &trajectory.velocity, sizeof(Four));  // x, y, z, unused
-      if constexpr (!one_size) reach[l] = me.radius + radii[trajectory.species];
+      if constexpr (!one_size) touch_distance[l] = me.radius + radii[trajectory.species];
     }
-    FourIndices who;
-    std::memcpy(&who, index, sizeof who);
+    FourIndices partner;
+    std::memcpy(&partner, index, sizeof partner);
     transpose(p);
     transpose(v);
     const Four passed = me.time - p[3];
@@ -81,23 +81,23 @@ template <bool periodic, bool one_size>
     }
     const Four ux = me.velocity.x - v[0], uy = me.velocity.y - v[1], uz = me.velocity.z - v[2];
     const Four b = x * ux + y * uy + z * uz, u2 = ux * ux + uy * uy + uz * uz;
-    const Four gap = x * x + y * y + z * z - reach * reach;
+    const Four gap = x * x + y * y + z * z - touch_distance * touch_distance;
     Four d = b * b - u2 * gap;
-    const FourIndices meets = (b < zero) & (d > zero);
+    const FourIndices collides = (b < zero) & (d > zero);
     d = d > zero ? d : zero;
     Four root;
     for (std::size_t l = 0; l < lanes; ++l) root[l] = std::sqrt(d[l]);
     const Four time = (gap > zero ? gap : zero) / (root - b);
-    const FourIndices sooner = meets & (time < soonest.time);
-    soonest.time = sooner ? time : soonest.time;
-    soonest.partner = sooner ? who : soonest.partner;
+    const FourIndices earlier = collides & (time < earliest.time);
+    earliest.time = earlier ? time : earliest.time;
+    earliest.partner = earlier ? partner : earliest.partner;
   }
   PredictedCollision found = best;
-  double least = best.time - me.time;
+  double min_time = best.time - me.time;
   for (std::size_t l = 0; l < lanes; ++l) {
-    if (!(soonest.time[l] < least)) continue;
-    least = soonest.time[l];
-    found = {me.time + least, static_cast<std::int32_t>(soonest.partner[l])};
+    if (!(earliest.time[l] < min_time)) continue;
+    min_time = earliest.time[l];
+    found = {me.time + min_time, static_cast<std::int32_t>(earliest.partner[l])};
   }
   return found;
 }

@@ -41,7 +41,7 @@ class ManyBalls final : public scene::Engine {
   /// Relative motion of two touching bodies; the second may be the wall.
   struct CollisionKinematics {
     Vec3 normal;             ///< from the ball to the contact
-    Vec3 gliding, slipping;  ///< [m/s] tangential velocity of the centres and of the surfaces
+    Vec3 tangential_velocity, slip_velocity;  ///< [m/s] tangential velocity of the centres and of the surfaces
     double mass, approach, slip;
     double field;  ///< [m/s2] the largest that presses them together
 
@@ -50,15 +50,15 @@ class ManyBalls final : public scene::Engine {
     CollisionKinematics(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling,
                         double field_)
         : normal(n),
-          gliding(tangential_part(glide, n)),
-          slipping(gliding + cross(rolling, n)),
+          tangential_velocity(tangential_part(glide, n)),
+          slip_velocity(tangential_velocity + cross(rolling, n)),
           mass(mass_),
           approach(dot(glide, n)),
-          slip(norm(slipping)),
+          slip(norm(slip_velocity)),
           field(field_) {}
 
     Vec3 impulse(const contact::Impulse& j) const {  ///< [N s] on the ball
-      return -j.normal * normal - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
+      return -j.normal * normal - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
     }
   };
 

@@ -135,7 +135,7 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                        .mass = touch.mass,
                        .approach = touch.approach,
                        .slip = touch.slip,
-                       .glide = norm(touch.gliding),
+                       .glide = norm(touch.tangential_velocity),
                        .impulse = impulse,
                        .lost_normal = loss.normal,
                        .lost_tangential = loss.tangential});

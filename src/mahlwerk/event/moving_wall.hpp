@@ -23,7 +23,7 @@ class MovingWall {
 
   virtual kinematics::FrameMotion frame_motion(double t) const = 0;
   /// Follows a ball that has the state `ball` at `t` [s] and flies freely, until it touches a face,
-  /// `until` [s] is passed, or most_search_steps are done. Tests the faces at least once.
+  /// `until` [s] is passed, or max_search_steps are done. Tests the faces at least once.
   virtual WallPrediction predict_touch(const BallState& ball, double t, double until,
                                        const TouchTolerance& tolerance) const = 0;
   virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;
@@ -70,7 +70,7 @@ class ChamberWall final : public MovingWall {
     const FaceScan first = scan_faces(jar_, {t, {}, ball}, tolerance);
     if (first.face >= 0) return {t, first.face};
     const double step = std::max(first.safe_time,
-                                 tolerance.least_step(norm(ball.velocity) + jar_.max_wall_speed()));
+                                 tolerance.min_step(norm(ball.velocity) + jar_.max_wall_speed()));
     if (!(t + step < until)) return {std::max(t + step, std::nextafter(t, geometry::never)), -1};
     const kinematics::FrameMotion frame = jar_.motion().frame_motion(t);
     const Flight flight{t, ball.position + frame.centre, ball.velocity + frame.velocity};

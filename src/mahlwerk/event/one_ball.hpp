@@ -154,12 +154,12 @@ class OneBall final : public scene::Engine {
     const Vec3 n = -wall.inward, glide = now_.ball.velocity - wall.velocity;
     const double approach = dot(glide, n);
     energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap, -wall.gap / r);
-    const Vec3 gliding = glide - approach * n, slipping = gliding + r * cross(spin_, n);
-    const double slip = norm(slipping);
+    const Vec3 tangential_velocity = glide - approach * n, slip_velocity = tangential_velocity + r * cross(spin_, n);
+    const double slip = norm(slip_velocity);
 
     const auto [j, loss, kept] = bounce(face, wall, approach, slip);
     reject_energy_gain(loss, m, approach, slip, mill_time() - start_);
-    const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slipping;
+    const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
 
     BallState after = now_.ball;
     const double before = kinetic(after.velocity + now_.frame.velocity);
@@ -172,7 +172,7 @@ class OneBall final : public scene::Engine {
     energy_balance_.lost_tangential += loss.tangential;
     energy_balance_.elastic += kept;
     ++energy_balance_.collisions;
-    record(face, wall, n, approach, slip, norm(gliding), j.normal, loss);
+    record(face, wall, n, approach, slip, norm(tangential_velocity), j.normal, loss);
     rebound_ = j.normal / m - approach;
     last_ = mill_time();
     start_flight(after);
@@ -252,7 +252,7 @@ class OneBall final : public scene::Engine {
     BallState p = now_.ball;
     SupportFaces support;
     support.add(face);
-    for (int other = 0; other < S::faces && support.count < SupportFaces::most; ++other)
+    for (int other = 0; other < S::faces && support.count < SupportFaces::max_count; ++other)
       if (other != face && jar_.shape().can_touch(other, body_.radius) && rests_on(other, p))
         support.add(other);
     const double before = kinetic(p.velocity + now_.frame.velocity);
@@ -308,9 +308,9 @@ class OneBall final : public scene::Engine {
   /// Zeno guard: stops a run whose events accumulate in almost no time, with the reason.
   void guard() {
     constexpr int many = 100000;
-    constexpr double soon = 0.01;  // [s]
+    constexpr double min_span = 0.01;  // [s]
     if (++guarded_ < many) return;
-    if (mill_time() - guarded_since_ < soon)
+    if (mill_time() - guarded_since_ < min_span)
       throw zeno_error(mill_time() - start_, mill_time() - guarded_since_, many, rules_.lasting);
     guarded_ = 0;
     guarded_since_ = mill_time();

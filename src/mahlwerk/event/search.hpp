@@ -37,7 +37,7 @@ struct TouchTolerance {
 
   /// Least step [s]: a time in which ball and wall, approaching at no more than `speed` [m/s], do
   /// not cross the margin.
-  double least_step(double speed) const { return margin / (speed + 1e-3); }
+  double min_step(double speed) const { return margin / (speed + 1e-3); }
 };
 
 /// State at an instant: the clock, the jar's frame motion, and the ball in the jar frame.
@@ -106,11 +106,11 @@ FaceScan scan_faces(const TypedChamber<S, M>& jar, const Instant& now, const Tou
 
 /// Maximum steps of one search. A flight usually takes fewer than ten. A ball that grazes a wall
 /// may take so many that the caller must be able to process other events in between.
-constexpr std::int64_t most_search_steps = 4096;
+constexpr std::int64_t max_search_steps = 4096;
 
 /// Finds the first touch of a flight from `start` on, no later than about `until` [s]: the first
 /// time at which a gap is (nearly) closed and shrinking. Conservative advancement: the steps are
-/// safe times, so no touch is passed (evt.3 to evt.5). After most_search_steps it returns no face
+/// safe times, so no touch is passed (evt.3 to evt.5). After max_search_steps it returns no face
 /// and the instant reached, before `until`, from which the search can continue.
 template <class S, class M>
 [[gnu::flatten]] Touch next_touch(const TypedChamber<S, M>& jar, const Flight& flight,
@@ -121,7 +121,7 @@ template <class S, class M>
     if (scan.face >= 0) return {now, scan.face, steps};
     const double before = now.time;
     now.time +=
-        std::max(scan.safe_time, ball.least_step(norm(now.ball.velocity) + jar.max_wall_speed()));
+        std::max(scan.safe_time, ball.min_step(norm(now.ball.velocity) + jar.max_wall_speed()));
     if (now.time == before) {  // step below the clock's resolution: this is the touch
       if (scan.nearest >= 0 && closing_speed(jar, scan.nearest, now, ball) > rounding_speed)
         return {now, scan.nearest, steps};
@@ -129,7 +129,7 @@ template <class S, class M>
     }
     now.frame = jar.motion().frame_motion(now.time);
     now.ball = flight.ball_state(now.time, jar.gravity(), now.frame);
-    if (!(now.time < until) || steps >= most_search_steps) return {now, -1, steps};
+    if (!(now.time < until) || steps >= max_search_steps) return {now, -1, steps};
   }
 }
 

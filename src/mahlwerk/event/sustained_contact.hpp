@@ -46,7 +46,7 @@ struct SupportFaces {
     face[count++] = which;
     if (count > 1) friction_state = FrictionState::creeping;
   }
-  void remove(std::size_t place) { face[place] = face[--count]; }
+  void remove(std::size_t index) { face[index] = face[--count]; }
 };
 
 struct BallBody {
@@ -55,7 +55,7 @@ struct BallBody {
 
 /// Forces at an instant.
 struct ContactForces {
-  std::array<double, SupportFaces::most>
+  std::array<double, SupportFaces::max_count>
       normal_force{};      ///< [m/s2] normal force per mass, < 0: the wall would have to pull
   Vec3 sticking_friction;  ///< [m/s2] friction per mass that would keep the slip constant
   Vec3 friction;           ///< [m/s2] friction per mass
@@ -63,10 +63,10 @@ struct ContactForces {
 
   /// Index in `support` of the face with the smallest normal force.
   std::size_t least(const SupportFaces& support) const {
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (std::size_t i = 1; i < support.count; ++i)
-      if (normal_force[i] < normal_force[place]) place = i;
-    return place;
+      if (normal_force[i] < normal_force[index]) index = i;
+    return index;
   }
   bool pulls(const SupportFaces& support) const { return normal_force[least(support)] < 0; }
 };
@@ -75,15 +75,15 @@ struct ContactForces {
 /// diagonally dominant by columns (evt.23), so Gaussian elimination needs no pivoting.
 struct NormalForceSystem {
   std::size_t count = 0;
-  std::array<std::array<double, SupportFaces::most>, SupportFaces::most> matrix{};
-  std::array<double, SupportFaces::most> rhs{};
+  std::array<std::array<double, SupportFaces::max_count>, SupportFaces::max_count> matrix{};
+  std::array<double, SupportFaces::max_count> rhs{};
 
-  std::array<double, SupportFaces::most> solve() {
+  std::array<double, SupportFaces::max_count> solve() {
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t i = k + 1; i < count; ++i) {
-        const double by = matrix[i][k] / matrix[k][k];
-        for (std::size_t j = k; j < count; ++j) matrix[i][j] -= by * matrix[k][j];
-        rhs[i] -= by * rhs[k];
+        const double factor = matrix[i][k] / matrix[k][k];
+        for (std::size_t j = k; j < count; ++j) matrix[i][j] -= factor * matrix[k][j];
+        rhs[i] -= factor * rhs[k];
       }
     for (std::size_t i = count; i-- > 0;) {
       for (std::size_t j = i + 1; j < count; ++j) rhs[i] -= matrix[i][j] * rhs[j];
@@ -163,7 +163,7 @@ class SustainedContact {
  private:
   // [m/s] friction is regularised below this slip: the direction of a vanishing slip is undefined
   // and would turn by any angle in one step.
-  static constexpr double hardly_slips = 1e-5;
+  static constexpr double slip_regularisation = 1e-5;
 
   /// Unit direction of a slip; shorter where the slip is not fast against `slow` [m/s].
   static Vec3 along(const Vec3& slip, double slow) {
@@ -173,10 +173,10 @@ class SustainedContact {
   /// Rolling resistance of type A, torque over mass [m2/s2]; regularised where the ball hardly
   /// turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
-    constexpr double hardly = 0.1;  // [rad/s]
+    constexpr double spin_regularisation = 0.1;  // [rad/s]
     const Vec3 w = tangential_part(turning, inward);
     const double most = rules_.rolling_friction * ball_.radius * std::max(normal_force, 0.0);
-    return -(most / std::sqrt(squared(w) + hardly * hardly)) * w;
+    return -(most / std::sqrt(squared(w) + spin_regularisation * spin_regularisation)) * w;
   }
 
   ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
@@ -193,18 +193,18 @@ class SustainedContact {
     // Friction per mass that keeps the slip constant: d(slip)/dt = 0 (evt.13).
     const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
                            cross(w, y.velocity - r * constraint.inward_rate);
-    const Vec3 wanted = 2.0 / 7.0 *
+    const Vec3 sticking_friction = 2.0 / 7.0 *
                         tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) -
                                             field + 2.5 / r * cross(torque, n),
                                         n);
-    Vec3 drag = wanted;
+    Vec3 friction = sticking_friction;
     if (support.friction_state == FrictionState::sliding)  // (evt.14)
-      drag = -(rules_.lasting_friction * std::max(normal_force, 0.0)) * along(slip, hardly_slips);
-    forces = {{normal_force}, wanted, drag, slip};
-    const Vec3 push = normal_force * n + drag;  // per mass
-    return {y.velocity, field + push, 2.5 / (r * r) * (torque - r * cross(n, drag)),
-            ball_.mass * (dot(push, centre_velocity + wall) + dot(torque, w)),
-            -ball_.mass * (dot(drag, slip) + dot(torque, y.spin - w))};
+      friction = -(rules_.lasting_friction * std::max(normal_force, 0.0)) * along(slip, slip_regularisation);
+    forces = {{normal_force}, sticking_friction, friction, slip};
+    const Vec3 wall_force = normal_force * n + friction;  // per mass
+    return {y.velocity, field + wall_force, 2.5 / (r * r) * (torque - r * cross(n, friction)),
+            ball_.mass * (dot(wall_force, centre_velocity + wall) + dot(torque, w)),
+            -ball_.mass * (dot(friction, slip) + dot(torque, y.spin - w))};
   }
 
   /// Two or three faces support the ball, or one face near another. Each face adds one unknown, its
@@ -213,11 +213,11 @@ class SustainedContact {
   ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
                        const Vec3& centre_velocity, const Vec3& field,
                        ContactForces& forces) const {
-    constexpr double creep = 1e-3;         // [m/s] below it friction is viscous
-    constexpr double most_friction = 0.7;  // above it normal forces are not unique (evt.23)
-    const double r = ball_.radius, mu = std::min(rules_.lasting_friction, most_friction);
+    constexpr double creeping_speed = 1e-3;         // [m/s] below it friction is viscous
+    constexpr double max_friction = 0.7;  // above it normal forces are not unique (evt.23)
+    const double r = ball_.radius, mu = std::min(rules_.lasting_friction, max_friction);
     const Vec3 w = jar_->motion().spin(t);
-    std::array<Vec3, SupportFaces::most> n, wall, slip,
+    std::array<Vec3, SupportFaces::max_count> n, wall, slip,
         friction_ratio;  // friction per normal force
     NormalForceSystem p;
     p.count = support.count;
@@ -227,7 +227,7 @@ class SustainedContact {
       p.rhs[i] = constraint.inward_acceleration - dot(field, n[i]);
       wall[i] = cross(w, y.position - r * n[i]);
       slip[i] = tangential_part(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
-      friction_ratio[i] = -mu * along(slip[i], creep);
+      friction_ratio[i] = -mu * along(slip[i], creeping_speed);
     }
     for (std::size_t i = 0; i < support.count; ++i)
       for (std::size_t j = 0; j < support.count; ++j)
@@ -237,13 +237,13 @@ class SustainedContact {
     ContactState d{y.velocity, field, {}, 0, 0};
     for (std::size_t i = 0; i < support.count; ++i) {
       const double normal_force = forces.normal_force[i];
-      const Vec3 drag = std::max(normal_force, 0.0) * friction_ratio[i];
+      const Vec3 friction = std::max(normal_force, 0.0) * friction_ratio[i];
       const Vec3 torque = rolling_torque(y.spin - w, n[i], normal_force),
-                 push = normal_force * n[i] + drag;
-      d.velocity += push;
-      d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], drag));
-      d.work += ball_.mass * (dot(push, centre_velocity + wall[i]) + dot(torque, w));
-      d.lost -= ball_.mass * (dot(drag, slip[i]) + dot(torque, y.spin - w));
+                 wall_force = normal_force * n[i] + friction;
+      d.velocity += wall_force;
+      d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], friction));
+      d.work += ball_.mass * (dot(wall_force, centre_velocity + wall[i]) + dot(torque, w));
+      d.lost -= ball_.mass * (dot(friction, slip[i]) + dot(torque, y.spin - w));
     }
     return d;
   }

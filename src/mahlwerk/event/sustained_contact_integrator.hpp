@@ -110,7 +110,7 @@ class SustainedContactIntegrator {
 
   void serialize(Archive& archive) {
     archive(support_)(now_)(rate_)(forces_)(rate_known_)(step_);
-    if (support_.count > SupportFaces::most) throw Archive::broken();
+    if (support_.count > SupportFaces::max_count) throw Archive::broken();
   }
 
   const ContactState& now() const { return now_; }
@@ -168,20 +168,20 @@ class SustainedContactIntegrator {
   /// step then crosses the jump.
   double time_to_curvature_jump(double t) const {
     constexpr double short_way = 1e-8;  // [s]
-    double soonest = geometry::never;
+    double earliest = geometry::never;
     for (std::size_t i = 0; i < support_.count; ++i) {
       const int face = support_.face[i];
       double time = jar_->time_to_curvature_jump(face, {now_.position, now_.velocity}, t);
       if (time < step_)  // again with the mean velocity on the way
         time = jar_->time_to_curvature_jump(
             face, {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
-      soonest = std::min(soonest, time > short_way ? 0.9 * time : time + least_step());
+      earliest = std::min(earliest, time > short_way ? 0.9 * time : time + min_step());
     }
-    return std::max(soonest, least_step());
+    return std::max(earliest, min_step());
   }
 
-  double least_step() const {
-    return tolerance_.least_step(norm(now_.velocity) + jar_->max_wall_speed());
+  double min_step() const {
+    return tolerance_.min_step(norm(now_.velocity) + jar_->max_wall_speed());
   }
 
   /// Calls `visit(face)` for every face that the ball could touch but does not rest on.
@@ -197,7 +197,7 @@ class SustainedContactIntegrator {
   double safe_time_of_others(double t) const {
     double clear = geometry::never;
     for_each_other([&](int face) {
-      double time = std::max(safe_time(face, t, now_).time, least_step());
+      double time = std::max(safe_time(face, t, now_).time, min_step());
       if (time < insignificant_time) time = std::max(time, slow_approach_time(face, t));
       clear = std::min(clear, time);
     });
@@ -208,9 +208,9 @@ class SustainedContactIntegrator {
   /// acceleration relative to the face.
   double slow_approach_time(int face, double t) const {
     const auto constraint = jar_->wall_constraint(face, {now_.position, now_.velocity}, t);
-    const double against =
+    const double relative_acceleration =
         std::abs(dot(rate_.velocity, constraint.inward) - constraint.inward_acceleration);
-    return rules_.lasting_speed / (2 * against + rules_.lasting_speed / insignificant_time);
+    return rules_.lasting_speed / (2 * relative_acceleration + rules_.lasting_speed / insignificant_time);
   }
 
   /// Whether the ball is so far from all other faces that it no longer has to creep.
@@ -238,7 +238,7 @@ class SustainedContactIntegrator {
   bool joins_support(int face, double t) {
     const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
     const double closing = dot(wall.velocity - now_.velocity, wall.inward);
-    if (closing >= rules_.lasting_speed || support_.count == SupportFaces::most) return false;
+    if (closing >= rules_.lasting_speed || support_.count == SupportFaces::max_count) return false;
     const Vec3 change = closing * wall.inward;
     const double before = contact_.energy(t, now_);
     const double work =
@@ -279,13 +279,13 @@ class SustainedContactIntegrator {
   /// a smooth function.
   template <class Rate>
   double bisect_release_time(const Rate& rate, double t, double h) const {
-    double stays = 0, gone = h;
-    for (int i = 0; i < 60 && gone - stays > least_step(); ++i) {
-      const double middle = 0.5 * (stays + gone);
+    double holds = 0, leaves = h;
+    for (int i = 0; i < 60 && leaves - holds > min_step(); ++i) {
+      const double middle = 0.5 * (holds + leaves);
       const IntegrationStep s = dormand_prince_step(rate, t, now_, rate_, middle, ball_.radius);
-      (leaves_wall(t + middle, s) ? gone : stays) = middle;
+      (leaves_wall(t + middle, s) ? leaves : holds) = middle;
     }
-    return gone;
+    return leaves;
   }
 
   const J* jar_;

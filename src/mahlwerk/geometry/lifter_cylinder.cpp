@@ -38,12 +38,12 @@ double LifterCylinder::volume() const {
   const double r = 0.5 * diameter,
                slope = std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
   // Where a side meets the shell: half_foot = width/2 - slope s, s = r - sqrt(r^2 - half_foot^2).
-  double half_foot = 0.5 * lifter_width;
+  double half_base = 0.5 * lifter_width;
   for (int i = 0; i < 60; ++i)
-    half_foot = 0.5 * lifter_width - slope * (r - std::sqrt(r * r - half_foot * half_foot));
-  const double sagitta = r - std::sqrt(r * r - half_foot * half_foot);
-  const double angle = 2 * std::asin(half_foot / r);
-  const double trapezoid = (half_foot + half_top()) * (lifter_height - sagitta);
+    half_base = 0.5 * lifter_width - slope * (r - std::sqrt(r * r - half_base * half_base));
+  const double sagitta = r - std::sqrt(r * r - half_base * half_base);
+  const double angle = 2 * std::asin(half_base / r);
+  const double trapezoid = (half_base + half_top()) * (lifter_height - sagitta);
   const double segment = 0.5 * r * r * (angle - std::sin(angle));
   return shell().volume() - lifters * (trapezoid + segment) * height;
 }

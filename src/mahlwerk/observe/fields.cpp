@@ -16,9 +16,9 @@ double share(double part, double whole) {
 
 void PlaneField::add(double x, double y, double u, double v, double speed2, double mass,
                      double weight) {
-  const double width = 2 * half_ / cells;
-  const double a = std::clamp((x + half_) / width - 0.5, 0.0, cells - 1.0);
-  const double b = std::clamp((y + half_) / width - 0.5, 0.0, cells - 1.0);
+  const double width = 2 * half_size_ / cells;
+  const double a = std::clamp((x + half_size_) / width - 0.5, 0.0, cells - 1.0);
+  const double b = std::clamp((y + half_size_) / width - 0.5, 0.0, cells - 1.0);
   const int i = std::min(static_cast<int>(a), cells - 2),
             j = std::min(static_cast<int>(b), cells - 2);
   const double right = a - i, up = b - j;

@@ -18,7 +18,7 @@ class PlaneField {
   static constexpr int cells = 48;  ///< along each side
 
   /// A grid from -`half` to `half` [m] in both directions.
-  explicit PlaneField(double half = 1) : half_(half), sums_(std::size_t{cells} * cells) {}
+  explicit PlaneField(double half = 1) : half_size_(half), sums_(std::size_t{cells} * cells) {}
 
   /// Adds a ball of `mass` [kg] at (x, y) [m] with velocity (u, v) [m/s] in the plane and squared
   /// speed `speed2` [m2/s2], for a duration of `weight` [s].
@@ -26,9 +26,9 @@ class PlaneField {
   /// Adds `weight` [s] to the time. Call it after adding all balls of a sample.
   void add_time(double weight) { time_ += weight; }
 
-  double half() const { return half_; }
+  double half() const { return half_size_; }
   double time() const { return time_; }
-  double cell_area() const { return 4 * half_ * half_ / (cells * cells); }  // [m2]
+  double cell_area() const { return 4 * half_size_ * half_size_ / (cells * cells); }  // [m2]
   /// Means over time of the cell in column `i` (x) and row `j` (y), per area of the plane. The
   /// velocity is the mean velocity of the mass there; 0 without mass.
   double density(int i, int j) const;         ///< [kg/m2]
@@ -46,7 +46,7 @@ class PlaneField {
   const Sum& at(int i, int j) const {
     return sums_[static_cast<std::size_t>(j) * cells + static_cast<std::size_t>(i)];
   }
-  double half_, time_ = 0;
+  double half_size_, time_ = 0;
   std::vector<Sum> sums_;
 };
 

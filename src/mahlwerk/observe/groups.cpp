@@ -61,14 +61,14 @@ std::optional<TwoGroups> two_groups(std::vector<double> values, double level) {
   const Split found = sharpest(values);
   Random random(1958, static_cast<std::uint32_t>(values.size()));
   std::vector<double> drawn(values.size());
-  int as_sharp = 1;
+  int as_extreme = 1;
   for (int i = 0; i < samples; ++i) {
     draw(random, drawn);
     if (sharpest(drawn).rest > found.rest) continue;
-    if (++as_sharp > level * (samples + 1)) return std::nullopt;  // already too probable
+    if (++as_extreme > level * (samples + 1)) return std::nullopt;  // already too probable
   }
   return TwoGroups{.between = std::midpoint(values[found.low - 1], values[found.low]),
-                   .p_value = as_sharp / (samples + 1.0)};  // (sta.7)
+                   .p_value = as_extreme / (samples + 1.0)};  // (sta.7)
 }
 
 }  // namespace mahlwerk::observe

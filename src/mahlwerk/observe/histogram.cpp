@@ -28,12 +28,12 @@ double LogHistogram::unit(std::int64_t bin) {
 }
 
 void LogHistogram::add_to_end(double value, std::int64_t at) {
-  constexpr double most_units = 0x1p110;
+  constexpr double max_units = 0x1p110;
   const double units = value / unit(at);
   End& end = ends_[at == 0 ? 0 : 1];
   ++end.count;
   end.sum +=
-      static_cast<Signed>(std::isnan(units) ? 0 : std::clamp(units, -most_units, most_units));
+      static_cast<Signed>(std::isnan(units) ? 0 : std::clamp(units, -max_units, max_units));
 }
 
 std::int64_t LogHistogram::count(int bin) const {

@@ -10,7 +10,7 @@
 namespace mahlwerk::observe {
 namespace {
 
-constexpr std::size_t most_frames = 360, fewest_frames = 16;
+constexpr std::size_t max_frames = 360, fewest_frames = 16;
 
 /// [s] Duration of a replay that shows the motion.
 double film_duration(const kinematics::AnyMotion& motion) {
@@ -29,9 +29,9 @@ std::int16_t rounded(double value, double unit) {
 }  // namespace
 
 Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most)
-    : begin_(begin), ball_stride_(1 + (balls - 1) / most_balls) {
+    : begin_(begin), ball_stride_(1 + (balls - 1) / max_balls) {
   shown_balls_ = (balls + ball_stride_ - 1) / ball_stride_;
-  frames_ = std::clamp(most_positions / shown_balls_, fewest_frames, most_frames);
+  frames_ = std::clamp(max_positions / shown_balls_, fewest_frames, max_frames);
   const double length = std::min(film_duration(*mill.motion), most);
   frame_interval_ = length / static_cast<double>(frames_ - 1);
   position_unit_ = geometry::reach(*mill.shape) / 32767;

@@ -13,10 +13,10 @@
 namespace mahlwerk::observe {
 
 /// Frames of the balls for the report's replay: positions in 16-bit fixed point, to a 32 767th of
-/// the jar's reach, of at most `most_balls` balls, in at most about 1.6 MB.
+/// the jar's reach, of at most `max_balls` balls, in at most about 1.6 MB.
 class Replay {
  public:
-  static constexpr std::size_t most_balls = 20000, most_positions = 150000;
+  static constexpr std::size_t max_balls = 20000, max_positions = 150000;
 
   Replay() = default;  ///< records no frames
   /// Records from `begin` [s] about three periods of the mill or one turn of a drum, but at most

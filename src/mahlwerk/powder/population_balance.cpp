@@ -47,7 +47,7 @@ void PopulationBalance::advance(double time) {
 // geometric mean of both sizes. Steps are halved until the mean size changes by at most 5 %
 // (pbm.5).
 void PopulationBalance::advance_mixed(double time) {
-  constexpr double most_change = 0.05;
+  constexpr double max_change = 0.05;
   double left = time, next = time;
   const auto mean = [&] { return mean_size(grid_, shares()); };
   while (left > 0) {
@@ -59,7 +59,7 @@ void PopulationBalance::advance_mixed(double time) {
     for (;; next *= 0.5) {
       states_ = product(transition_matrix(now, next), before);
       to = mean();
-      if (std::abs(std::log(to / from)) <= most_change) break;
+      if (std::abs(std::log(to / from)) <= max_change) break;
     }
     if (to != from)
       states_ = product(transition_matrix(rates_at(std::sqrt(from * to)), next), before);

@@ -53,7 +53,7 @@ class Sample {
   std::vector<double> sizes() const;  ///< [m] sizes of all grains, unordered
 
  private:
-  static constexpr int most_groups = 128;
+  static constexpr int max_groups = 128;
   struct GrainState {
     double size = 0;
     float strength = 0;  // [J/kg] for models that track strength
@@ -67,7 +67,7 @@ class Sample {
   };
   /// Hits of one kind of collision on all classes.
   struct CollisionKind {
-    std::array<double, most_groups> most{};  // largest hit share in each group of classes
+    std::array<double, max_groups> most{};  // largest hit share in each group of classes
     std::vector<ClassHit> class_hits;        // by class
     int nip = 0;
     double energy = 0;      // [J]
@@ -86,7 +86,7 @@ class Sample {
   /// Grains in groups of half an octave of size, whose classes have similar hit shares (for
   /// rejection sampling).
   std::vector<std::vector<GrainState>> groups_;
-  std::array<double, most_groups> count_{};  // grains in each group
+  std::array<double, max_groups> count_{};  // grains in each group
   std::vector<CollisionKind> kinds_;
   std::map<std::pair<int, int>, int> known_;  // kinds by nip and energy step
   std::vector<double> damage_;                // table by load, for models that track strength

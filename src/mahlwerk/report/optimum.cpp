@@ -21,7 +21,7 @@ std::string text_of(const ValueCi95& t, const std::string& unit) {
   return readable(t.value, t.ci95, unit).text();
 }
 
-constexpr double told_from_all = 0.995;  // probability of being the best setting tried
+constexpr double clearly_best = 0.995;  // probability of being the best setting tried
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
@@ -48,7 +48,7 @@ std::string OptimumKey::range_text() const {
 }
 
 bool OptimumReport::certain() const {
-  return best && settings[*best].probability_best > told_from_all && !settings[*best].invalid;
+  return best && settings[*best].probability_best > clearly_best && !settings[*best].invalid;
 }
 
 bool OptimumReport::disagrees() const {

@@ -68,17 +68,17 @@ std::string capture_section(const Outcome& outcome, const Quantities& list) {
              shown_text(list, "captured_mass_rate"), value(list, "captured_share_rate"),
              shown_text(list, "captured_energy_mean"), shown_text(list, "captured_dose_rate"),
              beside_the_losses(what, list)) +
-         figure(catch_plot(outcome),
+         figure(capture_plot(outcome),
                 fmt::format("Grains of {}, the median of the feed, by the model {}: {}. {} "
                             "capture.csv has the numbers. Only the kinds of pairs with the most "
                             "power are shown.",
                             fmt::format("{:.3g} {}", *what.powder->size / size.factor, size.unit),
                             powder::name_of(model), powder::about(model),
                             energy_words(*what.capture))) +
-         figure(caught_energy_plot(outcome),
+         figure(captured_energy_plot(outcome),
                 "That share of the energy per captured mass, for grains of equal size.") +
          figure(
-             caught_grains_plot(outcome),
+             captured_grains_plot(outcome),
              "Share of the collisions, and of their energy, by the number of captured grains; four "
              "bins per octave, single grains left of 1. captured_grains.csv has the numbers.");
 }

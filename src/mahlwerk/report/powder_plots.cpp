@@ -150,14 +150,14 @@ void limit_axis_to_data(const Table& table, Axis& axis) {
 
 }  // namespace
 
-Plot catch_plot(const results::Outcome& outcome) {
+Plot capture_plot(const results::Outcome& outcome) {
   Plot plot = by_energy(outcome, "grains", 1);
   plot.title = "Grains captured by a collision";
   plot.y.label = "grains";
   return plot;
 }
 
-Plot caught_energy_plot(const results::Outcome& outcome) {
+Plot captured_energy_plot(const results::Outcome& outcome) {
   constexpr double per_gram = 1000;
   Plot plot = by_energy(outcome, "specific_energy", per_gram);
   plot.title = "Energy of captured grains per mass";
@@ -165,7 +165,7 @@ Plot caught_energy_plot(const results::Outcome& outcome) {
   return plot;
 }
 
-Plot caught_grains_plot(const results::Outcome& outcome) {
+Plot captured_grains_plot(const results::Outcome& outcome) {
   const Table table = results::captured_grains(outcome);
   constexpr double per_octave = 4;
   std::map<int, std::array<double, 2>> bins;  // by their upper edge, in quarters of an octave

@@ -10,9 +10,9 @@ namespace mahlwerk::report {
 
 /// Of a result with [capture]: captured grains and their specific energy over the collision energy,
 /// for the pair kinds with the most power; collisions by captured grains.
-Plot catch_plot(const results::Outcome& outcome);
-Plot caught_energy_plot(const results::Outcome& outcome);
-Plot caught_grains_plot(const results::Outcome& outcome);
+Plot capture_plot(const results::Outcome& outcome);
+Plot captured_energy_plot(const results::Outcome& outcome);
+Plot captured_grains_plot(const results::Outcome& outcome);
 
 /// Of a result with [grinding]. With both methods, the sample of grains is dashed.
 Plot sizes_plot(const results::Outcome& outcome);    ///< D10, D50 and D90 over time

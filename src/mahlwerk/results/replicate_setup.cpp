@@ -16,7 +16,7 @@ namespace mahlwerk::results {
 namespace {
 
 /// Jars with more faces (meshes) are treated as one face.
-constexpr int most_faces = 12;
+constexpr int max_faces = 12;
 
 observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   observe::WallGrid grid{.radius = 0, .bottom = INFINITY, .top = -INFINITY};
@@ -59,7 +59,7 @@ Replicate empty_replicate(const cases::Case& what) {
   const int faces = geometry::faces(*what.jar.shape);
   observe::BallKinds kinds(
       what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
-      static_cast<int>(what.balls.size()), faces > most_faces ? 1 : faces);
+      static_cast<int>(what.balls.size()), faces > max_faces ? 1 : faces);
   Replicate made(what.observe.threshold, std::move(kinds), wall_grid(*what.jar.shape));
   const contact::BounceTable rules = cases::bounce_table(what);
   observe::StatisticsByPair& pairs = made.tally.by_pair;

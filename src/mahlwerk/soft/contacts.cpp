@@ -12,32 +12,32 @@ namespace mahlwerk::soft {
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
                                double time_step) {
   PairParameters m;
-  const Lanes none{};
+  const Lanes zero{};
   m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
-  m.radius_i = none + a.radius;
-  m.radius_j = none + (b != nullptr ? b->radius : 0.0);
-  m.inverse_radius = none + 1 / a.radius;
-  m.share = none + (b != nullptr ? 0.5 : 1.0);
-  m.pull_off_distance = none + pair.pull_off_distance;
+  m.radius_i = zero + a.radius;
+  m.radius_j = zero + (b != nullptr ? b->radius : 0.0);
+  m.inverse_radius = zero + 1 / a.radius;
+  m.share = zero + (b != nullptr ? 0.5 : 1.0);
+  m.pull_off_distance = zero + pair.pull_off_distance;
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
-    m.coefficients[n] = none + pair.coefficients[n];
-  m.friction = none + pair.effective.pair.friction;
+    m.coefficients[n] = zero + pair.coefficients[n];
+  m.friction = zero + pair.effective.pair.friction;
   const double arm = pair.effective.pair.rolling_friction * pair.effective.radius;
-  m.rolling = none + arm;
-  m.roll_spring = none + 2.25 * arm * arm * pair.stiffness_ratio;
-  m.lag = none + pair.lag(time_step);
-  m.inertia = none + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
+  m.rolling = zero + arm;
+  m.roll_spring = zero + 2.25 * arm * arm * pair.stiffness_ratio;
+  m.stiffness_correction = zero + pair.stiffness_correction(time_step);
+  m.inertia = zero + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return m;
 }
 
 void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
                           const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::AnyLaw& law) {
-  const auto [most, least] = jar.curvatures(face, position, t);
-  const double own = 1 / parameters.radius_i[lane];
-  const auto flatter = [&](double curvature) { return 1 / std::max(own - curvature, 0.01 * own); };
+  const auto [max_curvature, min_curvature] = jar.curvatures(face, position, t);
+  const double ball_curvature = 1 / parameters.radius_i[lane];
+  const auto effective_radius_along = [&](double curvature) { return 1 / std::max(ball_curvature - curvature, 0.01 * ball_curvature); };
   contact::EffectivePair effective = pair.effective;
-  effective.radius = std::sqrt(flatter(most) * flatter(least));
+  effective.radius = std::sqrt(effective_radius_along(max_curvature) * effective_radius_along(min_curvature));
   const contact::LawCoefficients coefficients =
       std::visit([&](const auto& l) { return l.coefficients(effective, pair.damping); }, law);
   for (std::size_t n = 0; n < coefficients.size(); ++n)
@@ -75,25 +75,25 @@ void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int
 
 bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& pair,
                 const contact::AnyLaw& law) {
-  constexpr double lasting = 5;
-  const double free = std::visit(
+  constexpr double lasting_ratio = 5;
+  const double impact_time = std::visit(
       [&](const auto& l) {
         return l.shortest_time(pair.effective, std::max(onset.approach, 1e-3));
       },
       law);
-  return duration > lasting * free;
+  return duration > lasting_ratio * impact_time;
 }
 
-StepConstants step_constants(const Rules& rules, const Vec3& periods) {
-  const Lanes none{};
-  return StepConstants{.dt = rules.time_step,
-                       .inverse_dt = 1 / rules.time_step,
+StepConstants step_constants(const Settings& settings, const Vec3& periods) {
+  const Lanes zero{};
+  return StepConstants{.dt = settings.time_step,
+                       .inverse_dt = 1 / settings.time_step,
                        .jar_velocity = {},
-                       .rolling = rules.model.rolling,
-                       .rolling_damping = rules.model.rolling_damping,
-                       .rescaled = rules.model.rescaled_unloading,
+                       .rolling = settings.model.rolling,
+                       .rolling_damping = settings.model.rolling_damping,
+                       .rescaled = settings.model.rescaled_unloading,
                        .periodic = is_periodic(periods),
-                       .periods = {none + periods.x, none + periods.y, none + periods.z}};
+                       .periods = {zero + periods.x, zero + periods.y, zero + periods.z}};
 }
 
 }  // namespace mahlwerk::soft

@@ -5,7 +5,7 @@
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
-#include "mahlwerk/soft/rules.hpp"
+#include "mahlwerk/soft/settings.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 #include "mahlwerk/soft/walls/moving_wall.hpp"
 
@@ -39,6 +39,6 @@ bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& p
                 const contact::AnyLaw& law);
 
 /// The constants of all packets and steps. The caller sets the jar velocity at each step.
-StepConstants step_constants(const Rules& rules, const Vec3& periods);
+StepConstants step_constants(const Settings& settings, const Vec3& periods);
 
 }  // namespace mahlwerk::soft

@@ -11,9 +11,9 @@ namespace mahlwerk::soft {
 
 /// Detects an unstable run: the residual of the energy balance jumps between two checks.
 struct EnergyWatch {
-  double last_residual = 0, most_energy = 0;  ///< [J] at the last check; largest so far
+  double last_residual = 0, max_energy = 0;  ///< [J] at the last check; largest so far
 
-  void begin(const scene::EnergyBalance& a) { most_energy = a.kinetic + a.elastic; }
+  void begin(const scene::EnergyBalance& a) { max_energy = a.kinetic + a.elastic; }
   /// Updates the residual and the largest energy. Returns whether the residual jumped since the
   /// last check. `wall_energy` [J] is the kinetic energy of the balls at the speed of the wall,
   /// `least` [J] a negligible energy.
@@ -22,8 +22,8 @@ struct EnergyWatch {
     last_residual = a.residual();
     // The reference is the largest energy so far, not the present one: a charge may come to rest,
     // or be at rest when the wall starts to move.
-    most_energy = std::max(most_energy, a.kinetic + a.elastic + wall_energy);
-    return !(jump <= 0.1 * (most_energy + least));
+    max_energy = std::max(max_energy, a.kinetic + a.elastic + wall_energy);
+    return !(jump <= 0.1 * (max_energy + least));
   }
 };
 

@@ -14,12 +14,12 @@
 namespace mahlwerk::soft {
 
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls, const Rules& rules,
+                                      const std::vector<scene::Ball>& balls, const Settings& settings,
                                       const contact::PairTable& pairs, double start) {
   auto jar = moving_wall(chamber);
-  if (balls.size() > rules.few_body_limit)
-    return std::make_unique<ManyBodySolver>(std::move(jar), balls, rules, pairs, start);
-  return std::make_unique<FewBodySolver>(std::move(jar), balls, rules, pairs, start);
+  if (balls.size() > settings.few_body_limit)
+    return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
+  return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);
 }
 
 double TimeSteps::recommended(double fraction) const {

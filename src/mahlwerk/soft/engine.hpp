@@ -10,15 +10,15 @@
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
-#include "mahlwerk/soft/rules.hpp"
+#include "mahlwerk/soft/settings.hpp"
 
 namespace mahlwerk::soft {
 
 /// A soft-sphere DEM engine, which resolves every contact in small time steps, from `start` [s] on
 /// the mill's clock. `pairs` has an entry for every Ball::kind and every face of the jar. Throws
-/// InputError where balls overlap each other or the jar by more than Rules::most_overlap.
+/// InputError where balls overlap each other or the jar by more than Settings::max_overlap.
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls, const Rules& rules,
+                                      const std::vector<scene::Ball>& balls, const Settings& settings,
                                       const contact::PairTable& pairs, double start = 0);
 
 /// Limits of the time step for collisions at up to `speed` [m/s], the smallest over all pairs

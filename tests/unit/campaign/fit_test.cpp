@@ -84,9 +84,9 @@ TEST(Fit, looks_for_what_the_case_leaves_open_and_nobody_holds) {
   EXPECT_EQ(both[0].name, "breakage.f_mat");
   EXPECT_EQ(both[0].least, 0.01);
   EXPECT_EQ(both[0].most, 100);
-  EXPECT_FALSE(both[0].least_is_natural);
-  EXPECT_TRUE(both[1].least_is_natural) << "no energy is below 0";
-  EXPECT_FALSE(both[1].most_is_natural);
+  EXPECT_FALSE(both[0].min_is_natural);
+  EXPECT_TRUE(both[1].min_is_natural) << "no energy is below 0";
+  EXPECT_FALSE(both[1].max_is_natural);
   const std::vector<FreeParameter> one = free_parameters(what, {"breakage.f_mat"});
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].name, "breakage.x_w_min");

@@ -256,7 +256,7 @@ TEST(LeastSquares, a_best_value_at_a_bound_is_told) {
   EXPECT_TRUE(says(fit.parameters[1].remarks, "a wider range may fit better"));
   const LeastSquaresResult hard = least_squares(
       residuals,
-      {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .least_is_natural = true}},
+      {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .min_is_natural = true}},
       ErrorScale::estimated);
   EXPECT_TRUE(says(hard.parameters[1].remarks, "beyond which it makes no sense"));
   EXPECT_TRUE(says(fit.parameters[1].remarks, "at the lower end of its range"));

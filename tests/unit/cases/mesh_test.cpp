@@ -227,7 +227,7 @@ TEST(MeshFile, a_size_that_cannot_be_meant_asks_for_the_unit) {
 
 TEST(MeshFile, more_triangles_than_there_is_memory_for_are_refused) {
   std::string head(84, '\0');
-  const std::size_t count = most_triangles + 1;
+  const std::size_t count = max_triangles + 1;
   for (std::size_t k = 0; k < 4; ++k) head[80 + k] = static_cast<char>(count >> 8 * k & 0xff);
   head.resize(84 + 50 * count);
   try {

@@ -103,9 +103,9 @@ TEST(PowderReport, passing_crosses_half_at_d50_and_density_holds_all_the_mass) {
 
 TEST(PowderReport, catches_of_one_kind_of_pair_need_no_legend_and_shares_add_up) {
   const Outcome o = ground_outcome();
-  ASSERT_EQ(catch_plot(o).series.size(), 1U);
-  EXPECT_EQ(catch_plot(o).series[0].name, "");
-  const Series energy = caught_energy_plot(o).series.at(0), grains = catch_plot(o).series.at(0);
+  ASSERT_EQ(capture_plot(o).series.size(), 1U);
+  EXPECT_EQ(capture_plot(o).series[0].name, "");
+  const Series energy = captured_energy_plot(o).series.at(0), grains = capture_plot(o).series.at(0);
   const double each = 1200 * std::numbers::pi / 6 * std::pow(5e-4, 3);
   const double joules = 1e-3;  // the axis is in mJ: the hard hits are of 4 mJ
   for (std::size_t i = 0; i < energy.x.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(PowderReport, catches_of_one_kind_of_pair_need_no_legend_and_shares_add_up)
     states("J/g that captured grains receive", energy.y[i], expected, 1e-12 * expected,
            "energy_share E/(N m_1)");
   }
-  for (const Series& share : caught_grains_plot(o).series) {
+  for (const Series& share : captured_grains_plot(o).series) {
     double sum = 0;
     for (const double s : share.y) sum += s;
     states("shares " + share.name + " (%)", sum, 100, 1e-9, "all collisions");

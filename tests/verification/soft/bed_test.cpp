@@ -29,7 +29,7 @@ std::unique_ptr<scene::Engine> bed(Rolling rule) {
                          0.05 * random.direction(), 20 * random.direction()});
   contact::Pair pair = pair_of({1e9, 0.2}, {1e9, 0.2}, 0.2, 0.5);
   pair.rolling_friction = 0.05;
-  soft::Rules rules{of_law(HertzMindlin{}, rule), 8e-7, false};
+  soft::Settings rules{of_law(HertzMindlin{}, rule), 8e-7, false};
   return soft::engine({geometry::Box{0.015, 0.015, 0.02}, kinematics::Still{}, {}, {0, 0, -2000}},
                       balls, rules, contact::PairTable(1, geometry::Box::faces, pair), 0);
 }

@@ -78,7 +78,7 @@ TEST(ClosedForms, a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed) {
   r.ball.velocity.x = u0;
   const auto engine = r.engine({0, 0, -gravity});
   Recorder none;
-  const double shorter = r.depth / r.ball.radius, lag = 4 * r.step / until_rolling;
+  const double shorter = r.depth / r.ball.radius, stiffness_correction = 4 * r.step / until_rolling;
   for (const double part : {0.25, 0.5, 0.9}) {
     engine->advance(part * until_rolling, none);
     const double t = engine->energy_balance().time;
@@ -86,7 +86,7 @@ TEST(ClosedForms, a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed) {
     const std::string at = " at " + std::to_string(part).substr(0, 4) + " of the time to roll";
     states("speed [m/s]" + at, b.velocity.x, u0 - mu * gravity * t, 1e-3 * u0, "u0 - mu g t");
     states("w R [m/s]" + at, b.spin.y * b.radius, 2.5 * mu * gravity * t,
-           (shorter + lag + 1e-3) * u0, "(5/2) mu g t");
+           (shorter + stiffness_correction + 1e-3) * u0, "(5/2) mu g t");
   }
   engine->advance(2 * until_rolling, none);
   const scene::Ball b = engine->balls()[0];
@@ -199,22 +199,22 @@ double gained(const contact::ContactModel& law, double spin) {
 /// Springs of one stiffness keep energy. Mindlin's gives way as the normal load does and does not
 /// know what it held: what it loses is stated here.
 TEST(ClosedForms, an_elastic_oblique_collision_without_slip_makes_no_energy) {
-  double linear = 0, plain = 0, rescaled = 0, least_plain = 0, least_rescaled = 0;
+  double linear = 0, plain = 0, rescaled = 0, min_plain = 0, min_rescaled = 0;
   for (const double spin : {-400.0, -100.0, 0.0, 150.0, 500.0}) {
     contact::ContactModel law = of_law(LinearSpring{});
     linear = max_or_nan(linear, std::abs(gained(law, spin)));
     law = of_law(HertzMindlin{});
     plain = max_or_nan(plain, gained(law, spin));
-    least_plain = std::min(least_plain, gained(law, spin));
+    min_plain = std::min(min_plain, gained(law, spin));
     law.rescaled_unloading = true;
     rescaled = max_or_nan(rescaled, gained(law, spin));
-    least_rescaled = std::min(least_rescaled, gained(law, spin));
+    min_rescaled = std::min(min_rescaled, gained(law, spin));
   }
   stays_below("energy changed, linear-spring, relative", linear, 1e-3, "e = 1, mu infinite");
   stays_below("energy gained, hertz-mindlin, relative", plain, 1e-3, "e = 1, mu infinite");
   stays_below("energy gained, rescaled_unloading, relative", rescaled, 1e-3, "e = 1, mu infinite");
-  std::printf("    lost at most: hertz-mindlin %.2g, with rescaled_unloading %.2g\n", -least_plain,
-              -least_rescaled);
+  std::printf("    lost at most: hertz-mindlin %.2g, with rescaled_unloading %.2g\n", -min_plain,
+              -min_rescaled);
 }
 
 /// The same collision in the middle of a box that repeats itself and across its edges.

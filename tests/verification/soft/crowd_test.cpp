@@ -65,7 +65,7 @@ struct World {
 
 std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
   const int faces = geometry::faces(*w.mill.shape);
-  soft::Rules rules{w.law, w.step, false};
+  soft::Settings rules{w.law, w.step, false};
   rules.few_body_limit = few;
   rules.threads = threads;
   return soft::engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);

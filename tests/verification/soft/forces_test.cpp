@@ -22,7 +22,7 @@ using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Rules::few
+constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Settings::few
 
 std::string arranged(std::size_t balls, std::size_t few) {
   return std::to_string(balls) + (balls > few ? " as a crowd: " : " as few: ");
@@ -32,7 +32,7 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
                                          const std::vector<scene::Ball>& balls, double step,
                                          std::size_t few, bool hop = true) {
   const int faces = geometry::faces(*mill.shape);
-  soft::Rules rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
+  soft::Settings rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
   rules.few_body_limit = few;
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.3, 0.4);
   pair.rolling_friction = 0.02;

@@ -26,7 +26,7 @@ std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
                                       const std::vector<scene::Ball>& balls,
                                       const contact::Pair& pair, double step,
                                       std::size_t few = 32) {
-  soft::Rules rules{of_law(HertzMindlin{}, Rolling::none), step, false};
+  soft::Settings rules{of_law(HertzMindlin{}, Rolling::none), step, false};
   rules.few_body_limit = few;
   const int faces = geometry::faces(*chamber.shape);
   return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);

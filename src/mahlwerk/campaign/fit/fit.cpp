@@ -60,8 +60,8 @@ std::vector<FreeParameter> free_parameters(const cases::Case& what,
     parameters.push_back({.name = one.key,
                           .least = least,
                           .most = most,
-                          .least_is_natural = least == one.range.least,
-                          .most_is_natural = most == one.range.most});
+                          .min_is_natural = least == one.range.least,
+                          .max_is_natural = most == one.range.most});
   }
   return parameters;
 }

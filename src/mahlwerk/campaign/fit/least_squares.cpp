@@ -137,10 +137,10 @@ struct BestFit {
   std::vector<Limits> limits;
 };
 BestFit find_best_fit(Minimiser& search, ErrorScale scatter) {
-  constexpr int most_times = 3;
+  constexpr int max_times = 3;
   BestFit made;
   const std::vector<Evaluation> begin = search.start_points();
-  const double least_rise = rounding(search.evaluations());
+  const double min_rise = rounding(search.evaluations());
   for (const Evaluation& start : begin) {
     Evaluation end = search.levenberg_marquardt(search.subplex_search(start));
     if (end.sum < made.best.sum) made.best = std::move(end);
@@ -148,7 +148,7 @@ BestFit find_best_fit(Minimiser& search, ErrorScale scatter) {
   const auto freedom =
       static_cast<int>(made.best.residuals.size()) - static_cast<int>(search.count());
   for (int time = 1;; ++time) {
-    made.rise = std::max(least_rise, allowed_rise(made.best.sum, freedom, scatter));
+    made.rise = std::max(min_rise, allowed_rise(made.best.sum, freedom, scatter));
     made.curvature = curvature(search.slopes(made.best, true));
     made.limits.clear();
     for (std::size_t i = 0; i < search.count(); ++i) {
@@ -160,7 +160,7 @@ BestFit find_best_fit(Minimiser& search, ErrorScale scatter) {
                              limit(search, made.best, i, true, made.rise, guess, along)});
     }
     const Evaluation& lower = *std::ranges::min_element(search.evaluations(), {}, &Evaluation::sum);
-    if (time == most_times || !(lower.sum < made.best.sum - 1e-3 * made.rise)) return made;
+    if (time == max_times || !(lower.sum < made.best.sum - 1e-3 * made.rise)) return made;
     made.best = search.levenberg_marquardt(search.evaluate(std::vector(lower.position)));
   }
 }
@@ -201,7 +201,7 @@ void remark(const FreeParameter& range, double position, FittedParameter& p) {
   if (low || high)
     p.remarks.push_back(fmt::format(
         "the best value lies at the {} end of its range{}", low ? "lower" : "upper",
-        (low ? range.least_is_natural : range.most_is_natural) ? ", beyond which it makes no sense"
+        (low ? range.min_is_natural : range.max_is_natural) ? ", beyond which it makes no sense"
                                                                : "; a wider range may fit better"));
 }
 

@@ -15,7 +15,7 @@ struct FreeParameter {
   std::string name;
   double least = 0, most = 1;                  ///< finite, least < most
   std::optional<double> start = std::nullopt;  ///< between the bounds; empty: their middle
-  bool least_is_natural = false, most_is_natural = false;  ///< no value beyond it is possible
+  bool min_is_natural = false, max_is_natural = false;  ///< no value beyond it is possible
 
   /// Whether the search uses the logarithm: the bounds are positive and a factor above 10 apart.
   bool logarithmic() const { return least > 0 && most > 10 * least; }

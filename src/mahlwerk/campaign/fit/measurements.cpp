@@ -19,7 +19,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_faults = 20;  // a wrong column gives a fault in every row
+constexpr std::size_t max_faults = 20;  // a wrong column gives a fault in every row
 constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
 
 class Reader {
@@ -50,7 +50,7 @@ class Reader {
     fault_at(line_, std::move(what), std::move(remedy), std::move(code));
   }
   void fault_at(int line, std::string what, std::string remedy, std::string code = "bad-data") {
-    if (faults_.size() < most_faults)
+    if (faults_.size() < max_faults)
       faults_.push_back({line > 0 ? fmt::format("{}:{}", file_, line) : file_, std::move(what),
                          std::move(remedy), std::move(code)});
   }

@@ -35,7 +35,7 @@ double steepness(const std::vector<double>& slope, const Evaluation& at) {
 
 /// Decrease of the sum that is not worth a step: far less than the rise that intervals allow
 /// (fit.4).
-double worthless(const Evaluation& at) {
+double negligible_decrease(const Evaluation& at) {
   return 1e-4 * at.sum / static_cast<double>(at.residuals.size());
 }
 
@@ -111,9 +111,9 @@ std::vector<std::vector<double>> Minimiser::slopes(const Evaluation& at, bool fi
 }
 
 Evaluation Minimiser::levenberg_marquardt(Evaluation at, std::optional<std::size_t> fixed) {
-  constexpr int most_rounds = 50;
+  constexpr int max_rounds = 50;
   double damping = 1e-3;
-  for (int round = 0; round < most_rounds && std::isfinite(at.sum); ++round) {
+  for (int round = 0; round < max_rounds && std::isfinite(at.sum); ++round) {
     std::vector<std::vector<double>> slope = slopes(at, false, fixed);
     for (std::size_t i = 0; i < count(); ++i) {
       const double down = steepness(slope[i], at);
@@ -122,7 +122,7 @@ Evaluation Minimiser::levenberg_marquardt(Evaluation at, std::optional<std::size
     }
     std::optional<Evaluation> next = damped_step(at, slope, damping);
     if (!next) break;
-    const bool enough = at.sum - next->sum < worthless(at);
+    const bool enough = at.sum - next->sum < negligible_decrease(at);
     at = std::move(*next);
     if (enough) break;
   }
@@ -146,7 +146,7 @@ std::optional<Evaluation> Minimiser::damped_step(const Evaluation& at,
     for (Index i = 0; i < sizes.size(); ++i)
       damped(i, i) += sizes(i) > 0 ? damping * sizes(i) + 1e-15 * largest : largest;
     const VectorXd step = damped.ldlt().solve(steepest);
-    if (step.norm() < shortest || step.dot(steepest) < worthless(at)) return std::nullopt;
+    if (step.norm() < shortest || step.dot(steepest) < negligible_decrease(at)) return std::nullopt;
     std::vector<double> position = at.position;
     for (std::size_t i = 0; i < count(); ++i)
       position[i] = std::clamp(position[i] + step(static_cast<Index>(i)), 0.0, 1.0);

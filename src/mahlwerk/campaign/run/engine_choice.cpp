@@ -83,11 +83,11 @@ std::string against_soft(const cases::Case& what) {
   if (!wrong.empty()) return wrong.front().what;
   const double time = (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
   const double work = static_cast<double>(balls(what)) * time / soft_settings(soft).rules.time_step;
-  if (work <= most_soft_work) return "";
+  if (work <= max_soft_work) return "";
   return fmt::format(
       "it would take about {:.0f} hours of one core; engine = \"soft\" selects it nevertheless, "
       "and contact.softening shortens it",
-      std::max(2.0, work / most_soft_work));
+      std::max(2.0, work / max_soft_work));
 }
 
 std::string pilot_in_words(const Pilot& p) {

@@ -18,10 +18,10 @@ constexpr double contact_share_limit = 0.25;
 constexpr double withheld_share_limit = 0.02;
 /// Balls times steps that the soft engine computes in about an hour on one core: the most for which
 /// "auto" chooses it.
-constexpr double most_soft_work = 6e10;
+constexpr double max_soft_work = 6e10;
 
 /// The same for the check of an optimum, about ten minutes on one core.
-constexpr double most_check_work = 1e10;
+constexpr double max_check_work = 1e10;
 
 /// The engine that runs a case, and why.
 struct EngineChoice {

@@ -42,7 +42,7 @@ std::optional<double> meminfo(const std::string& file, const std::string& name) 
 
 /// [bytes] Memory left in a control group. Without a limit, its file holds "max" or a number above
 /// all memory.
-std::optional<double> left_by(const std::string& limit, const std::string& used) {
+std::optional<double> remaining(const std::string& limit, const std::string& used) {
   const auto most = number_in(limit), now = number_in(used);
   if (!most || !now) return std::nullopt;
   return std::max(0.0, *most - *now);
@@ -68,8 +68,8 @@ std::optional<double> memory_available(const std::string& root) {
   std::optional<double> least;
   for (const auto& one :
        {meminfo(root + "/proc/meminfo", "MemAvailable"),
-        left_by(group + "memory.max", group + "memory.current"),
-        left_by(group + "memory/memory.limit_in_bytes", group + "memory/memory.usage_in_bytes")})
+        remaining(group + "memory.max", group + "memory.current"),
+        remaining(group + "memory/memory.limit_in_bytes", group + "memory/memory.usage_in_bytes")})
     if (one && (!least || *one < *least)) least = one;
   return least;
 }

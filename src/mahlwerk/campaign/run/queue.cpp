@@ -269,8 +269,8 @@ class CampaignRunner {
   /// `cpu`: [s] CPU time of the thread minus that of the replicate.
   void save_final_state(const CheckpointSlot& slot, std::size_t job, ReplicateRun& replica,
                         double cpu) const {
-    constexpr double worth = 0.05;  // [s] CPU time worth a write
-    const bool long_enough = thread_cpu_seconds() - cpu > worth;
+    constexpr double min_cpu_time = 0.05;  // [s] CPU time worth a write
+    const bool long_enough = thread_cpu_seconds() - cpu > min_cpu_time;
     if (stopped() || slot.on_end == CheckpointSlot::OnEnd::write)
       slot.checkpoint->save(job, replica, true);
     else if (slot.on_end == CheckpointSlot::OnEnd::write_when_due && long_enough)

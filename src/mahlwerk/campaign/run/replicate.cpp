@@ -79,7 +79,7 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& what,
                                            const std::vector<scene::Ball>& balls, int threads) {
   const scene::Chamber mill = cases::chamber(what);
   if (what.run.engine == cases::EngineName::soft) {
-    soft::Rules rules = soft_settings(what).rules;
+    soft::Settings rules = soft_settings(what).rules;
     rules.threads = threads;
     return soft::engine(mill, balls, rules, cases::pair_table(what));
   }

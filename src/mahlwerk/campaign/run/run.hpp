@@ -58,6 +58,6 @@ int thread_count(int asked);
 /// order, but at most `most`. Throws InputError with the faults of all points.
 std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
                                 const std::vector<cases::Override>& overrides,
-                                std::size_t most = Plan::most_points);
+                                std::size_t most = Plan::max_points);
 
 }  // namespace mahlwerk::campaign

@@ -59,15 +59,15 @@ std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
 soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
   const contact::PairTable pairs = cases::pair_table(what);
   soft::StepError worst;
-  const auto look = [&](const contact::Pair& pair) {
+  const auto include = [&](const contact::Pair& pair) {
     const soft::StepError e =
         soft::step_error(*s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
     worst = {std::max(worst.rebound, e.rebound), std::max(worst.tangential, e.tangential),
              std::max(worst.spin, e.spin)};
   };
   for (int a = 0; a < pairs.kinds(); ++a) {
-    for (int b = 0; b < pairs.kinds(); ++b) look(pairs.balls(a, b));
-    for (int face = 0; face < pairs.faces(); ++face) look(pairs.wall(a, face));
+    for (int b = 0; b < pairs.kinds(); ++b) include(pairs.balls(a, b));
+    for (int face = 0; face < pairs.faces(); ++face) include(pairs.wall(a, face));
   }
   return worst;
 }
@@ -152,13 +152,13 @@ std::vector<Fault> run_faults(const cases::Case& what) {
                                  show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap)),
                      "give a larger softening, modulus or stiffness, or a smaller cohesion",
                      "contacts-too-soft"});
-  constexpr double most_steps = 1e13;  // a month or more; near the resolution of the simulated time
+  constexpr double max_steps = 1e13;  // a month or more; near the resolution of the simulated time
   const double time = what.run.settle + what.run.time;
-  if (time > most_steps * s.rules.time_step)
+  if (time > max_steps * s.rules.time_step)
     found.push_back(
         {cases::location_of(what, what.run.time_step ? "run.time_step" : "run.time"),
          fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
-                     show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, most_steps),
+                     show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, max_steps),
          fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
                      show_rounded(s.steps.recommended(cases::step_share.standard.value()), "s")),
          "time-step-too-small"});

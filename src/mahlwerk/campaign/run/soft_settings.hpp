@@ -15,7 +15,7 @@ namespace mahlwerk::campaign {
 /// Settings of the soft engine for a case: its rules with the time step, and the time scales that
 /// determine it.
 struct SoftSettings {
-  soft::Rules rules;
+  soft::Settings rules;
   soft::TimeSteps steps;
   double speed = 0;  ///< [m/s] highest expected: peak wall speed and a fall through the jar
 };

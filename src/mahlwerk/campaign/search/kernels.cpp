@@ -14,7 +14,7 @@ namespace {
 /// Priors of the logarithms of amplitude and length scales: mean, standard deviation and bounds
 /// (opt.4).
 constexpr double usual_size = 0, size_spread = 1, length_spread = 0.6;
-constexpr double least_size = -3, most_size = 4, least_length = -4, most_length = 4;
+constexpr double min_size = -3, max_size = 4, min_length = -4, max_length = 4;
 constexpr double usual_constant = 3;
 
 double usual_length(std::size_t keys) {
@@ -43,7 +43,7 @@ double log_posterior(const std::vector<Observation>& observations,
 void draw_along(std::vector<double>& at, double& likely, std::size_t i,
                 const std::vector<Observation>& observations, Random& random) {
   constexpr double width = 1.5;
-  const double low = i == 0 ? least_size : least_length, high = i == 0 ? most_size : most_length;
+  const double low = i == 0 ? min_size : min_length, high = i == 0 ? max_size : max_length;
   const double height = likely + std::log(random.uniform());
   const double here = at[i];
   const auto value = [&](double x) {
@@ -70,9 +70,9 @@ void draw_along(std::vector<double>& at, double& likely, std::size_t i,
 
 Kernel most_probable_kernel(const std::vector<Observation>& observations) {
   const std::size_t keys = observations.front().point.size();
-  std::vector<double> least(keys + 1, least_length), most(keys + 1, most_length);
-  least.front() = least_size;
-  most.front() = most_size;
+  std::vector<double> least(keys + 1, min_length), most(keys + 1, max_length);
+  least.front() = min_size;
+  most.front() = max_size;
   std::vector<double> usual(keys + 1, usual_length(keys));
   usual.front() = usual_size;
   std::vector<double> narrow = usual;

@@ -73,7 +73,7 @@ double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double se
     for (const DoseSpectrum& m : mill->replicates) all.push_back(&m);
   const auto share = static_cast<std::ptrdiff_t>(a.replicates.size());
   Random random(seed, stream);
-  int as_much = 1;  // the actual assignment
+  int as_large = 1;  // the actual assignment
   for (int deal = 0; deal < deals; ++deal) {
     for (std::size_t i = all.size(); i > 1; --i) {
       const auto k = static_cast<std::size_t>(random.uniform() * static_cast<double>(i));
@@ -81,9 +81,9 @@ double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double se
     }
     const double other = distance(mean_of({all.begin(), all.begin() + share}),
                                   mean_of({all.begin() + share, all.end()}));
-    if (other >= seen * (1 - rounding)) ++as_much;
+    if (other >= seen * (1 - rounding)) ++as_large;
   }
-  return static_cast<double>(as_much) / (deals + 1);
+  return static_cast<double>(as_large) / (deals + 1);
 }
 
 observe::Estimate energies(const MillSpectra& mill) {

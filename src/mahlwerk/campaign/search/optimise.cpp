@@ -17,7 +17,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 constexpr int first_replicates = 2;
-constexpr double told_apart = 0.95, still_possible = 0.05, small_loss = 0.01;
+constexpr double best_determined = 0.95, still_possible = 0.05, small_loss = 0.01;
 constexpr double same_point = 1e-4;
 
 /// Runs requested settings, and keeps their results.
@@ -41,10 +41,10 @@ class Trials {
     };
     for (std::size_t i = 0; i < trials_.size(); ++i)
       if (same(trials_[i].point)) return ask_more(i);
-    for (const TrialRequest& one : asked_)
+    for (const TrialRequest& one : requests_)
       if (same(one.point)) return false;
     if (left() <= 0) return false;
-    asked_.push_back({trials_.size() + fresh_, point, 0, first_replicates});
+    requests_.push_back({trials_.size() + fresh_, point, 0, first_replicates});
     ++fresh_;
     return true;
   }
@@ -55,25 +55,25 @@ class Trials {
     const int have = static_cast<int>(t.replicates.size());
     const int more = std::min(have, goal_.replicates - have);
     if (!t.failure.empty() || more <= 0) return false;
-    for (const TrialRequest& one : asked_)
+    for (const TrialRequest& one : requests_)
       if (one.setting == setting) return false;
-    asked_.push_back({setting, t.point, have, more});
+    requests_.push_back({setting, t.point, have, more});
     return true;
   }
 
   /// Runs all requests; false if there is none.
   bool run(int round) {
-    if (asked_.empty()) return false;
-    const std::vector<TrialResult> answers = simulation_(asked_);
-    if (answers.size() != asked_.size())
+    if (requests_.empty()) return false;
+    const std::vector<TrialResult> answers = simulation_(requests_);
+    if (answers.size() != requests_.size())
       throw std::logic_error("a simulation returned a wrong number of results");
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      const TrialRequest& one = asked_[i];
+      const TrialRequest& one = requests_[i];
       if (one.setting >= trials_.size())
         trials_.push_back({.point = one.point, .replicates = {}, .failure = {}, .round = round});
       keep(trials_[one.setting], answers[i]);
     }
-    asked_.clear();
+    requests_.clear();
     fresh_ = 0;
     return true;
   }
@@ -94,7 +94,7 @@ class Trials {
   const Goal& goal_;
   const Simulation& simulation_;
   std::vector<Trial> trials_;
-  std::vector<TrialRequest> asked_;
+  std::vector<TrialRequest> requests_;
   std::size_t fresh_ = 0;  // new settings among the requests
 };
 
@@ -148,7 +148,7 @@ void decide(Trials& trials, const Goal& goal, int& round) {
   for (bool more = true; more;) {
     const Surrogate model(goal, trials.all());
     const BestProbabilities probabilities = model.best_probabilities();
-    if (*std::ranges::max_element(probabilities.by_trial) >= told_apart ||
+    if (*std::ranges::max_element(probabilities.by_trial) >= best_determined ||
         (model.best() && probabilities.expected_loss < small_loss * model.objective().scale))
       return;
     more = false;
@@ -160,8 +160,8 @@ void decide(Trials& trials, const Goal& goal, int& round) {
 }
 
 void check(const Goal& goal) {
-  constexpr std::size_t most_keys = 8;
-  if (goal.keys < 1 || goal.keys > most_keys)
+  constexpr std::size_t max_keys = 8;
+  if (goal.keys < 1 || goal.keys > max_keys)
     throw std::invalid_argument("an optimisation takes 1 to 8 keys");
   if (goal.settings < 1 || goal.replicates < first_replicates)
     throw std::invalid_argument(

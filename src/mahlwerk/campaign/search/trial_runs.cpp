@@ -38,7 +38,7 @@ std::string short_reason(const std::exception& why) {
 
 /// A fault of a range's end in terms of the range: `speed = 300: the unit is missing` becomes `from
 /// = 300: the unit is missing`.
-std::string as_said(const std::string& what, const cases::SweptKey& range, std::size_t end) {
+std::string with_range(const std::string& what, const cases::SweptKey& range, std::size_t end) {
   const std::string name = range.key.substr(range.key.rfind('.') + 1) + " = ";
   if (!what.starts_with(name)) return what;
   return fmt::format("\"{}\" {} = {}", range.key, end == 0 ? "from" : "to",
@@ -103,11 +103,11 @@ void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
     for (const Fault& fault : error.faults()) {
       if (!fault.where.ends_with(label) || std::ranges::find(sure, fault.code) == sure.end())
         continue;
-      Fault said{place_of(range), as_said(fault.what, range, end), fault.remedy, fault.code};
+      Fault swept_fault{place_of(range), with_range(fault.what, range, end), fault.remedy, fault.code};
       const auto same = [&](const Fault& f) {
-        return f.where == said.where && f.what == said.what;
+        return f.where == swept_fault.where && f.what == swept_fault.what;
       };
-      if (std::ranges::none_of(wrong, same)) wrong.push_back(std::move(said));
+      if (std::ranges::none_of(wrong, same)) wrong.push_back(std::move(swept_fault));
     }
   }
 }
@@ -148,18 +148,18 @@ TrialRuns TrialRuns::with_engine(cases::EngineName engine) const {
   return other;
 }
 
-std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& asked,
+std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& requests,
                                         const Measure& measure, const RunOptions& options,
                                         TrialStore& store, std::string_view version) const {
   struct PendingRun {
-    std::size_t number;  // in `asked`
+    std::size_t number;  // in `requests`
     cases::Case what;
     RunHash hash;
   };
-  std::vector<TrialResult> result(asked.size());
+  std::vector<TrialResult> result(requests.size());
   std::vector<PendingRun> pending;  // not in the store
-  for (std::size_t i = 0; i < asked.size(); ++i) try {
-      cases::Case what = at(asked[i].point, asked[i].first, asked[i].count);
+  for (std::size_t i = 0; i < requests.size(); ++i) try {
+      cases::Case what = at(requests[i].point, requests[i].first, requests[i].count);
       const RunHash hash = run_hash(what, version);
       if (auto known = store.find(hash))
         result[i] = std::move(*known);

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_folders = 1000;  // of results; larger campaigns keep only the store
+constexpr std::size_t max_folders = 1000;  // of results; larger campaigns keep only the store
 
 std::string name_of(const Shard& shard) {
   return shard.whole() ? "campaign"
@@ -205,7 +205,7 @@ std::vector<std::size_t> CampaignFolder::waiting_runs(WorkSummary& worked) const
 }
 
 bool CampaignFolder::keeps_folders() const {
-  return settings_.folders.value_or(runs_.size() <= most_folders);
+  return settings_.folders.value_or(runs_.size() <= max_folders);
 }
 
 Store open_store(const fs::path& place) {

@@ -70,7 +70,7 @@ std::vector<std::string> list_of(const cases::SweptKey& key) {
 
 [[noreturn]] void too_many(std::string remedy) {
   throw InputError(Fault{"[sweep]",
-                         fmt::format("the sweep has more than {} points", Plan::most_points),
+                         fmt::format("the sweep has more than {} points", Plan::max_points),
                          std::move(remedy), "too-many-points"});
 }
 
@@ -80,7 +80,7 @@ void check_size(const cases::Sweep& sweep) {
   const double each = sweep.design == cases::Design::morris          ? keys + 1
                       : sweep.design == cases::Design::sobol_indices ? keys + 2
                                                                      : 1;
-  if (samples * each > static_cast<double>(Plan::most_points)) too_many("give fewer samples");
+  if (samples * each > static_cast<double>(Plan::max_points)) too_many("give fewer samples");
 }
 
 /// Positions in the ranges; NaN where a key keeps the value of the case.
@@ -133,7 +133,7 @@ Plan::Plan(const cases::Sweep& sweep, std::uint64_t seed) {
   make_groups(sweep);
   size_ = keys_.empty() ? 0 : 1;
   for (const Group& group : groups_) {
-    if (group.length > most_points / size_)
+    if (group.length > max_points / size_)
       too_many("give fewer values, or choose a design that takes samples");
     size_ *= group.length;
   }
@@ -172,9 +172,9 @@ std::vector<std::string> Plan::values(std::size_t point) const {
 
 std::vector<cases::Override> Plan::overrides(std::size_t point) const {
   std::vector<cases::Override> list;
-  const std::vector<std::string> said = values(point);
-  for (std::size_t k = 0; k < said.size(); ++k)
-    if (!said[k].empty()) list.push_back({keys_[k], said[k], cases::ValueSource::sweep});
+  const std::vector<std::string> texts = values(point);
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    if (!texts[k].empty()) list.push_back({keys_[k], texts[k], cases::ValueSource::sweep});
   return list;
 }
 

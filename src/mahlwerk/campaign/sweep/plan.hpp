@@ -30,7 +30,7 @@ class Plan {
   /// By point: position in the ranges, 0 to 1 for each key; empty for a grid.
   const std::vector<std::vector<double>>& design() const { return design_; }
 
-  static constexpr std::size_t most_points = 10'000'000;
+  static constexpr std::size_t max_points = 10'000'000;
 
  private:
   /// Keys of a grid whose values vary together.

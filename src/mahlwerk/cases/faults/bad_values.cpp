@@ -68,7 +68,7 @@ void check_classes(ValueCheck& check, BallSet& set) {
   std::int64_t count = 0;
   for (SizeClass& size : set.classes) {
     check.number({"diameter", "m", positive, ""}, size.diameter);
-    check.integer({"count", 1, most_balls, ""}, size.count);
+    check.integer({"count", 1, max_balls, ""}, size.count);
     count += size.count;
   }
   if (count != set.count)

@@ -130,9 +130,9 @@ void wall_too_fast(const Case& c, std::vector<Fault>& found) {
 
 /// The number of sets is limited, because each pair of sets has its own rules and statistics.
 void too_many_sets(const Case& c, std::vector<Fault>& found) {
-  if (c.balls.size() <= most_sets) return;
+  if (c.balls.size() <= max_sets) return;
   found.push_back({location_of(c, "balls"),
-                   fmt::format("there are {} ball sets, more than {}", c.balls.size(), most_sets),
+                   fmt::format("there are {} ball sets, more than {}", c.balls.size(), max_sets),
                    "let sets differ by material or rules only: one set may have a distribution of "
                    "sizes",
                    "too-many-sets"});
@@ -143,12 +143,12 @@ void too_many_frames(const Case& c, std::vector<Fault>& found) {
   if (!c.observe.frames || !(*c.observe.frames > 0)) return;
   const double count = c.run.time / *c.observe.frames;
   const double each = frame_bytes(c), size = count * each;
-  if (!(count > most_frames) && !(size > largest_frames)) return;
-  const double enough = std::max(c.run.time / most_frames, c.run.time * each / largest_frames);
+  if (!(count > max_frames) && !(size > largest_frames)) return;
+  const double enough = std::max(c.run.time / max_frames, c.run.time * each / largest_frames);
   found.push_back({location_of(c, "observe.frames"),
                    fmt::format("a frame every {} makes {:.2g} frames and about {:.2g} GB for each "
                                "replicate, more than {:.0g} frames or {:.0f} GB",
-                               show_rounded(*c.observe.frames, "s"), count, size / 1e9, most_frames,
+                               show_rounded(*c.observe.frames, "s"), count, size / 1e9, max_frames,
                                largest_frames / 1e9),
                    fmt::format("write frames = \"{}\" or more, or leave it out",
                                show_rounded(1.05 * enough, "s")),

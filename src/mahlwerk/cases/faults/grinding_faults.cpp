@@ -113,7 +113,7 @@ class GrindingCheck {
       return;
     }
     const bool remembers = powder::tracks_strength(*g.breakage);
-    const double most = remembers ? most_remembering_classes : most_size_classes;
+    const double most = remembers ? max_strength_tracking_classes : max_size_classes;
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);
     if (!(count > most)) return;

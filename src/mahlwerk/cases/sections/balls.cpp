@@ -18,8 +18,8 @@ namespace {
 std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view key, double share) {
   if (std::isnan(share)) return 0;  // already reported
   const double n = std::max(1.0, std::round(share));
-  if (n > static_cast<double>(most_balls)) {
-    in.fault(at, fmt::format("{} = \"{}\" makes more than {} balls", key, at.text, most_balls),
+  if (n > static_cast<double>(max_balls)) {
+    in.fault(at, fmt::format("{} = \"{}\" makes more than {} balls", key, at.text, max_balls),
              "give fewer or larger balls", "out-of-range");
     return 0;
   }
@@ -82,7 +82,7 @@ std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
     set.positions = read_positions(in, *in.find(key));
     return static_cast<std::int64_t>(set.positions.size());
   }
-  if (key == "count") return in.integer("count", most_balls).value_or(0);
+  if (key == "count") return in.integer("count", max_balls).value_or(0);
   if (key.empty()) {
     in.record_default("count", "1", "one ball");
     return 1;
@@ -114,7 +114,7 @@ void describe_count(KeyVisitor& v, BallSet& set) {
              std::ranges::all_of(positions, [](const Vec3& p) { return std::isfinite(norm(p)); })},
         [&] { return positions_text(positions); });
   if (positions.empty() || v.visits_all())
-    v.integer({"count", 1, most_balls, "number of balls"}, set.count);
+    v.integer({"count", 1, max_balls, "number of balls"}, set.count);
 }
 
 /// False after a fault.

@@ -73,7 +73,7 @@ void describe_method(KeyVisitor& v, Grinding& g) {
     v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
   if (g.method != Method::balance || v.visits_all())
-    v.integer({"sample", least_sample, most_sample, "grains of the statistical method",
+    v.integer({"sample", min_sample, max_sample, "grains of the statistical method",
                Grinding().sample, "sampling error of shares 0.5 % at most"},
               g.sample);
   v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit captures grains of one size"}, g.bed);
@@ -95,7 +95,7 @@ void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
 
 /// The number of size classes per octave.
 void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
-  v.integer({"classes_per_octave", size_step, most_per_octave, "size classes, a multiple of three",
+  v.integer({"classes_per_octave", size_step, max_per_octave, "size classes, a multiple of three",
              remembering ? size_step : 2 * size_step,
              remembering ? "few, as each class has many strengths" : "a size every 12 %"},
             g.classes_per_octave);
@@ -123,7 +123,7 @@ void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
 }
 
 /// Reports incomplete sets of [breakage], [fragments] and [grinding].
-void lone_sections(const GrindingTables& t, Findings& findings) {
+void unused_sections(const GrindingTables& t, Findings& findings) {
   const auto fault = [&](const Node* at, std::string what, std::string remedy) {
     findings.faults.push_back({at->where, std::move(what), std::move(remedy), "lone-section"});
   };
@@ -188,7 +188,7 @@ void describe(KeyVisitor& v, Grinding& g, const Case& c) {
 }
 
 void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
-  lone_sections(t, findings);
+  unused_sections(t, findings);
   Grinding g;
   const auto read = [&](const Node* table, const char* name, auto& what, auto... more) {
     SectionReader in(table, name, findings);

@@ -10,7 +10,7 @@
 // Field tables of the numbers of grinding that belong to no model, for reader, writer and checks.
 namespace mahlwerk::cases {
 
-constexpr std::int64_t most_powder_sieves = 200;
+constexpr std::int64_t max_powder_sieves = 200;
 /// Wider distributions are taken for a mistake: a factor of 20 spans four decades of sizes.
 constexpr Range feed_spreads(powder::Feed::Law law) {
   return law == powder::Feed::Law::lognormal ? Range{.least = 1, .most = 20, .without_least = true}
@@ -44,11 +44,11 @@ constexpr auto grinding_shares() {
 
 constexpr double octaves_below = 4096;  ///< largest size of the feed over the default of `smallest`
 constexpr std::int64_t size_step = 3;   ///< `classes_per_octave` is a multiple of this, 12 at most
-constexpr std::int64_t most_per_octave = 12;
-constexpr std::int64_t least_sample = 100, most_sample = 1'000'000;
+constexpr std::int64_t max_per_octave = 12;
+constexpr std::int64_t min_sample = 100, max_sample = 1'000'000;
 /// Limits of size classes. A breakage model with memory of earlier hits has many states of strength
 /// in each class.
-constexpr double most_size_classes = 150, most_remembering_classes = 48;
+constexpr double max_size_classes = 150, max_strength_tracking_classes = 48;
 
 constexpr auto kinetics_fields() {
   using K = powder::Conversion;

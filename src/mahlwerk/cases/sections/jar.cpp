@@ -53,7 +53,7 @@ double size_for(S shape, double volume) {
 
 /// The volume of the shape with its least height.
 template <class S>
-double least_volume(S shape) {
+double min_volume(S shape) {
   if constexpr (has_fillet<S>) {
     shape.height = 2 * shape.fillet;
   } else {
@@ -68,7 +68,7 @@ void size_from_volume(SectionReader& in, S& shape, std::string_view follows, dou
   const double volume = in.quantity(at, inner_volume);
   shape.*size = size_for(shape, volume);
   if constexpr (has_height<S> && is_round<S>) {
-    const double least = least_volume(shape);
+    const double least = min_volume(shape);
     if (volume < least || (volume == least && !std::is_same_v<S, geometry::Capsule>)) {
       in.fault(at,
                fmt::format("volume = \"{}\" is too small for a diameter of {}: the {} holds more "

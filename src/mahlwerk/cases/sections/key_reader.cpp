@@ -79,7 +79,7 @@ void KeyReader::read_range(const std::string& key, const Node& node) {
     fault(at != nullptr ? *at : node, fmt::format("the range of \"{}\" lacks `{}`", key, end),
           fmt::format("write \"{}\" = {{ from = ..., to = ... }}", key), "bad-range");
   }
-  if (const auto steps = in.integer("steps", most_steps, 2)) made.steps = *steps;
+  if (const auto steps = in.integer("steps", max_steps, 2)) made.steps = *steps;
   made.logarithmic =
       in.gives("spacing") && in.choice({"spacing", spacing_words(), ""}) == spacing_words().back();
   in.report_unknown_keys();

@@ -163,11 +163,11 @@ void describe_axis(KeyVisitor& v, Mill& mill) {
 
 /// The number of jars. For a catalogue's mill its default is a plain number of the entry.
 void describe_jars(KeyVisitor& v, std::int64_t& carried) {
-  const NumberSpec spec("jars_carried", "", {.least = 1, .most = most_jars},
+  const NumberSpec spec("jars_carried", "", {.least = 1, .most = max_jars},
                         "number of identical jars that the mill carries");
   SectionReader* in = v.reader();
   if (in == nullptr) {
-    if (carried != 1 || v.visits_all()) v.integer({spec.key, 1, most_jars, spec.about}, carried);
+    if (carried != 1 || v.visits_all()) v.integer({spec.key, 1, max_jars, spec.about}, carried);
     return;
   }
   const double jars = in->optional_number(spec).value_or(1);

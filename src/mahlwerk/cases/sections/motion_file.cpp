@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
-constexpr std::size_t most_faults = 10;  // one wrong column would give a fault for every row
+constexpr std::size_t max_faults = 10;  // one wrong column would give a fault for every row
 
 /// The numbers of a row; no value if a cell is not a finite number.
 std::optional<std::vector<double>> numbers(std::string_view row) {
@@ -39,7 +39,7 @@ class MotionFile {
 
   std::vector<kinematics::Sample> read(std::istream& stream) {
     std::vector<kinematics::Sample> samples;
-    for (std::string line; std::getline(stream, line) && faults_ < most_faults;) {
+    for (std::string line; std::getline(stream, line) && faults_ < max_faults;) {
       ++line_;
       const std::string_view row = trimmed(line);
       if (row.empty() || row.front() == '#') continue;

@@ -100,7 +100,7 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   };
   if (feed.law == Law::sieves) {
     refuse({"size", "spread"});
-    describe_sieves(v, feed.passing, most_powder_sieves);
+    describe_sieves(v, feed.passing, max_powder_sieves);
     if (in != nullptr && feed.passing.empty()) {
       feed = {.size = invalid_value};
       powder.size = invalid_value;
@@ -140,7 +140,7 @@ std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) 
         "give a smaller grain_size, or more powder", "too-few-grains");
     return 0;
   }
-  if (count <= most_grains) {
+  if (count <= max_grains) {
     in.record_origin("count", fmt::format("{:.0f}", count), in.find("as"),
                      "mass of the powder over that of a grain");
     return static_cast<std::int64_t>(count);
@@ -150,7 +150,7 @@ std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) 
   in.fault(
       *at,
       fmt::format("grains of {} would be {:.3g}, more than {:.0e}",
-                  show_rounded(*powder.grain_size, "m"), count, most_grains),
+                  show_rounded(*powder.grain_size, "m"), count, max_grains),
       fmt::format("write grain_size = \"{}\": some {:.0e} grains",
                   show_rounded(*powder.grain_size * std::cbrt(count / advised), "m", 2), advised),
       "too-many-grains");

@@ -90,7 +90,7 @@ void describe(KeyVisitor& v, Run& run) {
   describe_step(v, run);
   v.flag({"hop", true, "the soft engine skips time steps in free flight"}, run.free_flight_skip);
   v.integer(
-      {"replicates", 1, most_replicates, "runs that differ only by chance", 5, "as in paper A"},
+      {"replicates", 1, max_replicates, "runs that differ only by chance", 5, "as in paper A"},
       run.replicates);
 }
 

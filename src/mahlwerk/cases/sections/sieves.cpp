@@ -33,10 +33,10 @@ std::optional<std::array<double, 2>> read_row(SectionReader& in, std::string_vie
 }
 
 /// Rows with increasing openings; none after a fault.
-Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::size_t most_rows) {
+Sieves read_rows(SectionReader& in, std::string_view key, const Node& at, std::size_t max_rows) {
   Sieves rows;
-  if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > most_rows) {
-    in.fault(at, fmt::format("`{}` must be a list of 2 to {} rows", key, most_rows),
+  if (at.kind != Node::Kind::list || at.items.size() < 2 || at.items.size() > max_rows) {
+    in.fault(at, fmt::format("`{}` must be a list of 2 to {} rows", key, max_rows),
              std::string(form), "wrong-type");
     return rows;
   }

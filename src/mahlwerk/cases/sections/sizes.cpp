@@ -45,7 +45,7 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
 /// balls.
 void describe_classes(KeyVisitor& v, Distribution& d) {
   if (v.reader() == nullptr || v.gives("classes"))
-    v.integer({"classes", 1, most_classes, "number of sizes that represent the distribution"},
+    v.integer({"classes", 1, max_classes, "number of sizes that represent the distribution"},
               d.classes);
 }
 
@@ -80,7 +80,7 @@ bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
   }
   bool sound = true;
   if (d.law == SizeLaw::sieves) {
-    describe_sieves(v, d.passing, most_classes);
+    describe_sieves(v, d.passing, max_classes);
     sound = !d.passing.empty();
   } else {
     sound = describe_spread(v, d);

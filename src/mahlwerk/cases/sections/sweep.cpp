@@ -123,7 +123,7 @@ Sweep read_sweep(const Node* table, KeyReader::Locations& locations, Findings& f
   if (!word.empty())
     sweep.design =
         static_cast<Design>(std::ranges::find(design_words(), word) - design_words().begin());
-  if (const auto n = in.integer("samples", most_samples)) sweep.samples = *n;
+  if (const auto n = in.integer("samples", max_samples)) sweep.samples = *n;
   KeyReader reader("sweep", locations, findings);
   reader.read(*table, {"design", "samples", "together"});
   sweep.keys = reader.keys();

@@ -24,7 +24,7 @@ inline bool needs_samples(Design design) {
   return design != Design::grid && design != Design::one_at_a_time;
 }
 
-constexpr std::int64_t most_samples = 10'000'000;
-constexpr std::int64_t most_steps = 1'000'000;
+constexpr std::int64_t max_samples = 10'000'000;
+constexpr std::int64_t max_steps = 1'000'000;
 
 }  // namespace mahlwerk::cases

@@ -19,7 +19,7 @@ namespace mahlwerk::cases {
 namespace {
 
 constexpr std::size_t large = 10000;  // balls; larger charges gain from sorting in memory
-constexpr double least_gap = 1e-3;    // between balls placed one by one, over the sum of radii
+constexpr double min_gap = 1e-3;    // between balls placed one by one, over the sum of radii
 
 /// Balls of one size of one set.
 struct Portion {
@@ -68,7 +68,7 @@ class ChargeFiller {
     for (int start = 0; start < starts && moves_left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
-      for (const double smaller : {least_gap, 0.1 * least_gap, 1e-3 * least_gap})
+      for (const double smaller : {min_gap, 0.1 * min_gap, 1e-3 * min_gap})
         if (try_push_apart(smaller)) return;
     }
     throw too_many_balls();
@@ -103,7 +103,7 @@ class ChargeFiller {
       if (!sets_[portion.set].positions.empty()) continue;
       if (widest == 0 || portion.diameter <= 0.5 * widest) {
         widest = portion.diameter;
-        grids.emplace_back(domain_, widest * (1 + least_gap), count_of_similar_size(k));
+        grids.emplace_back(domain_, widest * (1 + min_gap), count_of_similar_size(k));
       }
       crowded = place(portion, samplers_[k], grids, crowded);
     }
@@ -140,7 +140,7 @@ class ChargeFiller {
     std::size_t given = 0;
     for (const BallSet& set : sets_) given += set.positions.size();
     if (given == 0) return;
-    Grid& grid = grids.emplace_back(domain_, largest_ball(sets_) * (1 + least_gap), given);
+    Grid& grid = grids.emplace_back(domain_, largest_ball(sets_) * (1 + min_gap), given);
     for (const Portion& portion : portions_) {
       std::size_t next = portion.from;
       for (const Vec3& p : sets_[portion.set].positions) {
@@ -159,7 +159,7 @@ class ChargeFiller {
     return std::ranges::all_of(grids, [&](const Grid& grid) {
       return grid.for_each_near(p, [&](int i) {
         const PlacedBall& o = placed_[static_cast<std::size_t>(i)];
-        return norm(domain_.minimum_image(p, o.position)) >= (1 + least_gap) * (radius + o.radius);
+        return norm(domain_.minimum_image(p, o.position)) >= (1 + min_gap) * (radius + o.radius);
       });
     });
   }

@@ -33,7 +33,7 @@ double triangles(const Round&) {
 
 }  // namespace
 
-bool looks_still(const Case& c) {
+bool jar_mesh_is_static(const Case& c) {
   const Vec3 axis = kinematics::fixed_axis(*c.mill.motion);
   const bool turns = kinematics::bounds(*c.mill.motion).spin > 0;
   const bool stirred = geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr;
@@ -49,7 +49,7 @@ double frame_bytes(const Case& c) {
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;
   bytes += 2200 + (forces ? 160 : 128) * balls;
-  if (!looks_still(c))  // half as many vertices as triangles, in base64
+  if (!jar_mesh_is_static(c))  // half as many vertices as triangles, in base64
     bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, *c.jar.shape);
   return bytes;
 }

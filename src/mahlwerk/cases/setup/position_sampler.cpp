@@ -52,7 +52,7 @@ void PositionSampler::measure(const S& shape) {
     const geometry::Extent e = shape.extent();
     const Vec3 low = componentwise_abs(e.low), high = componentwise_abs(e.high);
     box_ = {std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
-    half_ = 0.5 * e.size();
+    half_size_ = 0.5 * e.size();
     centre_ = e.middle();
     middle_ = shape.middle();
     return;
@@ -60,7 +60,7 @@ void PositionSampler::measure(const S& shape) {
   const Vec3 half = 0.5 * geometry::periods_of(shape);
   box_ = {std::min(extent(shape, {1, 0, 0}), half.x), std::min(extent(shape, {0, 1, 0}), half.y),
           std::min(extent(shape, {0, 0, 1}), half.z)};
-  half_ = box_;
+  half_size_ = box_;
 }
 
 PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius)
@@ -74,7 +74,7 @@ Vec3 PositionSampler::draw(Random& random) const {
     for (int i = 0; i < tries; ++i) {
       const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
       const double z = random.uniform(-1, 1);
-      const Vec3 place = centre_ + Vec3{x * half_.x, y * half_.y, z * half_.z};
+      const Vec3 place = centre_ + Vec3{x * half_size_.x, y * half_size_.y, z * half_size_.z};
       const Vec3 p = middle_ + scale * (place - middle_);
       if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
     }

@@ -25,9 +25,9 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 }
 
 void refuse_too_many(std::size_t triangles) {
-  if (triangles > most_triangles)
+  if (triangles > max_triangles)
     throw StlError(
-        fmt::format("it has {} triangles, more than the limit of {}", triangles, most_triangles));
+        fmt::format("it has {} triangles, more than the limit of {}", triangles, max_triangles));
 }
 
 std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale) {

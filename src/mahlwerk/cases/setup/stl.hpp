@@ -27,6 +27,6 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale);
 /// A surface as ASCII STL; read_stl() restores every coordinate exactly.
 std::string stl_text(const geometry::Surface& surface);
 
-constexpr std::size_t most_triangles = 4'000'000;  ///< of about 500 bytes of memory each
+constexpr std::size_t max_triangles = 4'000'000;  ///< of about 500 bytes of memory each
 
 }  // namespace mahlwerk::cases

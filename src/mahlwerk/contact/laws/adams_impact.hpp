@@ -51,7 +51,7 @@ struct AdamsImpact : HertzSpring {
   /// In units of sqrt(m* k*), k* the ratio of largest force and largest overlap (dem.15).
   double damping(double e) const {
     if (published_damping) return -2 * damping_ratio(e);
-    return stepped_damping(std::max(e, least_restitution), usual_depth * scale) / root_of_scale;
+    return stepped_damping(std::max(e, min_restitution), usual_depth * scale) / root_of_scale;
   }
   double largest_overlap(const EffectivePair& t, double speed) const {
     return hertz_overlap(t, speed);

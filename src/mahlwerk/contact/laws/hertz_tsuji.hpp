@@ -26,7 +26,7 @@ struct HertzTsuji : HertzSpring {
                                            {0.06, 0.1, 0.35}}};
   static constexpr auto fields() { return std::array<LawField<HertzTsuji>, 0>{}; }
 
-  double damping(double e) const { return tensionless_damping(std::max(e, least_restitution)); }
+  double damping(double e) const { return tensionless_damping(std::max(e, min_restitution)); }
   /// `damping` has the unit sqrt(m* k).
   LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = hertz_stiffness(t);

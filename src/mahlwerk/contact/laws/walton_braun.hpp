@@ -29,7 +29,7 @@ struct WaltonBraun : Spring {
   static constexpr auto fields() { return spring_fields<WaltonBraun>(); }
 
   double damping(double e) const {
-    const double least = std::max(e, least_restitution);
+    const double least = std::max(e, min_restitution);
     return 1 / (least * least);
   }
   LawCoefficients coefficients(const EffectivePair& t, double damping) const {

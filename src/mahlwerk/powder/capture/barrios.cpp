@@ -9,12 +9,12 @@ namespace mahlwerk::powder {
 namespace {
 
 // As printed in paper B; not checked against the original.
-constexpr double most_deformation = 0.362, bed_factor = 0.152, bed_exponent = 0.413;
+constexpr double max_deformation = 0.362, bed_factor = 0.152, bed_exponent = 0.413;
 
 }  // namespace
 
 double bed_deformation(double energy_over_fracture_energy) {
-  return -most_deformation *
+  return -max_deformation *
          std::expm1(-bed_factor * std::pow(energy_over_fracture_energy, bed_exponent));
 }
 

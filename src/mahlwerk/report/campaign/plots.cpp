@@ -11,9 +11,9 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t most_lines = 12;    // that a reader can distinguish
-constexpr std::size_t most_marks = 2000;  // on a plot's lines
-constexpr std::size_t most_specks = 6000, most_specks_in_all = 250000;
+constexpr std::size_t max_lines = 12;    // that a reader can distinguish
+constexpr std::size_t max_marks = 2000;  // on a plot's lines
+constexpr std::size_t max_specks = 6000, max_total_specks = 250000;
 
 Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   const Multiple& m = sheet.multiples[column];
@@ -77,7 +77,7 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
   settle_axes(plot);
   FittedLines fitted = laws_of_lines(sheet, layout.axis, column, plot.series);
   std::size_t drawn = 0;
-  for (Series& series : plot.series) drawn += thin(series, most_marks / plot.series.size());
+  for (Series& series : plot.series) drawn += thin(series, max_marks / plot.series.size());
   for (Series& curve : fitted.curves) plot.series.push_back(std::move(curve));
   make_room(plot);
   return {sheet.campaign.columns[column].name, svg(plot),
@@ -145,7 +145,7 @@ std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::si
   for (const std::size_t key : sheet.free)
     if (sheet.keys[key].numeric()) keys.push_back(key);
   const std::size_t most = std::clamp<std::size_t>(
-      most_specks_in_all / (keys.size() * sheet.shown.size()), 1, most_specks);
+      max_total_specks / (keys.size() * sheet.shown.size()), 1, max_specks);
   std::vector<Picture> list;
   for (const std::size_t key : keys) {
     list.push_back(sheet.star ? ray_plot(sheet, key, column) : dot_plot(sheet, key, column, most));
@@ -157,7 +157,7 @@ std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::si
 }  // namespace
 
 Layout layout_of(const Sheet& sheet) {
-  constexpr std::size_t most_values = 5, most_maps = 4;
+  constexpr std::size_t max_values = 5, max_maps = 4;
   Layout made{.axis = sheet.axis(), .second = sheet.keys.size()};
   if (made.axis == sheet.keys.size()) return made;
   std::size_t most = 2;
@@ -167,9 +167,9 @@ Layout layout_of(const Sheet& sheet) {
     most = sheet.keys[key].size();
   }
   const bool two = made.second < sheet.keys.size() && sheet.keys[made.axis].size() > 2;
-  const auto lines = sheet.grid ? lines_of(sheet, made.axis).size() : most_lines + 1;
-  made.maps = sheet.grid && two && lines <= most_maps * sheet.keys[made.second].size();
-  made.lines = lines <= most_lines && !(made.maps && sheet.keys[made.second].size() > most_values);
+  const auto lines = sheet.grid ? lines_of(sheet, made.axis).size() : max_lines + 1;
+  made.maps = sheet.grid && two && lines <= max_maps * sheet.keys[made.second].size();
+  made.lines = lines <= max_lines && !(made.maps && sheet.keys[made.second].size() > max_values);
   made.dots = !made.maps && !made.lines;
   return made;
 }

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_rows = 1000;
+constexpr std::size_t max_rows = 1000;
 
 /// Script: a click on a column head sorts, a second click reverses the order; empty cells stay
 /// last.
@@ -216,7 +216,7 @@ std::string point_table(const Sheet& sheet) {
   if (c.points.empty()) return "";
   const bool regimes = regimes_differ(c), warnings = any_warnings(c);
   std::string body;
-  const std::size_t rows = std::min(c.points.size(), most_rows);
+  const std::size_t rows = std::min(c.points.size(), max_rows);
   for (std::size_t i = 0; i < rows; ++i) body += row(sheet, i, regimes, warnings);
   const std::string rest =
       rows < c.points.size()

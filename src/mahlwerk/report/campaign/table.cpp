@@ -12,13 +12,13 @@
 namespace mahlwerk::report {
 namespace {
 
-constexpr std::size_t most_points = 40;  // lines that fit a screen
+constexpr std::size_t max_points = 40;  // lines that fit a screen
 
 struct ListedResult {
   std::string_view quantity, head;
   std::size_t column = 0;
 };
-constexpr std::array told_results{
+constexpr std::array table_results{
     ListedResult{"collision_rate_above_threshold", "hits above threshold"},
     ListedResult{"energy_contact_point_mean_above_threshold", "E contact point"},
     ListedResult{"energy_normal_mean_above_threshold", "E normal"},
@@ -32,7 +32,7 @@ constexpr std::array told_results{
 /// The listed quantities that the campaign has.
 std::vector<ListedResult> listed_results(const Campaign& campaign) {
   std::vector<ListedResult> list;
-  for (ListedResult one : told_results) {
+  for (ListedResult one : table_results) {
     const auto at = std::ranges::find(campaign.columns, one.quantity, &Column::name);
     if (at == campaign.columns.end()) continue;
     one.column = static_cast<std::size_t>(at - campaign.columns.begin());
@@ -87,7 +87,7 @@ std::string campaign_table(const Campaign& campaign, std::string_view where) {
   if (warnings) lines[0].emplace_back("warnings");
   const std::size_t points = campaign.points.size();
   // Prints the last point instead of a line "... and 1 more".
-  const std::size_t lines_of_points = points <= most_points + 1 ? points : most_points;
+  const std::size_t lines_of_points = points <= max_points + 1 ? points : max_points;
   for (std::size_t i = 0; i < lines_of_points; ++i)
     lines.push_back(line_of(campaign, campaign.points[i], shown, regimes, warnings));
   std::string text = in_columns(lines);

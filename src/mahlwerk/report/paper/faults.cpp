@@ -80,18 +80,18 @@ std::vector<Fault> paper_faults(const Paper& paper,
                                 const std::map<std::string, cases::Case>& cases) {
   std::vector<Fault> faults;
   for (const PaperFigure& figure : paper.figures) {
-    ReferenceCheck look(figure.where, figure.campaign, cases.at(figure.campaign), faults);
-    look.key(figure.against);
-    look.at(figure.at);
-    look.quantity(figure.quantity);
+    ReferenceCheck check(figure.where, figure.campaign, cases.at(figure.campaign), faults);
+    check.key(figure.against);
+    check.at(figure.at);
+    check.quantity(figure.quantity);
   }
   for (const Claim& claim : paper.claims) {
-    ReferenceCheck look(claim.where, claim.campaign, cases.at(claim.campaign), faults);
-    look.key(claim.against);
-    look.at(claim.at);
-    look.value(claim.against, claim.first);
-    look.value(claim.against, claim.second);
-    look.quantity(claim.quantity);
+    ReferenceCheck check(claim.where, claim.campaign, cases.at(claim.campaign), faults);
+    check.key(claim.against);
+    check.at(claim.at);
+    check.value(claim.against, claim.first);
+    check.value(claim.against, claim.second);
+    check.quantity(claim.quantity);
   }
   return faults;
 }

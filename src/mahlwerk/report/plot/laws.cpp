@@ -189,7 +189,7 @@ FittedLaw first_power(const Data& d) {
 /// Power law by Gauss-Newton iteration in c and p; each step is halved until it decreases the sum
 /// of squares.
 FittedLaw power(const Data& d) {
-  constexpr int most_steps = 100, most_halvings = 40;
+  constexpr int max_steps = 100, max_halvings = 40;
   FittedLaw law = first_power(d);
   const auto left = [&](const FittedLaw& l) {
     return sum_of_squares(d, [&](double x) { return l.at(x); });
@@ -204,12 +204,12 @@ FittedLaw power(const Data& d) {
     });
   };
   double now = left(law);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const Step s = next(law);
     if (!s.solved) return {};
     bool went = false;
     double share = 1;
-    for (int h = 0; h < most_halvings && !went; ++h, share /= 2) {
+    for (int h = 0; h < max_halvings && !went; ++h, share /= 2) {
       FittedLaw tried = law;
       tried.coefficients[0] *= std::exp(share * s.change[0]);
       tried.coefficients[1] += share * s.change[1];

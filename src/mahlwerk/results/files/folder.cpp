@@ -92,12 +92,12 @@ void remove_leftovers(const fs::path& target) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(target.parent_path(), none)) {
     const std::string name = entry.path().filename().string();
-    const auto left_by = [&](const std::string& before) {
+    const auto remaining = [&](const std::string& before) {
       return name.starts_with(before) &&
              !is_other_process(std::string_view(name).substr(before.size()));
     };
-    if ((left_by(partial) && !listed_files(entry.path())) ||
-        (left_by(replaced) && fs::exists(target) && foreign_files(entry.path()).empty()))
+    if ((remaining(partial) && !listed_files(entry.path())) ||
+        (remaining(replaced) && fs::exists(target) && foreign_files(entry.path()).empty()))
       remains.push_back(entry.path());
   }
   for (const fs::path& one : remains) fs::remove_all(one, none);

@@ -26,7 +26,7 @@ FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& wha
   const auto with = [&](const char* ending) { return stem.string() + ending; };
   if (what.observe.frames_format != FramesFormat::vtk) xyz_.emplace(with(".xyz"), *chamber_.shape);
   if (what.observe.frames_format != FramesFormat::xyz)
-    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::looks_still(what));
+    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::jar_mesh_is_static(what));
 }
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,

@@ -36,16 +36,16 @@ void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, con
   const auto k = static_cast<std::size_t>(lane);
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
-  if (p.wall[lane] != 0 && rules_.model.curved_walls)
+  if (p.wall[lane] != 0 && settings_.model.curved_walls)
     apply_wall_curvature(p, lane, *jar_, p.face[k],
                          particles_.position.get(static_cast<std::size_t>(p.i[lane])),
-                         mill_time(particles_.step), pairs_[p.species_pair[k]], *rules_.model.law);
+                         mill_time(particles_.step), pairs_[p.species_pair[k]], *settings_.model.law);
   p.onset[k] = contact_onset(particles_.step, m, b, lane);
   set_lane(p.spring, lane, {});
   set_lane(p.roll, lane, {});
   p.stiffness[lane] = 0;
   p.pulls[lane] = 0;
-  begin_law_history(p.law_history, p, lane, p.onset[k].approach, *rules_.model.law);
+  begin_law_history(p.law_history, p, lane, p.onset[k].approach, *settings_.model.law);
 }
 
 void FewBodySolver::end(PairPacket& p, int lane) {
@@ -80,7 +80,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
                        .lost_normal = d.normal[lane],
                        .lost_tangential = d.tangential[lane] + d.rolling[lane]});
   ++energy_balance_.collisions;
-  if (is_lasting(duration, onset, pair, *rules_.model.law)) ++energy_balance_.lasting_contacts;
+  if (is_lasting(duration, onset, pair, *settings_.model.law)) ++energy_balance_.lasting_contacts;
   p.touching[lane] = 0;
   flush_work(p, lane);
 }

@@ -24,7 +24,7 @@ FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
           [&](const auto& law) {
             return law.elastic_energy(coefficients_of(p, l), law_history, overlap);
           },
-          *rules_.model.law);
+          *settings_.model.law);
       energy.tangential += 0.5 * p.stiffness[l] * squared(get_lane(p.spring, l));
     }
   return energy;
@@ -33,7 +33,7 @@ FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
 scene::EnergyBalance FewBodySolver::energy_balance() const {
   scene::EnergyBalance a = energy_balance_;
   a.time = time_of(now_);
-  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
+  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * settings_.time_step)
     a.time = target_time_;  // rounding
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(particles_.step));
   const FreeFlight way = free_flight(now_ - particles_.step);

@@ -13,10 +13,10 @@ namespace mahlwerk::soft {
 /// advance() divide a run.
 bool FewBodySolver::start_skip() {
   if (!skips_ || touched_ || particles_.step < next_skip_) return false;
-  constexpr std::int64_t worth = 8, pause = 4;
+  constexpr std::int64_t min_skip = 8, retry_after = 4;
   const std::int64_t steps = collision_free_steps();
-  if (steps < worth) {
-    next_skip_ = particles_.step + pause;
+  if (steps < min_skip) {
+    next_skip_ = particles_.step + retry_after;
     return false;
   }
   skip_end_ = particles_.step + steps;
@@ -27,8 +27,8 @@ bool FewBodySolver::start_skip() {
 /// equation gives the time: all balls have the same acceleration, so their relative motion is
 /// straight.
 std::int64_t FewBodySolver::collision_free_steps() const {
-  constexpr double most = 1e6;  // steps
-  double time = most * rules_.time_step;
+  constexpr double max_steps = 1e6;  // steps
+  double time = max_steps * settings_.time_step;
   const double now = mill_time(particles_.step);
   if (periodic_) return 0;
   for (std::size_t i = 0; i < particles_.balls; ++i) {
@@ -42,7 +42,7 @@ std::int64_t FewBodySolver::collision_free_steps() const {
       if (b < 0 && d > 0) time = std::min(time, std::max(gap, 0.0) / (std::sqrt(d) - b));
     }
   }
-  return static_cast<std::int64_t>(time / rules_.time_step) - 1;
+  return static_cast<std::int64_t>(time / settings_.time_step) - 1;
 }
 
 FewBodySolver::FreeFlight FewBodySolver::free_flight(std::int64_t steps) const {

@@ -14,7 +14,7 @@ template <class F>
 void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
   for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.pull_off_distance, &p.friction,
-                   &p.rolling, &p.roll_spring, &p.inertia, &p.lag, &p.stiffness})
+                   &p.rolling, &p.roll_spring, &p.inertia, &p.stiffness_correction, &p.stiffness})
     f(*c);
   for (Lanes& c : p.coefficients) f(c);
   for (Lanes& c : p.law_history) f(c);
@@ -150,7 +150,7 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
   p.j[lane] = wall ? 0 : c.j;
   copy_lane(
       pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
-                      wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), rules_.time_step),
+                      wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), settings_.time_step),
       0, p, lane);
   // Unused here: flush_work() itself divides the largest overlap by the radius.
   p.inverse_radius[lane] = 0;

@@ -20,16 +20,16 @@ constexpr std::size_t skipping = 32;       // balls: with more, contacts exist n
 }  // namespace
 
 FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
-                             const std::vector<scene::Ball>& balls, const Rules& rules,
+                             const std::vector<scene::Ball>& balls, const Settings& settings,
                              const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       initial_balls_(balls),
-      rules_(rules),
-      pairs_(balls, pairs, *rules.model.law),
+      settings_(settings),
+      pairs_(balls, pairs, *settings.model.law),
       step_block_(
-          std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *rules_.model.law)),
+          std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *settings_.model.law)),
       start_(start),
-      skips_(rules.free_flight_skip && balls.size() <= skipping),
+      skips_(settings.free_flight_skip && balls.size() <= skipping),
       periodic_(is_periodic(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
@@ -50,8 +50,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     w.position.set(b, balls[b].position);
     w.velocity.set(b, balls[b].velocity);
     w.spin.set(b, balls[b].spin);
-    w.half_kick[b / lanes].value[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).mass;
-    w.half_spin_kick[b / lanes].value[b % lanes] = 0.5 * rules.time_step / pairs_.of(b).inertia;
+    w.half_kick[b / lanes].value[b % lanes] = 0.5 * settings.time_step / pairs_.of(b).mass;
+    w.half_spin_kick[b / lanes].value[b % lanes] = 0.5 * settings.time_step / pairs_.of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.of(b).mass;
   }
@@ -73,26 +73,26 @@ void FewBodySolver::refuse_overlaps() const {
     const Vec3 x = particles_.position.get(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
-      if (overlap > rules_.most_overlap) throw overlap_error(i, "the jar", overlap);
+      if (overlap > settings_.max_overlap) throw overlap_error(i, "the jar", overlap);
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double touch = radius + initial_balls_[j].radius;
     const double overlap = (touch - norm(nearest(particles_.position.get(j) - x))) / radius;
-    if (overlap > rules_.most_overlap)
+    if (overlap > settings_.max_overlap)
       throw overlap_error(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
 
 double FewBodySolver::time_of(std::int64_t step) const {
-  return static_cast<double>(step) * rules_.time_step;
+  return static_cast<double>(step) * settings_.time_step;
 }
 double FewBodySolver::mill_time(std::int64_t step) const {
   return start_ + time_of(step);
 }
 
 void FewBodySolver::advance(double time, scene::Observer& observer) {
-  const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  const auto until = static_cast<std::int64_t>(std::ceil(time / settings_.time_step - 1e-6));
   target_time_ = time;
   const auto hand_over = [&] {
     if (!finished_.empty()) observer.collisions(finished_);
@@ -126,11 +126,11 @@ void FewBodySolver::advance_block(std::int64_t until) {
   const bool waits = skips_ && !touched_ && w.step < next_skip_;
   if (waits) end = std::min(end, next_skip_);
   drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
-  jar_->sample_drive(start_, rules_.time_step, w.step, drive_);
+  jar_->sample_drive(start_, settings_.time_step, w.step, drive_);
   StepBlock s{.particles = w,
               .jar = *jar_,
               .slow_path = *this,
-              .constants = step_constants(rules_, jar_->periods()),
+              .constants = step_constants(settings_, jar_->periods()),
               .drive = drive_,
               .start = start_,
               .max_displacement = 0.5 * skin_,

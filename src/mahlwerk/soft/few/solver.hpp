@@ -18,7 +18,7 @@ namespace mahlwerk::soft {
 class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
  public:
   FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
-                const Rules& rules, const contact::PairTable& pairs, double start);
+                const Settings& settings, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
@@ -82,7 +82,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
 
   std::unique_ptr<const MovingWall> jar_;
   std::vector<scene::Ball> initial_balls_;  // radius, density, kind; initial positions
-  Rules rules_;
+  Settings settings_;
   SpeciesPairs pairs_;
   BlockStepper step_block_;
   double start_, skin_;

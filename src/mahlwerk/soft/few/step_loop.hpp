@@ -34,32 +34,32 @@ template <bool avx512>
 [[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
-  const Lanes none{}, step = none + s.constants.dt, half = 0.5 * step;
-  const Vec<Lanes> pull0{none + before.body_acceleration.x, none + before.body_acceleration.y,
-                         none + before.body_acceleration.z};
-  const Vec<Lanes> pull1{none + after.body_acceleration.x, none + after.body_acceleration.y,
-                         none + after.body_acceleration.z};
+  const Lanes zero{}, step = zero + s.constants.dt, half = 0.5 * step;
+  const Vec<Lanes> acceleration_before{zero + before.body_acceleration.x, zero + before.body_acceleration.y,
+                         zero + before.body_acceleration.z};
+  const Vec<Lanes> acceleration_after{zero + after.body_acceleration.x, zero + after.body_acceleration.y,
+                         zero + after.body_acceleration.z};
   const double slack = s.max_displacement - s.jar.max_wall_speed() *
                                                 static_cast<double>(w.step - s.list_step) *
                                                 s.constants.dt;
   const double limit = slack > 0 ? slack * slack : -1;
-  LaneMask far{};
+  LaneMask moved_far{};
   for (std::size_t b = 0; b < w.blocks; ++b) {
     const Vec<Lanes> kick = w.half_kick[b].value * w.force.at(b);
-    const Vec<Lanes> v = w.velocity.at(b) + kick + half * pull0;
+    const Vec<Lanes> v = w.velocity.at(b) + kick + half * acceleration_before;
     const Vec<Lanes> x = w.position.at(b) + step * v;
     w.position.put(b, x);
-    w.velocity_predicted.put(b, v + kick + half * pull1);
-    w.velocity.put(b, v + half * pull1);  // still without the second half kick of the contacts
-    const Vec<Lanes> turn = w.half_spin_kick[b].value * w.torque.at(b), spin = w.spin.at(b) + turn;
+    w.velocity_predicted.put(b, v + kick + half * acceleration_after);
+    w.velocity.put(b, v + half * acceleration_after);  // still without the second half kick of the contacts
+    const Vec<Lanes> spin_kick = w.half_spin_kick[b].value * w.torque.at(b), spin = w.spin.at(b) + spin_kick;
     w.spin.put(b, spin);
-    w.spin_predicted.put(b, spin + turn);
-    const Vec<Lanes> way = x - w.list_positions.at(b);
-    const Lanes moved = dot(way, way);
+    w.spin_predicted.put(b, spin + spin_kick);
+    const Vec<Lanes> displacement = x - w.list_positions.at(b);
+    const Lanes moved = dot(displacement, displacement);
     w.displacement_squared[b].value = moved;
-    far |= ~less(moved, none + limit);
+    moved_far |= ~less(moved, zero + limit);
   }
-  return any(far);
+  return any(moved_far);
 }
 
 /// The second half kick of the contacts.
@@ -94,7 +94,7 @@ template <bool avx512>
 /// Adds the forces and torques of a packet to the balls in memory, for any number of balls.
 [[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
                                            const ContactForce& f) {
-  const auto give = [&](std::vector<AlignedLanes>& column, const Lanes& i, const Lanes& j) {
+  const auto add = [&](std::vector<AlignedLanes>& column, const Lanes& i, const Lanes& j) {
     double* all = column_data(column);
     for (int l = 0; l < lanes; ++l) {
       all[p.i[l]] += i[l];
@@ -102,12 +102,12 @@ template <bool avx512>
     }
   };
   const Vec<Lanes> back = -f.force;
-  give(w.force.x, f.force.x, back.x);
-  give(w.force.y, f.force.y, back.y);
-  give(w.force.z, f.force.z, back.z);
-  give(w.torque.x, f.torque_i.x, f.torque_j.x);
-  give(w.torque.y, f.torque_i.y, f.torque_j.y);
-  give(w.torque.z, f.torque_i.z, f.torque_j.z);
+  add(w.force.x, f.force.x, back.x);
+  add(w.force.y, f.force.y, back.y);
+  add(w.force.z, f.force.z, back.z);
+  add(w.torque.x, f.torque_i.x, f.torque_j.x);
+  add(w.torque.y, f.torque_i.y, f.torque_j.y);
+  add(w.torque.z, f.torque_i.z, f.torque_j.z);
 }
 
 /// Computes the forces of a packet in a step. Returns false if no lane touches.
@@ -143,9 +143,9 @@ template <class Law, bool avx512>
   bool touched = false;
   for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
     const DriveSample& drive = s.drive[k + 1];
-    const bool far = drift(s, s.drive[k], drive);
+    const bool moved_far = drift(s, s.drive[k], drive);
     ++w.step;
-    if (far) {
+    if (moved_far) {
       s.slow_path.rebuild_neighbour_list();
       s.list_step = w.step;
     }
@@ -162,9 +162,9 @@ template <class Law, bool avx512>
            column_data(w.spin_predicted.z) + f});
       w.wall_points_due = false;
     }
-    const Lanes none{};
-    s.constants.jar_velocity = {none + drive.velocity.x, none + drive.velocity.y,
-                                none + drive.velocity.z};
+    const Lanes zero{};
+    s.constants.jar_velocity = {zero + drive.velocity.x, zero + drive.velocity.y,
+                                zero + drive.velocity.z};
     touched = false;
     const bool in_registers = avx512 && w.fits_registers;
     Vec<Lanes> force{}, torque{};

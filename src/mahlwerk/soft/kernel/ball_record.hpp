@@ -17,23 +17,23 @@ struct alignas(64) BallRecord {
   double x = 0, y = 0, z = 0;  ///< [m]
   double radius = 0;           ///< [m]
   double u = 0, v = 0, w = 0;  ///< [m/s] predicted (dem.26)
-  double none = 0;
+  double zero = 0;
 
   Vec3 position() const { return {x, y, z}; }
 };
 struct alignas(32) SpinRecord {
   double x = 0, y = 0, z = 0;  ///< [rad/s] predicted
-  double none = 0;
+  double zero = 0;
 };
 /// Two 3-vectors: velocity and spin, or force and torque.
 struct alignas(64) VectorPair {
-  double x = 0, y = 0, z = 0, none = 0;
+  double x = 0, y = 0, z = 0, zero = 0;
   double a = 0, b = 0, c = 0, empty = 0;
 };
 
 /// Single-precision position [m], accurate to a few nanometres.
 struct alignas(16) FloatPosition {
-  float x = 0, y = 0, z = 0, none = 0;
+  float x = 0, y = 0, z = 0, zero = 0;
 };
 
 using Four = double __attribute__((vector_size(4 * sizeof(double))));

@@ -42,7 +42,7 @@ struct alignas(64) PairParameters {
   /// model.
   Lanes roll_spring{};
   Lanes inertia{};  ///< [kg m2] reduced moment of inertia
-  Lanes lag{};      ///< [m/N] SpeciesPair::lag (dem.37)
+  Lanes stiffness_correction{};      ///< [m/N] SpeciesPair::lag (dem.37)
 };
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {

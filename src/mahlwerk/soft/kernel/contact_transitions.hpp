@@ -19,24 +19,25 @@ struct alignas(64) ContactTransitions {
 /// weight, the sum over the steps equals the integral (Euler-Maclaurin end correction, dem.35).
 /// Polynomial fit of -zeta(-1/4, 1 + since), Hurwitz's zeta, to 1.1e-4; `since` is the time from
 /// touch to the first step, in steps.
-[[gnu::always_inline]] inline Lanes rooted_share(const Lanes& since) {
+[[gnu::always_inline]] inline Lanes fourth_root_weight(const Lanes& since) {
   return 0.31709151755564424 +
          since *
              (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
 }
 
-/// jumped * jump + rooted * (whole - jump): the part of the force that is there at touch, and the
-/// part that grows as a fourth root.
-[[gnu::always_inline]] inline Lanes mixed(const Lanes& whole, const Lanes& jump,
-                                          const Lanes& rooted, const Lanes& jumped) {
-  return rooted * whole + (jumped - rooted) * jump;
+/// Sum of the part of the force that is there at touch and the part that grows as a fourth root,
+/// each with its weight.
+[[gnu::always_inline]] inline Lanes weighted_force(const Lanes& full_force, const Lanes& jump_force,
+                                                   const Lanes& root_weight,
+                                                   const Lanes& jump_weight) {
+  return root_weight * full_force + (jump_weight - root_weight) * jump_force;
 }
 
 /// Result of correct_transitions.
 struct alignas(64) TransitionCorrection {
-  LaneMask counts{};  ///< lanes whose force is corrected
-  Lanes lead{};       ///< [s] where begun: initial tangential spring / slip velocity
-  Lanes before{};     ///< [N] normal force of the last step, where ended
+  LaneMask corrected{};       ///< lanes whose force is corrected
+  Lanes initial_slip_time{};  ///< [s] where begun: initial tangential spring / slip velocity
+  Lanes previous_force{};     ///< [N] normal force of the last step, where ended
 };
 
 /// Scales the first force of a contact by the number of steps for which it acts (dem.35). Where a
@@ -44,42 +45,50 @@ struct alignas(64) TransitionCorrection {
 /// (dem.36).
 template <class Law>
 [[gnu::always_inline]] inline TransitionCorrection correct_transitions(
-    const PairParameters& p, const History& past, const ContactTransitions& transitions,
-    const Lanes& overlap, const Lanes& rate, double step, contact::LawForce<Lanes>& f) {
-  const Lanes none{}, one = none + 1.0, way = step * select(transitions.ended, -rate, rate);
-  const LaneMask moves = less(none, way);
-  const Lanes inverse_overlap_change = 1.0 / select(moves, way, one);
+    const PairParameters& pair, const History& history, const ContactTransitions& transitions,
+    const Lanes& overlap, const Lanes& rate, double time_step, contact::LawForce<Lanes>& f) {
+  const Lanes zero{}, one = zero + 1.0,
+                      overlap_change = time_step * select(transitions.ended, -rate, rate);
+  const LaneMask overlap_changes = less(zero, overlap_change);
+  const Lanes inverse_overlap_change = 1.0 / select(overlap_changes, overlap_change, one);
   // The onset overlap counts only where this step passes over it.
-  Lanes onset_overlap = Law::template onset_overlap<Lanes>(past.law_history);
-  onset_overlap = select(transitions.begun & less(onset_overlap, way), onset_overlap, none);
-  const Lanes edge = select(transitions.ended, -p.pull_off_distance, onset_overlap);
-  const Lanes raw = inverse_overlap_change *
-                    select(transitions.ended, overlap + p.pull_off_distance + way, overlap);
-  const LaneMask odd =
-      (transitions.begun & less(raw, none + 1.5)) | (transitions.ended & less(none - 0.5, raw));
-  const LaneMask counts = odd & moves;
-  const Lanes since = min(max(raw, none + 1e-9), one);  // in steps, from touch or to the end
-  const Lanes at =
-      select(transitions.ended, since * way - p.pull_off_distance, max(overlap, onset_overlap));
+  Lanes onset_overlap = Law::template onset_overlap<Lanes>(history.law_history);
+  onset_overlap =
+      select(transitions.begun & less(onset_overlap, overlap_change), onset_overlap, zero);
+  const Lanes edge_overlap = select(transitions.ended, -pair.pull_off_distance, onset_overlap);
+  const Lanes steps_in_contact =
+      inverse_overlap_change *
+      select(transitions.ended, overlap + pair.pull_off_distance + overlap_change, overlap);
+  const LaneMask partial_step = (transitions.begun & less(steps_in_contact, zero + 1.5)) |
+                                (transitions.ended & less(zero - 0.5, steps_in_contact));
+  const LaneMask corrected = partial_step & overlap_changes;
+  const Lanes since =
+      min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end
+  const Lanes force_overlap =
+      select(transitions.ended, since * overlap_change - pair.pull_off_distance,
+             max(overlap, onset_overlap));
   const auto evaluate_at = [&](const Lanes& where) {
     Lanes law_history[contact::law_history_size];
-    for (int i = 0; i < contact::law_history_size; ++i) law_history[i] = past.law_history[i];
-    return Law::template evaluate<Lanes>(p.coefficients, law_history, select(counts, where, none),
-                                         select(counts, rate, none));
+    for (int i = 0; i < contact::law_history_size; ++i) law_history[i] = history.law_history[i];
+    return Law::template evaluate<Lanes>(pair.coefficients, law_history,
+                                         select(corrected, where, zero),
+                                         select(corrected, rate, zero));
   };
-  const contact::LawForce<Lanes> whole = evaluate_at(at), jump = evaluate_at(edge);
-  const Lanes taken = select(transitions.ended, one, none);  // whole step already counted
-  const Lanes rooted = rooted_share(since) / sqrt(sqrt(since)) - taken;
-  const Lanes jumped = 0.5 + since - 0.5 * onset_overlap * inverse_overlap_change - taken;
-  const auto mix = [&](const Lanes& a, const Lanes& b, Lanes& out) {
-    out = select(counts, mixed(a, b, rooted, jumped), out);
+  const contact::LawForce<Lanes> full_force = evaluate_at(force_overlap),
+                                 jump_force = evaluate_at(edge_overlap);
+  const Lanes already_counted = select(transitions.ended, one, zero);  // whole step already counted
+  const Lanes root_weight = fourth_root_weight(since) / sqrt(sqrt(since)) - already_counted;
+  const Lanes jump_weight =
+      0.5 + since - 0.5 * onset_overlap * inverse_overlap_change - already_counted;
+  const auto correct = [&](const Lanes& a, const Lanes& b, Lanes& out) {
+    out = select(corrected, weighted_force(a, b, root_weight, jump_weight), out);
   };
-  mix(whole.force, jump.force, f.force);
-  mix(whole.stiffness, jump.stiffness, f.stiffness);
-  mix(whole.damping, jump.damping, f.damping);
-  mix(whole.load, jump.load, f.load);
-  return {counts, select(counts & transitions.begun, step * (since - 0.5), none),
-          select(counts & transitions.ended, whole.force, none)};
+  correct(full_force.force, jump_force.force, f.force);
+  correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
+  correct(full_force.damping, jump_force.damping, f.damping);
+  correct(full_force.load, jump_force.load, f.load);
+  return {corrected, select(corrected & transitions.begun, time_step * (since - 0.5), zero),
+          select(corrected & transitions.ended, full_force.force, zero)};
 }
 
 }  // namespace mahlwerk::soft

@@ -97,7 +97,7 @@ template <bool avx512>
                                                             const ContactPacket& g,
                                                             LaneMask touching, ContactKind kind) {
   PairMotion b;
-  const Lanes none{};
+  const Lanes zero{};
   Vec<Lanes> position, velocity;
   b.wi = gather_spins<avx512>(s.spins, g.i);
   if (kind == ContactKind::wall) {
@@ -106,7 +106,7 @@ template <bool avx512>
     gather_motion<avx512>(s.rows, g.i, position, velocity);
     const Vec<Lanes> at{points[0].value, points[1].value, points[2].value};
     const Vec3& spin = s.before.spin;
-    b.wj = {none + spin.x, none + spin.y, none + spin.z};
+    b.wj = {zero + spin.x, zero + spin.y, zero + spin.z};
     for (int l = 0; s.turning && l < lanes; ++l) {
       if (g.j[static_cast<std::size_t>(l)] < s.jar->first_rotor_face()) continue;
       const Vec3& rotor = s.before.rotor_spin;
@@ -120,7 +120,7 @@ template <bool avx512>
     b.separation = position;
     if (s.constants.periodic) b.separation = folded(position, s.constants.periods);
     b.relative = -velocity;
-    b.vj = {none, none, none};
+    b.vj = {zero, zero, zero};
     b.wj = gather_spins<avx512>(s.spins, g.j);
   }
   return b;

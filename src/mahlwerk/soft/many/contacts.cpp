@@ -63,7 +63,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
     // Grows by an eighth instead of doubling: packets take most of the memory.
     if (const std::size_t n = list.packets.size(); n == list.packets.capacity())
-      list.reserve(n + n / 8 + 4, has_history_, rules_.model.curved_walls && wall);
+      list.reserve(n + n / 8 + 4, has_history_, settings_.model.curved_walls && wall);
     list.packets.emplace_back();
     ContactPacket& fresh = list.packets.back();
     fresh.species_pair.fill(species_pair);
@@ -72,7 +72,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
-    if (rules_.model.curved_walls && wall)
+    if (settings_.model.curved_walls && wall)
       list.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
     for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
   }
@@ -121,13 +121,13 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
       copy_lane(usual, l, *own, l);
       apply_wall_curvature(*own, l, *jar_, g.j[k],
                            now_[static_cast<std::size_t>(g.i[k])].position(), mill_time(step_),
-                           pairs_[g.species_pair[k]], *rules_.model.law);
+                           pairs_[g.species_pair[k]], *settings_.model.law);
     }
     ContactOnset& onset = list.onsets[n][k];
     onset = contact_onset(step_, m, b, l);
     if (has_history_)
       begin_law_history(list.optional_histories[n].law_history, own != nullptr ? *own : usual, l,
-                        onset.approach, *rules_.model.law);
+                        onset.approach, *settings_.model.law);
   }
   g.begun = 0;
 }
@@ -179,7 +179,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
         .lost_normal = g.lost_normal[l],
         .lost_tangential = g.lost_tangential[l]}});
   ++chunk.sums.collisions;
-  if (is_lasting(duration, onset, pair, *rules_.model.law)) ++chunk.sums.lasting;
+  if (is_lasting(duration, onset, pair, *settings_.model.law)) ++chunk.sums.lasting;
 }
 
 }  // namespace mahlwerk::soft

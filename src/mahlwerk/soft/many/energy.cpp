@@ -46,7 +46,7 @@ ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk)
                   L::evaluate(coefficients.data(), law_history, at, 0.0).stiffness;
               energy.tangential += weight * 0.5 * stiffness * squared(get_lane(g.spring, l));
             },
-            *rules_.model.law);
+            *settings_.model.law);
       }
     }
   };
@@ -61,7 +61,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
   for (const Chunk& chunk : chunks_) add_sums(a, chunk);
   a.time = time_of(step_);
   a.time_steps = step_;
-  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * rules_.time_step)
+  if (a.time < target_time_ && target_time_ - a.time < 1e-5 * settings_.time_step)
     a.time = target_time_;  // rounding
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
   const Vec3 change = body_kick_change();

@@ -106,7 +106,7 @@ void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddre
   const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
   chunk.own.reserve(room(own_list), has_history_, false);
   chunk.halo.reserve(room(halo_list), has_history_, false);
-  chunk.wall.reserve(room(wall_list), has_history_, rules_.model.curved_walls);
+  chunk.wall.reserve(room(wall_list), has_history_, settings_.model.curved_walls);
 }
 
 /// Copies a contact to the chunk. Ball i of the copy is the first ball of the contact, or the

@@ -246,13 +246,13 @@ void ManyBodySolver::refuse_overlaps() const {
         if (pair.other < 0) {
           const double gap = jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
-          if (overlap > rules_.most_overlap) throw overlap_error(ball, "the jar", overlap);
+          if (overlap > settings_.max_overlap) throw overlap_error(ball, "the jar", overlap);
           continue;
         }
         const BallRecord& b = now_[static_cast<std::size_t>(pair.other)];
         const double distance = norm(nearest(b.position() - a.position()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
-        if (overlap > rules_.most_overlap)
+        if (overlap > settings_.max_overlap)
           throw overlap_error(
               ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
       }

@@ -107,7 +107,7 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
 void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(now_, from);
   permute(spins_, from);
-  permute(half_, from);
+  permute(half_size_, from);
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);

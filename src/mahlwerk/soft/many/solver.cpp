@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t in_cache = 30000;     // balls that fit in a processor's cache, with contacts
 constexpr std::int64_t block = 64;          // steps between two checks of the energy
-constexpr std::size_t most_records = 8192;  // buffered for the observer, to bound the memory
+constexpr std::size_t max_records = 8192;  // buffered for the observer, to bound the memory
 
 /// Largest useful number of threads.
 int useful_threads(std::size_t balls) {
@@ -29,20 +29,20 @@ int useful_threads(std::size_t balls) {
 }  // namespace
 
 ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
-                               const std::vector<scene::Ball>& balls, const Rules& rules,
+                               const std::vector<scene::Ball>& balls, const Settings& settings,
                                const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
-      rules_(rules),
-      pairs_(balls, pairs, *rules.model.law),
+      settings_(settings),
+      pairs_(balls, pairs, *settings.model.law),
       step_chunk_(
-          std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *rules_.model.law)),
+          std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *settings_.model.law)),
       start_(start),
       periodic_(is_periodic(jar_->periods())),
       large_(balls.size() > in_cache),
       has_history_(
-          std::visit([]<class L>(const L&) { return L::has_history; }, *rules_.model.law) ||
-          contact::rule_of(rules.model.rolling).has_history || rules.model.rescaled_unloading),
-      team_(std::clamp(rules.threads, 1, useful_threads(balls.size()))) {
+          std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||
+          contact::rule_of(settings.model.rolling).has_history || settings.model.rescaled_unloading),
+      team_(std::clamp(settings.threads, 1, useful_threads(balls.size()))) {
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
   parameters_.resize(pairs_.all().size());
   double smallest = geometry::never;
@@ -59,14 +59,14 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     for (std::int32_t b = 0; b < species; ++b) {
       const std::int32_t k = pairs_.balls(a, b);
       parameters_[static_cast<std::size_t>(k)] =
-          pair_parameters(pairs_[k], s, &pairs_.species(b), rules_.time_step);
+          pair_parameters(pairs_[k], s, &pairs_.species(b), settings_.time_step);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
       const std::int32_t k = pairs_.wall(a, face);
       parameters_[static_cast<std::size_t>(k)] =
-          pair_parameters(pairs_[k], s, nullptr, rules_.time_step);
+          pair_parameters(pairs_[k], s, nullptr, settings_.time_step);
     }
-    const double kick = 0.5 * rules.time_step / s.mass, turn = 0.5 * rules.time_step / s.inertia;
+    const double kick = 0.5 * settings.time_step / s.mass, turn = 0.5 * settings.time_step / s.inertia;
     kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
     class_of_.push_back(classes[octave(s.radius)]);
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
@@ -88,9 +88,9 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
   now_.resize(n), next_.resize(n), list_positions_.resize(n), spins_.resize(n),
       next_spins_.resize(n);
-  half_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
+  half_size_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<DriveSample> b = drive_samples(0, 1);
-  const double dt = rules_.time_step;
+  const double dt = settings_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[k];
     mass_ += pairs_.of(k).mass;
@@ -107,7 +107,7 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
                predicted = v + 0.5 * dt * b[1].body_acceleration;
     const Vec3 x = ball.position + dt * v;
     const Vec3& w = ball.spin;
-    half_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
+    half_size_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
     next_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
     next_spins_[k] = {w.x, w.y, w.z, 0};
   }
@@ -116,18 +116,18 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
 }
 
 double ManyBodySolver::time_of(std::int64_t step) const {
-  return static_cast<double>(step) * rules_.time_step;
+  return static_cast<double>(step) * settings_.time_step;
 }
 
 std::vector<DriveSample> ManyBodySolver::drive_samples(std::int64_t first,
                                                        std::int64_t last) const {
   std::vector<DriveSample> all(static_cast<std::size_t>(last - first) + 1);
-  jar_->sample_drive(start_, rules_.time_step, first, all);
+  jar_->sample_drive(start_, settings_.time_step, first, all);
   return all;
 }
 
 void ManyBodySolver::advance(double time, scene::Observer& observer) {
-  const auto until = static_cast<std::int64_t>(std::ceil(time / rules_.time_step - 1e-6));
+  const auto until = static_cast<std::int64_t>(std::ceil(time / settings_.time_step - 1e-6));
   target_time_ = time;
   const auto hand_over = [&] {
     collect_records();
@@ -144,7 +144,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
         if (stopped()) return hand_over();
         step(all[k], all[k + 1]);
-        if (record_count() > most_records) hand_over();
+        if (record_count() > max_records) hand_over();
       }
       hand_over();
       if (step_ % block != 0) continue;
@@ -166,12 +166,12 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
     rebuild_neighbour_lists();
   else if (sort_is_due())
     sort_pairs();
-  const Lanes none{};
+  const Lanes zero{};
   ChunkStep s{.rows = now_.data(),
               .spins = spins_.data(),
               .next = next_.data(),
               .next_spins = next_spins_.data(),
-              .half = half_.data(),
+              .half = half_size_.data(),
               .list_positions = list_positions_.data(),
               .kicks = kicks_.data(),
               .species = species_.data(),
@@ -186,9 +186,9 @@ void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
               .large = large_,
               .turning = jar_->first_rotor_face() < jar_->faces(),
               .has_history = has_history_,
-              .constants = step_constants(rules_, jar_->periods())};
-  s.constants.jar_velocity = {none + before.velocity.x, none + before.velocity.y,
-                              none + before.velocity.z};
+              .constants = step_constants(settings_, jar_->periods())};
+  s.constants.jar_velocity = {zero + before.velocity.x, zero + before.velocity.y,
+                              zero + before.velocity.z};
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =

@@ -14,7 +14,7 @@
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
 #include "mahlwerk/soft/neighbours/grid.hpp"
-#include "mahlwerk/soft/rules.hpp"
+#include "mahlwerk/soft/settings.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
@@ -26,7 +26,7 @@ namespace mahlwerk::soft {
 class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks {
  public:
   ManyBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
-                 const Rules& rules, const contact::PairTable& pairs, double start);
+                 const Settings& settings, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
@@ -123,7 +123,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const MovingWall> jar_;
-  Rules rules_;
+  Settings settings_;
   SpeciesPairs pairs_;
   ChunkStepper step_chunk_;
   double start_, pull_off_distance_ = 0, mass_ = 0;
@@ -139,7 +139,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   HugePageVector<BallRecord> now_, next_;         // at this step; at the next
   HugePageVector<FloatPosition> list_positions_;  // when the neighbour lists were built
   HugePageVector<SpinRecord> spins_, next_spins_;
-  HugePageVector<VectorPair> half_;
+  HugePageVector<VectorPair> half_size_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;

@@ -7,18 +7,18 @@ namespace mahlwerk::soft {
 
 Vec3 ManyBodySolver::body_kick_change() const {
   const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
-  return 0.5 * rules_.time_step * (b[1].body_acceleration - b[0].body_acceleration);
+  return 0.5 * settings_.time_step * (b[1].body_acceleration - b[0].body_acceleration);
 }
 
 /// Velocity at the present step, from the stored half-step and predicted velocities (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
-  const VectorPair& half = half_[row];
+  const VectorPair& half = half_size_[row];
   const BallRecord& predicted = next_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{predicted.u, predicted.v, predicted.w} +
          body_kick_change;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
-  const VectorPair& half = half_[row];
+  const VectorPair& half = half_size_[row];
   const SpinRecord& predicted = next_spins_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{predicted.x, predicted.y, predicted.z};
 }
@@ -39,10 +39,10 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 /// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
-  const double half_step = 0.5 * rules_.time_step;
+  const double half_step = 0.5 * settings_.time_step;
   const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
   for (std::size_t k = 0; k < id_.size(); ++k) {
-    const VectorPair& half = half_[k];
+    const VectorPair& half = half_size_[k];
     const BallRecord& predicted = next_[k];
     const Vec3 gained =
         Vec3{predicted.u, predicted.v, predicted.w} - Vec3{half.x, half.y, half.z} - pull;
@@ -55,7 +55,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   const std::size_t balls = now_.size();
   archive(step_)(list_step_)(
       skin_)(largest_coordinate_)(used_skin_)(tests_at_sort_)(pairs_sorted_)(tuning_);
-  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_);
+  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_size_);
   if (now_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());

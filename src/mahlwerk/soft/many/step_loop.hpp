@@ -138,14 +138,14 @@ template <bool avx512, bool streaming>
                                                    ChunkDisplacement& displacement) {
   const double dt = s.constants.dt;
   const Vec3 &b0 = s.before.body_acceleration, &b1 = s.after.body_acceleration;
-  const Lanes pull0 = dt * Lanes{b0.x, b0.y, b0.z}, pull1 = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
+  const Lanes body_kick_before = dt * Lanes{b0.x, b0.y, b0.z}, body_kick_after = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
   const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
                             displacement.predicted_mean.z};
-  Four sum{}, most{};
+  Four sum{}, max_deviation{};
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const Lanes kick = s.kicks[s.species[i]].value * load_eight(ball_forces[i - chunk.first]);
-    const Lanes half = load_eight(s.half[i]) + 2.0 * kick + pull0;
-    const Lanes predicted = half + kick + pull1;
+    const Lanes half = load_eight(s.half[i]) + 2.0 * kick + body_kick_before;
+    const Lanes predicted = half + kick + body_kick_after;
     store_eight(s.half[i], half);
     const Lanes row = load_eight(s.rows[i]);
     const Lanes position =
@@ -161,14 +161,14 @@ template <bool avx512, bool streaming>
     }
     const Four way =
         __builtin_shufflevector(position, position, 0, 1, 2, 2) - load_four(s.list_positions[i]);
-    const Four off = way - predicted_mean;
+    const Four deviation = way - predicted_mean;
     sum += way;
-    most = most > off ? most : off;
-    most = most > -off ? most : -off;
+    max_deviation = max_deviation > deviation ? max_deviation : deviation;
+    max_deviation = max_deviation > -deviation ? max_deviation : -deviation;
   }
   if constexpr (streaming) store_fence();
   const double count = std::max(1, chunk.last - chunk.first);
-  displacement.spread = std::sqrt(most[0] * most[0] + most[1] * most[1] + most[2] * most[2]);
+  displacement.spread = std::sqrt(max_deviation[0] * max_deviation[0] + max_deviation[1] * max_deviation[1] + max_deviation[2] * max_deviation[2]);
   displacement.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 

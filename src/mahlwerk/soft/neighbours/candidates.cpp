@@ -27,9 +27,9 @@ void Candidates::add(const BallRecord* rows, std::int32_t first, std::int32_t la
   Vec<Lanes> separation{b.x - query.position.x, b.y - query.position.y, b.z - query.position.z};
   if (periodic_) separation = nearest_image(separation, periods_);
   squared = dot(separation, separation);
-  const Lanes far = b.radius + query.beyond, none{};
+  const Lanes far = b.radius + query.beyond, zero{};
   return less(squared, far * far) &
-         (less(none + query.after, b.row) | less(b.row, none + query.before));
+         (less(zero + query.after, b.row) | less(b.row, zero + query.before));
 }
 
 [[gnu::always_inline]] inline void Candidates::find(const Query& query) {

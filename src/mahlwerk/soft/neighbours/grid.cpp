@@ -22,7 +22,7 @@ std::uint64_t spread(std::uint64_t a) {
 
 Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods)
     : radius_(radius) {
-  constexpr double most_each = 1 << 20;
+  constexpr double max_cells_per_axis = 1 << 20;
   const double cell = 2 * radius + margin;
   std::array<double, 3> extent{};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -49,7 +49,7 @@ Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const 
   for (std::size_t a = 0; a < 3; ++a) {
     const double n = periodic_[a] ? std::max(1.0, std::floor(extent[a] / wide))
                                   : std::floor(extent[a] / wide) + 1;
-    count_[a] = static_cast<std::int32_t>(std::min(n, most_each));
+    count_[a] = static_cast<std::int32_t>(std::min(n, max_cells_per_axis));
     size_[a] = periodic_[a] ? extent[a] / count_[a] : wide;
   }
 }
